@@ -56,6 +56,16 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                addBuildOptions(command, o, "compare");
                addJson(command, o.json);
              });
+  addCommand(
+      study, chosen, "form", "The questionnaire for a survey system or on paper", studyForm,
+      [](CLI::App& command, StudyFormOptions& o) {
+        command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")
+            ->required()
+            ->check(notEmpty());
+        command.add_option("--to", o.to, "What it is for")->required()->check(oneOf({"redcap", "limesurvey", "print"}));
+        command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(study, chosen, "recode", "Give a participant another code", studyRecode,
              [](CLI::App& command, StudyRecodeOptions& o) {
                addFile(command, o.file);

@@ -21,12 +21,19 @@ struct ReferenceColumns {
   std::optional<std::size_t> low, high;
 };
 
+/// `depth`, or with its unit `depth_mm`.
+std::optional<std::size_t> columnOf(const CsvTable& table, const fuzzy::Variable& variable,
+                                    const std::string& ending = {}) {
+  const auto plain = table.find(variable.id + ending);
+  return plain ? plain : table.find(variable.id + ending + "_" + base::columnKey(variable.unit));
+}
+
 base::Result<ReferenceColumns> referenceColumns(const CsvTable& table, const fuzzy::ForceModel& model) {
   ReferenceColumns out;
   std::vector<std::string> ids;
   bool any = false;
   for (const auto& input : model.inputs) {
-    out.inputs.push_back(table.find(input.id));
+    out.inputs.push_back(columnOf(table, input));
     any = any || out.inputs.back();
     ids.push_back(input.id);
   }
@@ -35,12 +42,13 @@ base::Result<ReferenceColumns> referenceColumns(const CsvTable& table, const fuz
                         table.file());
   };
   if (!any) return refuse("a column of an input: " + base::joined(ids, ", "));
-  out.low = table.find("force_min");
-  out.high = table.find("force_max");
-  const auto force = table.find("force");
-  if (force && (out.low || out.high)) return refuse("either force, or force_min and force_max");
+  const std::string& name = model.output.id;
+  out.low = columnOf(table, model.output, "_min");
+  out.high = columnOf(table, model.output, "_max");
+  const auto force = columnOf(table, model.output);
+  if (force && (out.low || out.high)) return refuse("either " + name + ", or " + name + "_min and " + name + "_max");
   if (force) out.low = out.high = force;
-  if (!out.low && !out.high) return refuse("a column force, or force_min, force_max or both");
+  if (!out.low && !out.high) return refuse("a column " + name + ", or " + name + "_min, " + name + "_max or both");
   return out;
 }
 
@@ -70,16 +78,22 @@ base::Result<ReadReference> readReference(const std::string& path, const fuzzy::
   if (auto note = table->note()) out.warnings.push_back(std::move(*note));
   out.curve.columns.resize(model.inputs.size());
   constexpr double kFree = std::numeric_limits<double>::infinity();
+  const auto isGap = [&](std::size_t row, const std::optional<std::size_t>& column) {
+    return !column || base::trimmed(table->cell(row, *column)).empty();
+  };
   for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    const bool no_low = isGap(row, columns->low);
+    const bool no_high = isGap(row, columns->high);
+    if (no_low && no_high) continue;
     for (std::size_t i = 0; i < model.inputs.size(); ++i) {
       const auto& column = columns->inputs[i];
       const auto value = column ? inputValue(*table, row, *column, model.inputs[i]) : base::Result<double>(point[i]);
       if (!value) return tl::unexpected(value.error());
       out.curve.columns[i].push_back(*value);
     }
-    const auto low = columns->low ? table->number(row, *columns->low) : base::Result<double>(-kFree);
+    const auto low = no_low ? base::Result<double>(-kFree) : table->number(row, *columns->low);
     if (!low) return tl::unexpected(low.error());
-    const auto high = columns->high ? table->number(row, *columns->high) : base::Result<double>(kFree);
+    const auto high = no_high ? base::Result<double>(kFree) : table->number(row, *columns->high);
     if (!high) return tl::unexpected(high.error());
     if (*low > *high) {
       return table->refuse(row, *columns->high, ErrorCode::kValue,

@@ -16,8 +16,9 @@ struct ReadReference {
   std::vector<std::string> warnings;
 };
 
-/// Reads the file `path`: columns named after inputs (at least one; the others are at their values in `point`), and
-/// `force`, or a band by `force_min`, `force_max` or both. At most 10,000 rows.
+/// Reads the file `path`: columns named after inputs, with or without their unit (`depth`, `depth_mm`; at least one,
+/// the others are at their values in `point`), and the output in the same way, or a band by `force_min`, `force_max` or
+/// both. Rows without a force are gaps. At most 10,000 rows.
 base::Result<ReadReference> readReference(const std::string& path, const fuzzy::ForceModel& model,
                                           std::span<const double> point);
 

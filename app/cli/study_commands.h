@@ -57,6 +57,16 @@ struct StudyExportOptions {
 /// Exports CSV tables with a codebook.
 base::Result<Output> studyExport(const StudyExportOptions& options);
 
+struct StudyFormOptions {
+  std::string study;  ///< a study file, or a folder with CSV tables, which has no protocol
+  std::string to;     ///< `redcap`, `limesurvey`, `print`
+  std::string out;    ///< folder
+  bool json = false;
+};
+/// Writes the form that the study's participants answer, in the languages of its protocol, for people who answer it
+/// elsewhere.
+base::Result<Output> studyForm(const StudyFormOptions& options);
+
 struct StudyRecodeOptions {
   std::string file;
   std::string person;  ///< code or id

@@ -201,6 +201,11 @@ TEST_F(PullCommandTest, ToAReferenceCurve) {
   const ProgramRun band({"pull", s4_, "--at", kPulled, "--curve", reference});
   EXPECT_EQ(band.status, 0) << band.err;
   EXPECT_NE(band.out.find("N (root mean square) from the reference."), std::string::npos) << band.out;
+
+  // As the workbench writes its curves: units in the names, gaps.
+  writeText(reference, "depth_mm,force_n\n200,0.6\n210,\n");
+  const PullJson one = pulled({s4_, "--at", kPulled, "--curve", reference});
+  EXPECT_NEAR(one["residual_n"].get<double>(), .6 - .589444, 5.1e-7) << "the point that is no gap";
 }
 
 TEST_F(PullCommandTest, WrongReferencesAreRefused) {

@@ -1,0 +1,110 @@
+// `tactus study form`: the questionnaire of a study for survey systems, and on paper.
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include "app/cli/study_commands.h"
+#include "app/cli/study_text.h"
+#include "app/report/printed_form.h"
+#include "app/session/study_protocol.h"
+#include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/text.h"
+#include "questionnaires/survey_files.h"
+
+namespace tactus::cli {
+namespace {
+
+using questionnaires::Survey;
+
+struct AskedForm {
+  std::string form;
+  std::vector<std::string> languages;
+  std::vector<std::string> notices;
+};
+
+/// The form and the languages of the study's protocol; the defaults for a file without one and for tables.
+base::Result<AskedForm> askedForm(const std::string& path) {
+  session::StudyProtocol protocol;
+  std::vector<std::string> notices;
+  if (!std::filesystem::is_directory(path)) {
+    const auto file = store::StudyFile::open(path, {store::Access::kReadOnly});
+    if (!file) return tl::unexpected(file.error());
+    auto current = session::currentProtocol(*file);
+    if (!current) return base::inFile(current.error(), path);
+    if (*current) protocol = std::move(**current);
+    notices = noticesOf(*file);
+  }
+  return AskedForm{protocol.settings.form, protocol.languages, std::move(notices)};
+}
+
+base::Result<std::vector<Survey>> surveysOf(const AskedForm& asked) {
+  std::vector<Survey> out;
+  for (const std::string& language : asked.languages) {
+    auto one = questionnaires::survey(asked.form, language);
+    if (!one) return tl::unexpected(one.error());
+    out.push_back(std::move(*one));
+  }
+  return out;
+}
+
+using NamedFiles = std::vector<std::pair<std::string, std::string>>;
+
+base::Result<NamedFiles> filesFor(const std::string& to, const std::vector<Survey>& surveys) {
+  NamedFiles out;
+  const std::string& name = surveys.front().name;
+  if (to == "limesurvey") {
+    std::set<std::string> codes;
+    for (const Survey& survey : surveys) {
+      const std::string code = questionnaires::limeSurveyLanguage(survey.language);
+      if (codes.insert(code).second) continue;
+      return base::fail(base::ErrorCode::kValue, "--to limesurvey", "two wordings that LimeSurvey calls " + code,
+                        "one wording for each language in the protocol");
+    }
+    out.emplace_back(name + ".txt", questionnaires::limeSurveyStructure(surveys));
+  } else {
+    for (const Survey& survey : surveys) {
+      const std::string file = name + "." + survey.language;
+      if (to == "redcap") out.emplace_back(file + ".csv", questionnaires::redcapDictionary(survey));
+      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey));
+    }
+  }
+  if (to != "print") {
+    out.emplace_back("fields.csv", questionnaires::fieldTable(surveys.front()));
+    out.emplace_back("codes.csv", questionnaires::codeTable(surveys.front()));
+  }
+  return out;
+}
+
+}  // namespace
+
+base::Result<Output> studyForm(const StudyFormOptions& options) {
+  auto asked = askedForm(options.study);
+  if (!asked) return tl::unexpected(asked.error());
+  const auto surveys = surveysOf(*asked);
+  if (!surveys) return base::inFile(surveys.error(), options.study);
+  const auto files = filesFor(options.to, *surveys);
+  if (!files) return tl::unexpected(files.error());
+  if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
+  std::vector<std::string> paths;
+  for (const auto& [name, text] : *files) {
+    paths.push_back(options.out + "/" + name);
+    if (const auto written = base::writeFileAtomically(paths.back(), text); !written)
+      return tl::unexpected(written.error());
+  }
+  std::vector<std::string> warnings = std::move(asked->notices);
+  if (options.to == "limesurvey") {
+    warnings.push_back("this structure was never imported into a LimeSurvey server; look at it before it is used");
+  }
+  if (!options.json) {
+    std::string text;
+    for (const std::string& path : paths) text += base::oneLine(path) + '\n';
+    return Output{std::move(text), std::move(warnings)};
+  }
+  base::JsonWriter json;
+  json.beginObject().key("study").value(options.study).key("form").value(asked->form);
+  json.key("languages").values(asked->languages).key("files").values(paths).key("warnings").values(warnings);
+  return Output{json.endObject().text(), std::move(warnings)};
+}
+
+}  // namespace tactus::cli

@@ -1,0 +1,57 @@
+#include "app/report/printed_form.h"
+
+#include "app/report/markup.h"
+
+namespace tactus::report {
+namespace {
+
+constexpr std::string_view kStyle = R"(
+@page { size: A4; margin: 14mm; }
+body { font: 11pt/1.35 Arial, "Noto Sans", "Noto Sans CJK TC", sans-serif; color: #1f2328; max-width: 190mm; margin: 10mm auto; }
+h1 { font-size: 17pt; margin: 0 0 3mm; }
+.code { margin: 6mm 0; }
+.line { display: inline-block; width: 60mm; border-bottom: 1px solid #1f2328; }
+table { width: 100%; border-collapse: collapse; margin: 0 0 6mm; }
+thead { display: table-header-group; }
+th, td { padding: 1.6mm 1mm; border-bottom: 1px solid #d0d7de; vertical-align: top; text-align: left; }
+th { font-size: 9pt; font-weight: 600; vertical-align: bottom; }
+.number { width: 7mm; text-align: right; color: #57606a; }
+.choice { width: 15mm; text-align: center; }
+td.choice { font-size: 14pt; line-height: 1; }
+tr { break-inside: avoid; }
+@media print { body { margin: 0; max-width: none; } }
+)";
+
+std::string cell(std::string_view tag, std::string_view kind, std::string_view text) {
+  const std::string name(tag);
+  return "<" + name + (kind.empty() ? "" : " class=\"" + std::string(kind) + "\"") + ">" + Markup(text).html() + "</" +
+         name + ">";
+}
+
+/// One table with a head, which a printer repeats on each page.
+std::string tableOf(const questionnaires::Survey& survey, const questionnaires::SurveyMatrix& matrix) {
+  std::string html = "<table>\n<thead><tr><th></th><th></th>";
+  for (const auto& choice : survey.choices) html += cell("th", "choice", choice.label);
+  html += "</tr></thead>\n<tbody>\n";
+  for (const auto& field : matrix.fields) {
+    html += "<tr>" + cell("td", "number", std::to_string(field.item)) + cell("td", "", field.text);
+    for (std::size_t k = 0; k < survey.choices.size(); ++k) html += cell("td", "choice", "☐");
+    html += "</tr>\n";
+  }
+  return html + "</tbody>\n</table>\n";
+}
+
+}  // namespace
+
+std::string printedForm(const questionnaires::Survey& survey) {
+  const std::string title = Markup(survey.title).html();
+  std::string html = "<!DOCTYPE html>\n<html lang=\"" + Markup(survey.language).html() +
+                     "\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n<meta charset=\"utf-8\"/>\n<title>" + title +
+                     "</title>\n<style>" + std::string(kStyle) + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n";
+  if (!survey.instructions.empty()) html += "<p>" + Markup(survey.instructions).html() + "</p>\n";
+  html += "<p class=\"code\">" + Markup(survey.code_label).html() + ": <span class=\"line\">&#160;</span></p>\n";
+  for (const auto& matrix : survey.matrices) html += tableOf(survey, matrix);
+  return html + "</body>\n</html>\n";
+}
+
+}  // namespace tactus::report

@@ -1,0 +1,54 @@
+// A form for people who answer it outside of this program: fields, codes and matrices, in one language.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/study/records.h"
+#include "questionnaires/questionnaire.h"
+
+namespace tactus::questionnaires {
+
+struct SurveyChoice {
+  std::string code;    ///< at most 5 characters, letters and digits
+  std::string term;    ///< stored value; empty for the answer `cannot tell`
+  std::string status;  ///< of an answer, as in answers.csv: `answered`, `cant_tell`
+  std::string label;
+};
+
+struct SurveyField {
+  std::string name;  ///< `q01`: the form's item number
+  int item = 0;
+  std::string text;
+  std::vector<study::ItemCondition> conditions;  ///< none for a statement
+};
+
+/// Consecutive fields that share a condition (well lubricated, in five regions), shown as one table.
+struct SurveyMatrix {
+  std::string name;  ///< `m01`
+  std::vector<SurveyField> fields;
+};
+
+struct Survey {
+  std::string form;  ///< form id
+  int version = 1;
+  std::string name;  ///< of files and instruments: a to z, 0 to 9, `_`
+  std::string language;
+  std::string title;
+  std::string instructions;  ///< may be empty
+  std::string code_label;    ///< `Participant code`
+  std::vector<SurveyChoice> choices;
+  std::vector<SurveyMatrix> matrices;
+};
+
+/// The embedded form `form` in `language`. Returns an error for an unknown form or language.
+base::Result<Survey> survey(std::string_view form, std::string_view language);
+
+/// Two tables that lead from responses back to answers: `field,form,item` and one column per input; `code,term,status`.
+std::string fieldTable(const Survey& survey);
+std::string codeTable(const Survey& survey);
+
+}  // namespace tactus::questionnaires

@@ -1,0 +1,79 @@
+// `study form` on the command line: which files, in which languages.
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "core/base/tables/csv.h"
+
+#include "tests/app/cli/run_program.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/well_formed.h"
+
+namespace tactus::cli {
+namespace {
+
+using FormJson = nlohmann::json;
+
+class StudyFormTest : public testing::Test {
+ protected:
+  StudyFormTest() { EXPECT_EQ(ProgramRun({"study", "new", study_}).status, 0); }
+
+  ProgramRun form(const std::string& to) const {
+    return ProgramRun({"study", "form", study_, "--to", to, "--out", out_, "--json"});
+  }
+
+  support::TempFolder folder_;
+  std::string study_ = folder_.file("a.tactus");
+  std::string out_ = folder_.file("form");
+};
+
+TEST_F(StudyFormTest, InEnglishWithoutAProtocol) {
+  const ProgramRun run = form("redcap");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const FormJson said = FormJson::parse(run.out);
+  EXPECT_EQ(said["form"], "ngt-force-v1");
+  EXPECT_EQ(said["languages"], FormJson::parse(R"(["en"])"));
+  ASSERT_EQ(said["files"].size(), 3U);
+  EXPECT_EQ(said["files"][0], out_ + "/ngt_force.en.csv");
+  for (const FormJson& file : said["files"]) {
+    EXPECT_TRUE(base::CsvTable::read(file.get<std::string>()).has_value()) << file;
+  }
+  const ProgramRun folder(
+      {"study", "form", std::filesystem::path(study_).parent_path().string(), "--to", "print", "--out", out_});
+  EXPECT_EQ(folder.status, 0) << folder.err;
+  EXPECT_EQ(folder.out, out_ + "/ngt_force.en.html\n");
+}
+
+TEST_F(StudyFormTest, InTheLanguagesOfTheProtocol) {
+  const std::string consent = folder_.file("consent.txt");
+  writeText(consent, "I agree.");
+  const ProgramRun set({"study", "protocol", study_, "--set", "languages=en,de", "--set", "consent_version=1",
+                        "--consent", "en=" + consent, "--consent", "de=" + consent, "--author", "Test"});
+  ASSERT_EQ(set.status, 0) << set.err;
+  const FormJson redcap = FormJson::parse(form("redcap").out);
+  EXPECT_EQ(redcap["files"].size(), 4U);
+  const ProgramRun lime = form("limesurvey");
+  EXPECT_NE(lime.err.find("was never imported into a LimeSurvey server"), std::string::npos);
+  EXPECT_EQ(FormJson::parse(lime.out)["files"][0], out_ + "/ngt_force.txt");
+  const FormJson print = FormJson::parse(form("print").out);
+  ASSERT_EQ(print["files"].size(), 2U);
+  for (const FormJson& file : print["files"]) {
+    const std::string html = readText(file);
+    EXPECT_EQ(support::markupFault(html), "") << file;
+    EXPECT_EQ(support::countOf(html, "☐"), 45U * 6U);
+  }
+}
+
+TEST_F(StudyFormTest, WrongRequestsAreRefused) {
+  const ProgramRun to({"study", "form", study_, "--to", "paper", "--out", out_});
+  EXPECT_EQ(to.status, 2);
+  const ProgramRun missing({"study", "form", folder_.file("none.tactus"), "--to", "print", "--out", out_});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(missing.err.find("none.tactus"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  writeText(out_, "a file");
+  EXPECT_EQ(form("print").status, 1);
+}
+
+}  // namespace
+}  // namespace tactus::cli
