@@ -11,7 +11,7 @@ body { font: 11pt/1.35 Arial, "Noto Sans", "Noto Sans CJK TC", sans-serif; color
 h1 { font-size: 17pt; margin: 0 0 3mm; }
 .code { margin: 6mm 0; }
 .line { display: inline-block; width: 60mm; border-bottom: 1px solid #1f2328; }
-table { width: 100%; border-collapse: collapse; margin: 0 0 6mm; }
+table { width: 100%; border-collapse: collapse; margin: 0 0 6mm; break-inside: avoid; }
 thead { display: table-header-group; }
 th, td { padding: 1.6mm 1mm; border-bottom: 1px solid #d0d7de; vertical-align: top; text-align: left; }
 th { font-size: 9pt; font-weight: 600; vertical-align: bottom; }

@@ -5,6 +5,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "core/analysis/pull/gesture_search.h"
+#include "core/analysis/pull/reference_fit.h"
+#include "core/base/random.h"
+
 #include "tests/support/invented_experts.h"
 #include "tests/support/ngt_model.h"
 
@@ -24,11 +28,11 @@ void addPoint(ReferenceCurve& curve, double depth_mm, double low_n, double high_
   curve.high_n.push_back(high_n);
 }
 
-/// The force of `model` at depths 0, 2, … 600.
-ReferenceCurve curveOf(const fuzzy::ForceModel& model) {
+/// The force of `model` at depths 0, 2, … 600, or in other steps.
+ReferenceCurve curveOf(const fuzzy::ForceModel& model, int step_mm = 2) {
   const auto compiled = fuzzy::compile(model);
   ReferenceCurve curve = emptyCurve();
-  for (int depth_mm = 0; depth_mm <= 600; depth_mm += 2) {
+  for (int depth_mm = 0; depth_mm <= 600; depth_mm += step_mm) {
     const double point[] = {1, 60, static_cast<double>(depth_mm), 50};
     const double force_n = compiled->evaluate(point).force_n;
     addPoint(curve, depth_mm, force_n, force_n);
@@ -46,8 +50,10 @@ void plant(fuzzy::Variable& variable, std::size_t ramp, double begin, double end
 
 class PullCurveTest : public testing::Test {
  protected:
-  void pullTo(const ReferenceCurve& curve) {
-    const auto found = pullToCurve(model_, point_, curve, noticeableNear);
+  void pullTo(const ReferenceCurve& curve, std::size_t box_points = kBoxPoints) {
+    PullSettings settings;
+    settings.box_points = box_points;
+    const auto found = pullToCurve(model_, point_, curve, noticeableNear, settings);
     ASSERT_TRUE(found.has_value()) << found.error().message();
     found_ = *found;
   }
@@ -165,6 +171,30 @@ TEST_F(PullCurveTest, APlantedGestureOfTheMeanIsFound) {
   ASSERT_NE(one, nullptr);
   EXPECT_NEAR(one->candidate.edits[0].delta, 3, 1e-9);
   EXPECT_LT(one->residual_n, 1e-12);
+}
+
+// Thirteen random gestures, each with a random delta, from their curves at every 12 mm.
+TEST_F(PullCurveTest, RandomGesturesAreFoundAgain) {
+  base::Random random(13);
+  int planted = 0;
+  while (planted < 13) {
+    const auto gestures = gesturesOfList(model_, {static_cast<std::size_t>(random.below(5)), {}});
+    const SearchedGesture& one = gestures[static_cast<std::size_t>(random.below(static_cast<int>(gestures.size())))];
+    PullEdit edit = one.edit;
+    edit.delta = random.uniform(.2, .8) * (random.uniform() < .5 ? one.range.low : one.range.high);
+    const ReferenceCurve curve = curveOf(applied(model_, edit), 12);
+    const ReferenceFit fit(*fuzzy::compile(model_), curve, noticeableNear);
+    if (fit.of(*fuzzy::compile(model_))->rms_n < 1e-3) continue;  // the curve does not show it
+    ++planted;
+    pullTo(curve, 16);
+    const auto found = std::find_if(found_.candidates.begin(), found_.candidates.end(), [&](const CurveCandidate& c) {
+      PullEdit same = c.candidate.edits[0];
+      same.delta = edit.delta;
+      return c.candidate.edits.size() == 1 && same == edit;
+    });
+    ASSERT_NE(found, found_.candidates.end()) << name(edit.gesture) << " by " << edit.delta;
+    EXPECT_LT(found->residual_n, 1e-9) << name(edit.gesture) << " by " << edit.delta << ": as good as planted";
+  }
 }
 
 TEST_F(PullCurveTest, SeveralStepsWhereOneIsNotEnough) {
