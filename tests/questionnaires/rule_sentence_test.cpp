@@ -34,24 +34,24 @@ TEST(RuleSentence, ListsConditionsInTheOrderOfTheInputs) {
   EXPECT_EQ(rule->conditions, (Conditions{{"lubrication", "well"}, {"depth", "stomach"}, {"speed", "fast"}}));
 }
 
-std::string refusal(std::string_view text) {
+std::string sentenceRefusal(std::string_view text) {
   const auto rule = parseRuleSentence(text, ngtAliases());
   return rule ? "" : rule.error().message();
 }
 
 TEST(RuleSentence, OtherSentencesAreRefused) {
-  EXPECT_EQ(refusal(""), "sentence '': found its end, wanted the word 'if'");
-  EXPECT_EQ(refusal("IF Speed IS Slow"), "sentence 'IF Speed IS Slow': found its end, wanted the word 'then'");
+  EXPECT_EQ(sentenceRefusal(""), "sentence '': found its end, wanted the word 'if'");
+  EXPECT_EQ(sentenceRefusal("IF Speed IS Slow"), "sentence 'IF Speed IS Slow': found its end, wanted the word 'then'");
   EXPECT_EQ(
-      refusal("IF Mood IS Slow THEN Force IS"),
+      sentenceRefusal("IF Mood IS Slow THEN Force IS"),
       "sentence 'IF Mood IS Slow THEN Force IS': found 'Mood', wanted an input: lubrication, neck_flexion, depth, "
       "speed");
-  EXPECT_EQ(refusal("IF Speed IS Slow AND Speed IS Fast THEN Force IS"),
+  EXPECT_EQ(sentenceRefusal("IF Speed IS Slow AND Speed IS Fast THEN Force IS"),
             "sentence 'IF Speed IS Slow AND Speed IS Fast THEN Force IS': found two conditions on 'Speed', wanted one "
             "condition for each input");
-  EXPECT_EQ(refusal("IF Speed IS Slow THEN Speed IS"),
+  EXPECT_EQ(sentenceRefusal("IF Speed IS Slow THEN Speed IS"),
             "sentence 'IF Speed IS Slow THEN Speed IS': found 'Speed', wanted the output 'force'");
-  EXPECT_EQ(refusal("IF Speed IS Slow THEN Force IS Small IF"),
+  EXPECT_EQ(sentenceRefusal("IF Speed IS Slow THEN Force IS Small IF"),
             "sentence 'IF Speed IS Slow THEN Force IS Small IF': found more after the rule, wanted its end");
 }
 

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/core/analysis/ngt_numbers.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::analysis {
 namespace {
 
-using Kind = Counterfactual::Kind;
-enum Input : std::size_t { kLubrication, kFlexion, kDepth, kSpeed };
-
+using CounterfactualKind = Counterfactual::Kind;
 // sqrt(.04^2 + (.12 F)^2), the specification's just-noticeable difference.
-double noticeable(double force_n) { return std::hypot(.04, .12 * force_n); }
-
 class Counterfactuals : public testing::Test {
  protected:
   void at(const std::vector<double>& point) {
@@ -27,16 +24,16 @@ class Counterfactuals : public testing::Test {
     found_ = *found;
   }
 
-  const Counterfactual* find(Kind kind, std::size_t input, const std::string& term = {}) const {
+  const Counterfactual* find(CounterfactualKind kind, std::size_t input, const std::string& term = {}) const {
     const auto it = std::find_if(found_.begin(), found_.end(), [&](const auto& one) {
-      return one.kind == kind && one.input == input && (kind != Kind::kTerm || one.term == term);
+      return one.kind == kind && one.input == input && (kind != CounterfactualKind::kTerm || one.term == term);
     });
     return it == found_.end() ? nullptr : &*it;
   }
 
   /// The change of the force with `input` in the middle of `term`.
   double change(std::size_t input, const std::string& term) const {
-    const auto* const found = find(Kind::kTerm, input, term);
+    const auto* const found = find(CounterfactualKind::kTerm, input, term);
     return found != nullptr ? found->force_n - now_n_ : std::nan("");
   }
 
@@ -49,21 +46,21 @@ TEST_F(Counterfactuals, InTheEsophagusWithTheNeckFlexed) {
   at({1, 60, 200, 50});
   EXPECT_NEAR(change(kLubrication, "poor"), .071252, 5e-7);
   EXPECT_NEAR(change(kLubrication, "medium"), .008712, 5e-7);
-  EXPECT_EQ(find(Kind::kTerm, kLubrication, "well"), nullptr) << "it is well lubricated";
+  EXPECT_EQ(find(CounterfactualKind::kTerm, kLubrication, "well"), nullptr) << "it is well lubricated";
   EXPECT_NEAR(change(kFlexion, "small"), -.139444, 5e-7);
   EXPECT_NEAR(change(kFlexion, "medium"), -.139444, 5e-7);
   EXPECT_NEAR(change(kFlexion, "large"), .072937, 5e-7);
   EXPECT_NEAR(change(kSpeed, "medium"), .008712, 5e-7);
   EXPECT_NEAR(change(kSpeed, "fast"), .071252, 5e-7);
 
-  EXPECT_NEAR(find(Kind::kNoticeable, kFlexion)->value, 56.6623, 5e-5);
-  EXPECT_NEAR(find(Kind::kNoticeable, kFlexion)->delta, -3.3377, 5e-5);
-  EXPECT_NEAR(find(Kind::kNoticeable, kDepth)->value, 188.2822, 5e-5);
-  EXPECT_EQ(find(Kind::kNoticeable, kLubrication), nullptr);
-  EXPECT_EQ(find(Kind::kNoticeable, kSpeed), nullptr);
-  EXPECT_NEAR(std::abs(find(Kind::kNoticeable, kFlexion)->force_n - now_n_), noticeable(now_n_), 1e-9);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kFlexion)->value, 56.6623, 5e-5);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kFlexion)->delta, -3.3377, 5e-5);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kDepth)->value, 188.2822, 5e-5);
+  EXPECT_EQ(find(CounterfactualKind::kNoticeable, kLubrication), nullptr);
+  EXPECT_EQ(find(CounterfactualKind::kNoticeable, kSpeed), nullptr);
+  EXPECT_NEAR(std::abs(find(CounterfactualKind::kNoticeable, kFlexion)->force_n - now_n_), noticeable(now_n_), 1e-9);
 
-  const auto* const word = find(Kind::kLargestWord, kFlexion);
+  const auto* const word = find(CounterfactualKind::kLargestWord, kFlexion);
   ASSERT_NE(word, nullptr);
   EXPECT_NEAR(word->value, 61.7423, 5e-5);
   EXPECT_EQ(word->term, "small");
@@ -76,10 +73,10 @@ TEST_F(Counterfactuals, BetweenNoseAndNasopharynx) {
   EXPECT_NEAR(change(kFlexion, "large"), 0, 5e-7);
   EXPECT_NEAR(change(kSpeed, "medium"), .049980, 5e-7);
   EXPECT_NEAR(change(kSpeed, "fast"), .205203, 5e-7);
-  EXPECT_NEAR(find(Kind::kNoticeable, kDepth)->value, 66.5005, 5e-5);
-  EXPECT_NEAR(find(Kind::kNoticeable, kLubrication)->value, .381123, 5e-7);
-  EXPECT_NEAR(find(Kind::kNoticeable, kSpeed)->value, 120.6943, 5e-5);
-  const auto* const word = find(Kind::kLargestWord, kDepth);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kDepth)->value, 66.5005, 5e-5);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kLubrication)->value, .381123, 5e-7);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kSpeed)->value, 120.6943, 5e-5);
+  const auto* const word = find(CounterfactualKind::kLargestWord, kDepth);
   ASSERT_NE(word, nullptr);
   EXPECT_NEAR(word->value, 70.5051, 5e-5);
   EXPECT_EQ(word->instead, "medium");
@@ -90,10 +87,10 @@ TEST_F(Counterfactuals, TwoWordsThatTie) {
   EXPECT_NEAR(change(kLubrication, "poor"), .139456, 5e-7);
   EXPECT_NEAR(change(kLubrication, "medium"), -.165942, 5e-7);
   EXPECT_NEAR(change(kSpeed, "slow"), -.002213, 5e-7);
-  EXPECT_NEAR(find(Kind::kNoticeable, kLubrication)->value, .354653, 5e-7);
+  EXPECT_NEAR(find(CounterfactualKind::kNoticeable, kLubrication)->value, .354653, 5e-7);
   std::vector<const Counterfactual*> ties;
   for (const auto& one : found_) {
-    if (one.kind == Kind::kLargestWord) ties.push_back(&one);
+    if (one.kind == CounterfactualKind::kLargestWord) ties.push_back(&one);
   }
   ASSERT_EQ(ties.size(), 1U);
   EXPECT_EQ(ties[0]->delta, 0);

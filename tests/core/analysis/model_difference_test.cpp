@@ -7,7 +7,7 @@
 namespace tactus::analysis {
 namespace {
 
-using Kind = ModelChange::Kind;
+using ChangeKind = ModelChange::Kind;
 
 TEST(ModelDifference, EqualModelsDoNotDiffer) {
   auto model = support::s4Shifted();
@@ -38,17 +38,17 @@ TEST(ModelDifference, EachChangeIsNamedOnce) {
     ADD_FAILURE() << start;
     return {};
   };
-  EXPECT_EQ(find("term 'slow' of 'speed'").kind, Kind::kChanged);
-  EXPECT_EQ(find("expert 'S4'"), (ModelChange{Kind::kChanged, "expert 'S4'", "weight 1", "weight 2"}));
-  EXPECT_EQ(find("expert 'S5'").kind, Kind::kAdded);
-  EXPECT_EQ(find("default force"), (ModelChange{Kind::kChanged, "default force", "0", "0.1"}));
-  EXPECT_EQ(find("renderer"), (ModelChange{Kind::kChanged, "renderer, stiffness_n_mm", "0.25", "0.5"}));
+  EXPECT_EQ(find("term 'slow' of 'speed'").kind, ChangeKind::kChanged);
+  EXPECT_EQ(find("expert 'S4'"), (ModelChange{ChangeKind::kChanged, "expert 'S4'", "weight 1", "weight 2"}));
+  EXPECT_EQ(find("expert 'S5'").kind, ChangeKind::kAdded);
+  EXPECT_EQ(find("default force"), (ModelChange{ChangeKind::kChanged, "default force", "0", "0.1"}));
+  EXPECT_EQ(find("renderer"), (ModelChange{ChangeKind::kChanged, "renderer, stiffness_n_mm", "0.25", "0.5"}));
   int rules = 0;
   int removed = 0;
   for (const ModelChange& change : changes) {
     if (!change.place.starts_with("rule of 'S4': ")) continue;
     ++rules;
-    removed += change.kind == Kind::kRemoved ? 1 : 0;
+    removed += change.kind == ChangeKind::kRemoved ? 1 : 0;
   }
   EXPECT_EQ(rules, 3);
   EXPECT_EQ(removed, 1);

@@ -23,8 +23,8 @@ namespace tactus::exchange {
 namespace {
 
 constexpr const char* kFolder = "/usr/share/doc/fuzzylite/examples";
-constexpr int kPoints = 100;
-constexpr double kShare = 1e-9;  // of the output's range: what a program may differ that computes the same
+constexpr int kPointsOfFile = 100;
+constexpr double kShareOfFile = 1e-9;  // of the output's range: what a program may differ that computes the same
 
 /// Every reason for which one of these files may be refused: the part of the sentence, and what the file must hold.
 const std::map<std::string, std::string> kReasons = {
@@ -87,13 +87,13 @@ class RealFiles : public testing::Test {
     const auto compiled = fuzzy::compile(model);
     ASSERT_TRUE(compiled);
     base::Random random(23);
-    std::vector<std::vector<double>> points(kPoints);
+    std::vector<std::vector<double>> points(kPointsOfFile);
     for (auto& point : points) {
       for (const fuzzy::Variable& input : model.inputs)
         point.push_back(input.min + (input.max - input.min) * random.uniform());
     }
     const auto wanted = program_.outputs(content, format, points);
-    ASSERT_EQ(wanted.size(), kPoints * count);
+    ASSERT_EQ(wanted.size(), kPointsOfFile * count);
     const analysis::Sampling sampling{analysis::Sampling::Rule::kMidpoint, cellsIn(content, format, index)};
     for (std::size_t p = 0; p < points.size(); ++p) {
       const auto found = analysis::evaluateSampled(*compiled, points[p], sampling, 0);
@@ -102,7 +102,7 @@ class RealFiles : public testing::Test {
         EXPECT_FALSE(found.fired && !std::isnan(found.force_n)) << p;
         continue;
       }
-      EXPECT_NEAR(found.force_n, of_program, kShare * (model.output.max - model.output.min)) << "point " << p;
+      EXPECT_NEAR(found.force_n, of_program, kShareOfFile * (model.output.max - model.output.min)) << "point " << p;
       ++compared_;
     }
   }

@@ -12,7 +12,7 @@
 namespace tactus::fuzzy {
 namespace {
 
-constexpr std::size_t kPoints = 37;  ///< not a whole number of batches
+constexpr std::size_t kAllocationPoints = 37;  ///< not a whole number of batches
 
 TEST(Allocation, EvaluationNeverAllocates) {
   base::Random random(5);
@@ -24,10 +24,10 @@ TEST(Allocation, EvaluationNeverAllocates) {
     std::vector<std::optional<double>> fixed(point.size());
     fixed[0] = point[0];
     const auto scene = Scene::specialize(*compiled, fixed);
-    std::vector<double> force_n(kPoints);
-    std::vector<std::uint8_t> fired(kPoints);
+    std::vector<double> force_n(kAllocationPoints);
+    std::vector<std::uint8_t> fired(kAllocationPoints);
     std::vector<std::vector<double>> columns;
-    for (const double x : point) columns.emplace_back(kPoints, x);
+    for (const double x : point) columns.emplace_back(kAllocationPoints, x);
     const std::vector<std::span<const double>> all(columns.begin(), columns.end());
     const auto free = std::span(all).subspan(1);
     const long before = support::allocations();

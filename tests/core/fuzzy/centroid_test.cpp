@@ -8,14 +8,11 @@
 #include "core/base/random.h"
 #include "core/fuzzy/compiled_model.h"
 
+#include "tests/core/fuzzy/trapezoid.h"
 #include "tests/support/random_model.h"
 
 namespace tactus::fuzzy {
 namespace {
-
-MembershipFunction trapezoid(double a, double b, double c, double d) {
-  return MembershipFunction::of({"t", "t", Shape::kTrapezoid, {a, b, c, d}});
-}
 
 MembershipFunction gaussian(double mean, double sigma) {
   return MembershipFunction::of({"g", "g", Shape::kGaussian, {mean, sigma}});

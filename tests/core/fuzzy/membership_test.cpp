@@ -3,12 +3,10 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/core/fuzzy/trapezoid.h"
+
 namespace tactus::fuzzy {
 namespace {
-
-MembershipFunction trapezoid(double a, double b, double c, double d) {
-  return MembershipFunction::of({"t", "t", Shape::kTrapezoid, {a, b, c, d}});
-}
 
 TEST(Membership, RampsAndCoreOfATrapezoid) {
   const auto f = trapezoid(1, 3, 4, 8);

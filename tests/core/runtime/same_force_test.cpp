@@ -18,7 +18,7 @@ namespace tactus {
 namespace {
 
 constexpr int kModels = 150;
-constexpr std::size_t kPoints = 2100;  // three tiles of the interface, and a rest
+constexpr std::size_t kComparedPoints = 2100;  // three tiles of the interface, and a rest
 
 void expectSame(double found, int fired, fuzzy::Evaluation wanted) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(found), std::bit_cast<std::uint64_t>(wanted.force_n));
@@ -71,14 +71,14 @@ TEST(RuntimeForce, ABatchHasTheBitsOfTheBatch) {
     const auto compiled = fuzzy::compile(model);
     const auto handle = support::handleOf(model);
     ASSERT_TRUE(compiled && handle);
-    const Points points(random, model, kPoints);
-    std::vector<double> wanted_n(kPoints), found_n(kPoints), alone_n(kPoints);
-    std::vector<std::uint8_t> wanted(kPoints), found(kPoints, 9);
+    const Points points(random, model, kComparedPoints);
+    std::vector<double> wanted_n(kComparedPoints), found_n(kComparedPoints), alone_n(kComparedPoints);
+    std::vector<std::uint8_t> wanted(kComparedPoints), found(kComparedPoints, 9);
     fuzzy::evaluateBatch(*compiled, points.spans, {wanted_n, wanted});
-    tactus_force_batch(handle.get(), points.rows.data(), kPoints, found_n.data(), found.data());
-    tactus_force_batch(handle.get(), points.rows.data(), kPoints, alone_n.data(), nullptr);
+    tactus_force_batch(handle.get(), points.rows.data(), kComparedPoints, found_n.data(), found.data());
+    tactus_force_batch(handle.get(), points.rows.data(), kComparedPoints, alone_n.data(), nullptr);
     EXPECT_EQ(found, wanted);
-    for (std::size_t p = 0; p < kPoints; ++p) {
+    for (std::size_t p = 0; p < kComparedPoints; ++p) {
       expectSame(found_n[p], found[p], {wanted_n[p], wanted[p] != 0});
       expectSame(alone_n[p], found[p], {found_n[p], found[p] != 0});
     }

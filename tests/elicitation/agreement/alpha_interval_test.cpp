@@ -6,7 +6,7 @@ namespace tactus::elicitation {
 namespace {
 
 /// The votes of the paper's Table 2.
-RatingCounts table2() {
+RatingCounts ratingsOfTable2() {
   return {5,
           {{3, 1, 0, 0, 0},
            {2, 1, 1, 0, 0},
@@ -22,7 +22,7 @@ RatingCounts table2() {
 }
 
 TEST(AlphaInterval, Table2AsAnotherProgramDrawsIt) {
-  const auto interval = alphaInterval(table2(), AlphaLevel::kOrdinal);
+  const auto interval = alphaInterval(ratingsOfTable2(), AlphaLevel::kOrdinal);
   ASSERT_TRUE(interval);
   // A program in Python with its own alpha and 60,000 draws. The quantiles of 2,000 draws scatter by about .01.
   EXPECT_NEAR(interval->low, 0.133, 0.03);
@@ -44,7 +44,7 @@ TEST(AlphaInterval, TooLittleToDrawFromOrAStop) {
   EXPECT_FALSE(alphaInterval({2, {{2, 0}, {2, 0}}}, AlphaLevel::kNominal));
   std::stop_source stop;
   stop.request_stop();
-  EXPECT_FALSE(alphaInterval(table2(), AlphaLevel::kOrdinal, {.stop = stop.get_token()}));
+  EXPECT_FALSE(alphaInterval(ratingsOfTable2(), AlphaLevel::kOrdinal, {.stop = stop.get_token()}));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ fuzzy::Expert saying(const char* id, const char* near, const char* far, double w
   return expert;
 }
 
-constexpr double kRounding = 1e-12;  // of the centroids
+constexpr double kCentroidRounding = 1e-12;  // of the centroids
 
 TEST(ConflictMap, OfTwoExpertsByHand) {
   auto model = threeForces();
@@ -105,16 +105,16 @@ TEST(ConflictMap, OfTwoExpertsByHand) {
   EXPECT_EQ(far.points, 2U);
   EXPECT_EQ(far.words, (std::vector<std::string>{"medium", "large"}));
   EXPECT_EQ(far.middle_word, "large") << "the upper median";
-  EXPECT_NEAR(far.felt_n[0], 0.5, kRounding);
-  EXPECT_NEAR(far.felt_n[1], 0.8, kRounding);
+  EXPECT_NEAR(far.felt_n[0], 0.5, kCentroidRounding);
+  EXPECT_NEAR(far.felt_n[1], 0.8, kCentroidRounding);
   // Both move by .3 with the other's word; the mean is .65 and goes to .8; no variance is left.
-  EXPECT_NEAR(far.rms_n, 0.3, kRounding);
-  EXPECT_NEAR(far.largest_n, 0.3, kRounding);
+  EXPECT_NEAR(far.rms_n, 0.3, kCentroidRounding);
+  EXPECT_NEAR(far.largest_n, 0.3, kCentroidRounding);
   EXPECT_NEAR(far.rms_noticeable, 0.3 / std::hypot(0.04, 0.12 * 0.65), 1e-11);
-  EXPECT_NEAR(far.stake_n, 0.15, kRounding);
-  EXPECT_NEAR(far.share, 1, kRounding);
+  EXPECT_NEAR(far.stake_n, 0.15, kCentroidRounding);
+  EXPECT_NEAR(far.share, 1, kCentroidRounding);
   // Standard deviations 0, .3 / sqrt 2, .3 / sqrt 2 at the three points.
-  EXPECT_NEAR(map->between_n, std::sqrt(0.09 / 3), kRounding);
+  EXPECT_NEAR(map->between_n, std::sqrt(0.09 / 3), kCentroidRounding);
 }
 
 TEST(ConflictMap, WhoSaysTheSameCountsAndMovesNothing) {
@@ -124,8 +124,8 @@ TEST(ConflictMap, WhoSaysTheSameCountsAndMovesNothing) {
   ASSERT_TRUE(map);
   ASSERT_EQ(map->cells.size(), 1U);
   EXPECT_EQ(map->cells[0].middle_word, "small");
-  EXPECT_NEAR(map->cells[0].rms_n, std::sqrt(4.0 / 6) * 0.6, kRounding) << "four of six ordered pairs differ";
-  EXPECT_NEAR(map->cells[0].stake_n, 0.2, kRounding) << "the mean falls from .4 to .2";
+  EXPECT_NEAR(map->cells[0].rms_n, std::sqrt(4.0 / 6) * 0.6, kCentroidRounding) << "four of six ordered pairs differ";
+  EXPECT_NEAR(map->cells[0].stake_n, 0.2, kCentroidRounding) << "the mean falls from .4 to .2";
 }
 
 TEST(ConflictMap, AnExpertWithoutTheRuleOrWithoutWeightTakesNoPart) {

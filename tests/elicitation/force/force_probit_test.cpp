@@ -9,6 +9,7 @@
 #include "core/fuzzy/membership.h"
 #include "elicitation/variables/ngt_variables.h"
 
+#include "tests/elicitation/force/judged_letters.h"
 #include "tests/elicitation/table2.h"
 
 namespace tactus::elicitation {
@@ -27,25 +28,6 @@ ProbitTerms ofCounts(const std::vector<VoteCounts>& counts) {
   auto terms = probitTerms(wordsOf(counts.front().votes.size()), {}, "ascending", vote(counts));
   EXPECT_TRUE(terms);
   return std::move(*terms);
-}
-
-/// One letter for each answer from 0.1 N on, 0.1 N apart: v s m l V for the terms, b beyond, n not felt, . no answer.
-void judge(std::vector<study::ForceJudgement>& out, const std::string& who, const std::string& answers) {
-  const std::string letters = "vsmlV";
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    study::ForceJudgement one;
-    one.participant = who;
-    one.series = "ascending";
-    one.step = static_cast<int>(i) + 1;
-    one.force_n = static_cast<double>(i + 1) / 10;
-    const auto term = letters.find(answers[i]);
-    one.kind = answers[i] == 'b' ? Kind::kBeyondPractice : answers[i] == 'n' ? Kind::kNotFelt : Kind::kNoAnswer;
-    if (term != std::string::npos) {
-      one.kind = Kind::kTerm;
-      one.term = ngtOutput().terms[term].id;
-    }
-    out.push_back(one);
-  }
 }
 
 ProbitTerms ofJudgements(const std::vector<study::ForceJudgement>& judgements) {

@@ -10,31 +10,13 @@
 #include "core/fuzzy/membership.h"
 #include "elicitation/variables/ngt_variables.h"
 
+#include "tests/elicitation/force/judged_letters.h"
+
 namespace tactus::elicitation {
 namespace {
 
 using Kind = study::ForceJudgement::Kind;
 using Points = std::vector<double>;
-
-/// One letter for each answer from 0.1 N on, 0.1 N apart: v s m l V for the terms, b beyond, n not felt, . no answer.
-void judge(std::vector<study::ForceJudgement>& out, const std::string& who, const std::string& answers) {
-  const std::string letters = "vsmlV";
-  for (std::size_t i = 0; i < answers.size(); ++i) {
-    study::ForceJudgement one;
-    one.participant = who;
-    one.series = "ascending";
-    one.step = static_cast<int>(i) + 1;
-    one.force_n = static_cast<double>(i + 1) / 10;
-    const auto term = letters.find(answers[i]);
-    if (term != std::string::npos) {
-      one.kind = Kind::kTerm;
-      one.term = ngtOutput().terms[term].id;
-    } else {
-      one.kind = answers[i] == 'b' ? Kind::kBeyondPractice : answers[i] == 'n' ? Kind::kNotFelt : Kind::kNoAnswer;
-    }
-    out.push_back(one);
-  }
-}
 
 /// What the table of judgements gives, with all who judged enrolled.
 ThresholdTerms found(const std::vector<study::ForceJudgement>& judgements, std::optional<double> end_n = std::nullopt) {

@@ -10,7 +10,7 @@ namespace tactus::elicitation {
 namespace {
 
 /// A says small (.35 N, symmetric), B large (.7 N) everywhere; 1 and 3 years, no categories.
-study::Study study() {
+study::Study studyOfTwo() {
   study::Study study;
   answerAll(study, "A", "small");
   answerAll(study, "B", "large");
@@ -22,7 +22,7 @@ study::Study study() {
 }
 
 TEST(WeightsCompared, EachPolicyThatTheDataAllow) {
-  const auto data = study();
+  const auto data = studyOfTwo();
   BuildSettings settings;
   settings.weights.policy = WeightPolicy::kTable;
   settings.weights.table = {{"A", 1e-300}, {"B", 1e300}};
@@ -60,7 +60,7 @@ TEST(WeightsCompared, ReweightingIsBuildingWithTheseWeights) {
 }
 
 TEST(WeightsCompared, RampsThatAreAWeightedMeanAreAveragedAnew) {
-  auto data = study();
+  auto data = studyOfTwo();
   const char* levels[] = {"slow", "medium", "fast"};
   for (int sample = 0; sample < 10; ++sample) {
     for (int level = 0; level < 3; ++level) {
@@ -80,7 +80,7 @@ TEST(WeightsCompared, RampsThatAreAWeightedMeanAreAveragedAnew) {
 }
 
 TEST(WeightsCompared, WhereOnlyOneModelFiresNothingIsCompared) {
-  auto data = study();
+  auto data = studyOfTwo();
   // A alone knows the esophagus, and the column gives A no weight.
   data.participants[0].weight = 0;
   data.participants[1].weight = 1;

@@ -8,7 +8,7 @@ namespace tactus::elicitation {
 namespace {
 
 /// Rounding of another order of summation: 1e-12 of a universe of about 1 N, with room.
-constexpr double kRounding = 1e-11;
+constexpr double kInfluenceRounding = 1e-11;
 
 void expectOneByOne(const BuiltModel& built, const std::vector<std::optional<std::size_t>>& rules) {
   const auto found = withoutRules(built, rules);
@@ -18,8 +18,8 @@ void expectOneByOne(const BuiltModel& built, const std::vector<std::optional<std
     if (!rules[e]) continue;
     const auto wanted = withoutRule(built, e, *rules[e]);
     ASSERT_TRUE(wanted) << wanted.error().message();
-    EXPECT_NEAR(found[e]->difference.largest_n, wanted->difference.largest_n, kRounding) << e;
-    EXPECT_NEAR(found[e]->difference.rms_n, wanted->difference.rms_n, kRounding) << e;
+    EXPECT_NEAR(found[e]->difference.largest_n, wanted->difference.largest_n, kInfluenceRounding) << e;
+    EXPECT_NEAR(found[e]->difference.rms_n, wanted->difference.rms_n, kInfluenceRounding) << e;
     // The largest change may be the same at two points.
     if (found[e]->difference.at == wanted->difference.at) {
       EXPECT_NEAR(found[e]->noticeable, wanted->noticeable, 1e-9) << e;

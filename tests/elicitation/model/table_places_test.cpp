@@ -6,7 +6,7 @@
 namespace tactus::elicitation {
 namespace {
 
-using Kind = study::ForceJudgement::Kind;
+using JudgementKind = study::ForceJudgement::Kind;
 using Status = study::Answer::Status;
 
 std::vector<study::Form> forms() {
@@ -30,7 +30,7 @@ study::Study study() {
   return study;
 }
 
-std::string errorOf(const study::Study& study, const BuildSettings& settings = {}) {
+std::string placedError(const study::Study& study, const BuildSettings& settings = {}) {
   const auto built = buildModel(study, forms(), settings);
   return built ? std::string("no error") : built.error().message();
 }
@@ -38,14 +38,14 @@ std::string errorOf(const study::Study& study, const BuildSettings& settings = {
 std::string withRules(std::vector<study::GivenRule> rules) {
   auto changed = study();
   changed.rules = std::move(rules);
-  return errorOf(changed);
+  return placedError(changed);
 }
 
 std::string withAnswers(std::vector<study::Answer> answers) {
   auto changed = study();
   changed.rules.clear();
   changed.answers = std::move(answers);
-  return errorOf(changed);
+  return placedError(changed);
 }
 
 TEST(TablePlaces, GivenRules) {
@@ -95,58 +95,59 @@ TEST(TablePlaces, AnAnswerWithATermThatNoForceGot) {
   changed.rules.clear();
   // The first force of all is small already: nothing lies below 0 N.
   changed.answers = {{"A", "short", 2, "very_small", Status::kAnswered, {6}}};
-  changed.judgements = {{"A", "ascending", 1, 0, Kind::kTerm, "small", {2}},
-                        {"A", "ascending", 2, 0.2, Kind::kTerm, "medium", {3}}};
+  changed.judgements = {{"A", "ascending", 1, 0, JudgementKind::kTerm, "small", {2}},
+                        {"A", "ascending", 2, 0.2, JudgementKind::kTerm, "medium", {3}}};
   EXPECT_EQ(
-      errorOf(changed),
+      placedError(changed),
       "answers.csv: line 6, column 'term': found 'very_small', wanted a term that the judged forces give: there is no "
       "room for 'very_small' between 0 N and the end of the universe at 0.6 N");
 }
 
 TEST(TablePlaces, Judgements) {
   auto changed = study();
-  changed.judgements = {{"A", "ascending", 1, 0.1, Kind::kTerm, "smal", {4}}};
-  EXPECT_EQ(errorOf(changed),
+  changed.judgements = {{"A", "ascending", 1, 0.1, JudgementKind::kTerm, "smal", {4}}};
+  EXPECT_EQ(placedError(changed),
             "judgements.csv: line 4, column 'term': found 'smal', wanted one of very_small, small, medium, large, "
             "very_large");
   changed.judgements[0].force_n = -1;
-  EXPECT_EQ(errorOf(changed), "judgements.csv: line 4, column 'force_n': found -1 N, wanted a force of 0 N or more");
-  changed.judgements = {{"A", "ascending", 1, 0.1, Kind::kTerm, "small", {4}},
-                        {"A", "ascending", 2, 0.1, Kind::kTerm, "small", {5}}};
-  EXPECT_EQ(errorOf(changed),
+  EXPECT_EQ(placedError(changed),
+            "judgements.csv: line 4, column 'force_n': found -1 N, wanted a force of 0 N or more");
+  changed.judgements = {{"A", "ascending", 1, 0.1, JudgementKind::kTerm, "small", {4}},
+                        {"A", "ascending", 2, 0.1, JudgementKind::kTerm, "small", {5}}};
+  EXPECT_EQ(placedError(changed),
             "judgements.csv: line 5, column 'force_n': found a second judgement in series 'ascending' at 0.1 N, wanted "
             "one judgement per participant and force");
-  changed.judgements = {{"A", "random", 1, 0.1, Kind::kTerm, "small", {4}}};
-  EXPECT_EQ(errorOf(changed),
+  changed.judgements = {{"A", "random", 1, 0.1, JudgementKind::kTerm, "small", {4}}};
+  EXPECT_EQ(placedError(changed),
             "judgements.csv: judgements: found no row of series 'ascending', wanted a series that was judged (there "
             "are: random)");
-  changed.judgements = {{"A", "ascending", 1, 0.1, Kind::kNotFelt, "", {4}}};
-  EXPECT_EQ(errorOf(changed),
+  changed.judgements = {{"A", "ascending", 1, 0.1, JudgementKind::kNotFelt, "", {4}}};
+  EXPECT_EQ(placedError(changed),
             "judgements.csv: vote: found no decided force, wanted at least one force above 0 N that was judged");
 }
 
 TEST(TablePlaces, Speeds) {
   auto changed = study();
   changed.speeds = {{"A", "slow", 1, 0, 0, 1, {2}}, {"A", "zzz", 1, 0, 0, 2, {3}}};
-  EXPECT_EQ(errorOf(changed), "speeds.csv: line 3, column 'level': found 'zzz', wanted one of slow, medium, fast");
+  EXPECT_EQ(placedError(changed), "speeds.csv: line 3, column 'level': found 'zzz', wanted one of slow, medium, fast");
   changed.speeds[1] = {"A", "fast", 1, 0, 0, 2, {3}};
-  EXPECT_EQ(errorOf(changed),
+  EXPECT_EQ(placedError(changed),
             "speeds.csv: speeds of participant A, samples: found 2 distinct values, wanted at least 3, one for each "
             "cluster");
   changed.speeds = {{"A", "zzz", 1, 0, 0, 2}};
-  EXPECT_EQ(errorOf(changed), "speeds of participant A: found level 'zzz', wanted one of slow, medium, fast");
+  EXPECT_EQ(placedError(changed), "speeds of participant A: found level 'zzz', wanted one of slow, medium, fast");
 }
 
 TEST(TablePlaces, Weights) {
   BuildSettings settings;
   settings.weights.policy = WeightPolicy::kYears;
-  EXPECT_EQ(errorOf(study(), settings),
+  EXPECT_EQ(placedError(study(), settings),
             "participants.csv: line 2, column 'years_experience': found an empty cell, wanted a number, because the "
             "weights are the years");
   settings.weights.policy = WeightPolicy::kTable;
   settings.weights.table = {{"Z", 1}};
   settings.weights.table_file = "w.csv";
-  EXPECT_EQ(errorOf(study(), settings),
+  EXPECT_EQ(placedError(study(), settings),
             "w.csv: participant A: found no row in the table of weights, wanted one row per expert (there are: Z)");
 }
 

@@ -9,6 +9,7 @@
 #include "core/analysis/pull/reference_fit.h"
 #include "core/base/random.h"
 
+#include "tests/core/analysis/ngt_numbers.h"
 #include "tests/support/invented_experts.h"
 #include "tests/support/ngt_model.h"
 
@@ -16,8 +17,6 @@ namespace tactus::analysis {
 namespace {
 
 enum PlantedIn : std::size_t { kInFlexion = 1, kInDepth = 2, kInForce = 4 };
-
-double noticeableNear(double force_n) { return std::hypot(.04, .12 * force_n); }
 
 ReferenceCurve emptyCurve() { return {std::vector<std::vector<double>>(4), {}, {}}; }
 
@@ -53,7 +52,7 @@ class PullCurveTest : public testing::Test {
   void pullTo(const ReferenceCurve& curve, std::size_t box_points = kBoxPoints) {
     PullSettings settings;
     settings.box_points = box_points;
-    const auto found = pullToCurve(model_, point_, curve, noticeableNear, settings);
+    const auto found = pullToCurve(model_, point_, curve, noticeable, settings);
     ASSERT_TRUE(found.has_value()) << found.error().message();
     found_ = *found;
   }
@@ -183,7 +182,7 @@ TEST_F(PullCurveTest, RandomGesturesAreFoundAgain) {
     PullEdit edit = one.edit;
     edit.delta = random.uniform(.2, .8) * (random.uniform() < .5 ? one.range.low : one.range.high);
     const ReferenceCurve curve = curveOf(applied(model_, edit), 12);
-    const ReferenceFit fit(*fuzzy::compile(model_), curve, noticeableNear);
+    const ReferenceFit fit(*fuzzy::compile(model_), curve, noticeable);
     if (fit.of(*fuzzy::compile(model_))->rms_n < 1e-3) continue;  // the curve does not show it
     ++planted;
     pullTo(curve, 16);
@@ -225,7 +224,7 @@ TEST_F(PullCurveTest, NothingToDoAndNothingToCompare) {
   EXPECT_TRUE(found_.candidates.empty());
   const ReferenceCurve curve = curveOf(model_);
   model_.experts[0].rules = {{{{"speed", "fast"}}, "large"}};
-  const auto found = pullToCurve(model_, point_, curve, noticeableNear);
+  const auto found = pullToCurve(model_, point_, curve, noticeable);
   ASSERT_FALSE(found.has_value());
   EXPECT_NE(found.error().message().find("a reference without a point at which a rule fires"), std::string::npos);
 }

@@ -7,6 +7,7 @@
 #include "core/analysis/pull/pull.h"
 #include "core/base/random.h"
 
+#include "tests/core/analysis/ngt_numbers.h"
 #include "tests/support/invented_experts.h"
 #include "tests/support/ordered_model.h"
 
@@ -14,8 +15,6 @@ namespace tactus::analysis {
 namespace {
 
 using fuzzy::ForceModel;
-
-double noticeable(double force_n) { return std::hypot(.04, .12 * force_n); }
 
 /// Whether each list that summed to one still does, with its terms in the same order.
 void expectSumsKept(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& before,

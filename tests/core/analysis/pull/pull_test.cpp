@@ -4,13 +4,12 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/core/analysis/ngt_numbers.h"
 #include "tests/support/invented_experts.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::analysis {
 namespace {
-
-enum Variable : std::size_t { kLubrication, kFlexion, kDepth, kSpeed, kForce };
 
 // The expected numbers come from another program: all gestures scanned with 2,000 steps each way and bisected to 1e-8
 // N, ten of them confirmed in exact rationals. They are printed with so many digits:
@@ -20,8 +19,6 @@ constexpr double kForceDigits = 5.1e-7;  // N to six
 constexpr double kMoved = 5.1e-5;        // K to four
 
 // sqrt(.04^2 + (.12 F)^2), the specification's just-noticeable difference.
-double noticeable(double force_n) { return std::hypot(.04, .12 * force_n); }
-
 class PullTest : public testing::Test {
  protected:
   void pullAt(const std::vector<double>& point, double target_n, std::vector<std::size_t> locked = {}) {

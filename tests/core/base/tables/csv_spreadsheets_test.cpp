@@ -6,6 +6,8 @@
 #include "core/base/tables/decimal_comma.h"
 #include "core/base/tables/text_encoding.h"
 
+#include "tests/core/base/tables/csv_error.h"
+
 namespace tactus::base {
 namespace {
 
@@ -13,11 +15,6 @@ CsvTable tableOf(std::string text) {
   auto table = CsvTable::parse(std::move(text), "t.csv");
   EXPECT_TRUE(table.has_value()) << table.error().message();
   return table.value();
-}
-
-std::string errorOf(std::string text) {
-  const auto table = CsvTable::parse(std::move(text), "t.csv");
-  return table.has_value() ? "accepted" : table.error().message();
 }
 
 std::string numberError(std::string text) {

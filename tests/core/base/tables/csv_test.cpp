@@ -5,13 +5,10 @@
 #include <malloc.h>
 #include <string>
 
+#include "tests/core/base/tables/csv_error.h"
+
 namespace tactus::base {
 namespace {
-
-std::string errorOf(std::string text) {
-  const auto table = CsvTable::parse(std::move(text), "t.csv");
-  return table.has_value() ? "accepted" : table.error().message();
-}
 
 TEST(Csv, ReadsCellsWithQuotesCommentsAndAnyLineEnd) {
   const auto table = CsvTable::parse(

@@ -4,18 +4,11 @@
 namespace tactus::exchange {
 namespace {
 
-const std::string kTwoRules = "RULE 1 : IF x IS low THEN y IS small;\nRULE 2 : IF z IS low THEN y IS large WITH 0.5;\n";
-// At x = z = 3 the strengths are 0.5 and 0.25.
-constexpr double kAtThree = (2 * 0.5 + 6 * 0.25) / 0.75;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
+const std::string kTwoFclRules =
+    "RULE 1 : IF x IS low THEN y IS small;\nRULE 2 : IF z IS low THEN y IS large WITH 0.5;\n";
 
 TEST(Fcl, AModelIsReadWithItsForces) {
-  const auto from = imported(fcl(kTwoRules), "pair.fcl");
+  const auto from = imported(fcl(kTwoFclRules), "pair.fcl");
   ASSERT_TRUE(from.model) << from.refusal;
   EXPECT_NEAR(force(from, {3, 3}), kAtThree, 1e-14);
   EXPECT_EQ(from.model->inputs[0].max, 10);
@@ -26,7 +19,7 @@ TEST(Fcl, AModelIsReadWithItsForces) {
 }
 
 TEST(Fcl, OddFormsOfTheSameFile) {
-  const std::string plain = fcl(kTwoRules);
+  const std::string plain = fcl(kTwoFclRules);
   const std::string texts[] = {
       plain.substr(0, plain.size() - 1),
       replaced(plain, ";\n", ";\r\n"),
@@ -62,7 +55,7 @@ TEST(Fcl, OddFormsOfTheSameFile) {
 }
 
 TEST(Fcl, TheDialectOfFuzzylite) {
-  std::string text = replaced(fcl(replaced(kTwoRules, ";", "")), "TERM low := (0, 1) (2, 1) (4, 0)",
+  std::string text = replaced(fcl(replaced(kTwoFclRules, ";", "")), "TERM low := (0, 1) (2, 1) (4, 0)",
                               "RANGE := (0.000 .. 10.000);\n  TERM low := Trapezoid 0.000 0.000 2.000 4.000");
   text = replaced(text, "TERM high := (2, 0) (4, 1) (10, 1)", "TERM high := Ramp 2.000 4.000 1.000");
   text = replaced(text, "(1, 0) (2, 1) (3, 0)", "Triangle 1 2 3");
@@ -79,10 +72,10 @@ TEST(Fcl, TheDialectOfFuzzylite) {
 
 TEST(Fcl, WordsForShapes) {
   for (const std::string word : {"TRIAN 1 2 3", "trian 1 2 3", "Triangle 1 2 3", "triangular 1 2 3", "trape 1 2 2 3"}) {
-    const auto from = imported(replaced(fcl(kTwoRules), "(1, 0) (2, 1) (3, 0)", word), "a.fcl");
+    const auto from = imported(replaced(fcl(kTwoFclRules), "(1, 0) (2, 1) (3, 0)", word), "a.fcl");
     EXPECT_NEAR(force(from, {3, 3}), kAtThree, 1e-14) << word;
   }
-  const auto gauss = imported(replaced(fcl(kTwoRules), "(0, 1) (2, 1) (4, 0)", "GAUSS 0 2"), "a.fcl");
+  const auto gauss = imported(replaced(fcl(kTwoFclRules), "(0, 1) (2, 1) (4, 0)", "GAUSS 0 2"), "a.fcl");
   ASSERT_TRUE(gauss.model) << gauss.refusal;
   EXPECT_EQ(gauss.model->inputs[0].terms[0].points, (std::vector<double>{0, 2}));
   // Four sigmas belong to the range that the terms span.
@@ -121,7 +114,7 @@ TEST(Fcl, OneOutputIsChosen) {
 std::string refused(const std::string& text) { return imported(text, "a.fcl").refusal; }
 
 TEST(Fcl, WhatIsRefused) {
-  const std::string plain = fcl(kTwoRules);
+  const std::string plain = fcl(kTwoFclRules);
   EXPECT_EQ(refused(replaced(plain, "x IS low", "x IS lo")),
             "a.fcl: line 23, column 18: found the unknown term 'lo', wanted a term of 'x': 'low', 'high' (low?)");
   EXPECT_EQ(

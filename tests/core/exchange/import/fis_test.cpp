@@ -4,18 +4,10 @@
 namespace tactus::exchange {
 namespace {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
-const std::string kTwoRules = "1 0, 1 (1) : 1\n0 1, 2 (0.5) : 1\n";
-// At x = z = 3 the strengths are 0.5 and 0.25.
-constexpr double kAtThree = (2 * 0.5 + 6 * 0.25) / 0.75;
+const std::string kTwoFisRules = "1 0, 1 (1) : 1\n0 1, 2 (0.5) : 1\n";
 
 TEST(Fis, AModelIsReadWithItsForces) {
-  const auto from = imported(fis(kTwoRules), "pair.fis");
+  const auto from = imported(fis(kTwoFisRules), "pair.fis");
   ASSERT_TRUE(from.model) << from.refusal;
   EXPECT_TRUE(from.warnings.empty());
   EXPECT_NEAR(force(from, {3, 3}), kAtThree, 1e-14);
@@ -25,7 +17,7 @@ TEST(Fis, AModelIsReadWithItsForces) {
 }
 
 TEST(Fis, OddFormsOfTheSameFile) {
-  const std::string plain = fis(kTwoRules);
+  const std::string plain = fis(kTwoFisRules);
   const std::string texts[] = {
       plain.substr(0, plain.size() - 1),
       replaced(plain, "\n", "\r\n"),
@@ -61,14 +53,14 @@ TEST(Fis, NotAndOrByNumber) {
 }
 
 TEST(Fis, GaussiansHaveSigmaFirst) {
-  const auto from = imported(replaced(fis(kTwoRules), "'trapmf',[-10 0 2 4]", "'gaussmf',[2 5]"), "a.fis");
+  const auto from = imported(replaced(fis(kTwoFisRules), "'trapmf',[-10 0 2 4]", "'gaussmf',[2 5]"), "a.fis");
   ASSERT_TRUE(from.model) << from.refusal;
   EXPECT_EQ(from.model->inputs[0].terms[0].points, (std::vector<double>{5, 2}));
 }
 
 TEST(Fis, CountsThatDoNotMatchAreWarnedAbout) {
   const auto from = imported(
-      replaced(replaced(fis(kTwoRules), "NumInputs=2", "NumInputs=3\nNumRules=9"), "NumMFs=2", "NumMFs=5"), "a.fis");
+      replaced(replaced(fis(kTwoFisRules), "NumInputs=2", "NumInputs=3\nNumRules=9"), "NumMFs=2", "NumMFs=5"), "a.fis");
   ASSERT_TRUE(from.model) << from.refusal;
   warns(from, "a.fis: the file says 3 inputs and has 2");
   warns(from, "a.fis: the file says 9 rules and has 2");
@@ -76,7 +68,7 @@ TEST(Fis, CountsThatDoNotMatchAreWarnedAbout) {
 }
 
 TEST(Fis, NamesOfPeople) {
-  const auto from = imported(replaced(replaced(fis(kTwoRules), "'low'",
+  const auto from = imported(replaced(replaced(fis(kTwoFisRules), "'low'",
                                                "'S\xC4\xB1"
                                                "f\xC4\xB1r'"),
                                       "Name='y'", "Name='dV*'"),
@@ -85,14 +77,14 @@ TEST(Fis, NamesOfPeople) {
   EXPECT_EQ(from.model->output.id, "dV");
   EXPECT_EQ(from.model->output.label, "dV*");
   EXPECT_EQ(from.model->inputs[0].terms[0].id, "S_f_r");
-  EXPECT_EQ(imported(replaced(fis(kTwoRules), "'high'", "'low '"), "a.fis").refusal,
+  EXPECT_EQ(imported(replaced(fis(kTwoFisRules), "'high'", "'low '"), "a.fis").refusal,
             "a.fis: line 18, column 6: found term 'low ' of 'x' with the id 'low' of an earlier term, wanted names "
             "that differ "
             "in letters and digits");
 }
 
 TEST(Fis, WhatIsRefused) {
-  const std::string plain = fis(kTwoRules);
+  const std::string plain = fis(kTwoFisRules);
   const auto refused = [](const std::string& text) { return imported(text, "a.fis").refusal; };
   EXPECT_EQ(refused(replaced(plain, "'mamdani'", "'sugeno'")),
             "a.fis: line 3, column 7: found a system of the type 'sugeno', wanted 'mamdani', the only type that Tactus "

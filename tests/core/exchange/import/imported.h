@@ -136,4 +136,13 @@ inline std::string fis(const std::string& rules, const std::string& system = {})
          rules;
 }
 
+/// At x = z = 3 the strengths of the two rules of a test are 0.5 and 0.25.
+inline constexpr double kAtThree = (2 * 0.5 + 6 * 0.25) / 0.75;
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 }  // namespace tactus::exchange

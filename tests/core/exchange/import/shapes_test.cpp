@@ -13,7 +13,7 @@ std::vector<double> points(const std::string& shape) {
   return from.model ? from.model->inputs[0].terms[2].points : std::vector<double>{};
 }
 
-std::string refused(const std::string& shape) {
+std::string refusedShape(const std::string& shape) {
   return imported(fll("  rule: if x is t then y is small\n", "  term: t " + shape + "\n"), "a.fll").refusal;
 }
 
@@ -44,19 +44,19 @@ TEST(ImportedShapes, BecomeTrapezoids) {
 
 TEST(ImportedShapes, ARuleMayNotUseWhatTactusLacks) {
   EXPECT_EQ(
-      refused("Bell 5 2 3"),
+      refusedShape("Bell 5 2 3"),
       "a.fll: line 8, column 11, term 't': found 'Bell', wanted a trapezoid, a triangle, a Gaussian or points that "
       "make a trapezoid");
   EXPECT_EQ(
-      refused("Linear 1 2"),
+      refusedShape("Linear 1 2"),
       "a.fll: line 8, column 11, term 't': found 'Linear', a function of a Takagi-Sugeno system, wanted a trapezoid, "
       "a triangle, a Gaussian or points that make a trapezoid");
-  EXPECT_EQ(refused("Rectangle 2 3 0.5"),
+  EXPECT_EQ(refusedShape("Rectangle 2 3 0.5"),
             "a.fll: line 8, column 25, term 't': found the height 0.5, wanted the height 1");
-  EXPECT_EQ(refused("Discrete 0 0 5 0.5 10 1"),
+  EXPECT_EQ(refusedShape("Discrete 0 0 5 0.5 10 1"),
             "a.fll: line 8, column 26, term 't': found a point of the height 0.5, wanted points that make a trapezoid, "
             "with the heights 0 and 1");
-  EXPECT_EQ(refused("Discrete 0 1 5 0 10 1"),
+  EXPECT_EQ(refusedShape("Discrete 0 1 5 0 10 1"),
             "a.fll: line 8, column 28, term 't': found points with two peaks, wanted points that make one trapezoid");
 }
 

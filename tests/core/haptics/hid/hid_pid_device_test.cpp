@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/core/haptics/hid/fake_transport.h"
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/support/real_time_trap.h"
 
 namespace tactus::haptics {
@@ -14,7 +15,6 @@ namespace {
 
 using support::PidModel;
 
-constexpr std::int64_t kMs = 1'000'000;
 const HidIdentity kIdentity{"hid:1209:ffb0:7", "Test board", "7"};
 
 /// Whether `condition` comes true; the deadline only ends a test that hangs.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/support/fake_pid_device.h"
 
 namespace tactus::haptics {
@@ -10,14 +11,14 @@ namespace {
 using support::FakePidDevice;
 using support::PidModel;
 
-PidLayout layoutOf(PidModel model) {
+PidLayout foundLayout(PidModel model) {
   return *PidLayout::find(*ReportDescriptor::parse(support::reportDescriptor(model)));
 }
 
 TEST(PidInput, ReadsPositionAndButtonsOfEveryModel) {
   for (const PidModel model : support::kPidModels) {
     const FakePidDevice device(model);
-    const PidLayout layout = layoutOf(model);
+    const PidLayout layout = foundLayout(model);
     PidInput input(layout);
     EXPECT_EQ(input.sample().number, 0U);
     ASSERT_TRUE(input.take(device.inputReport({-1234, 567}, 0b101), 42)) << name(model);
@@ -36,7 +37,7 @@ TEST(PidInput, ReadsPositionAndButtonsOfEveryModel) {
 
 TEST(PidInput, CutReportsMoveNothing) {
   const FakePidDevice device(PidModel::kSketch);
-  const PidLayout layout = layoutOf(PidModel::kSketch);
+  const PidLayout layout = foundLayout(PidModel::kSketch);
   PidInput input(layout);
   auto report = device.inputReport({100, 200}, 1);
   ASSERT_TRUE(input.take(report, 1));
@@ -50,7 +51,7 @@ TEST(PidInput, CutReportsMoveNothing) {
 
 TEST(PidInput, AnOpenSwitchOrActuatorsOffHoldForcesBack) {
   FakePidDevice device(PidModel::kBoard);
-  const PidLayout layout = layoutOf(PidModel::kBoard);
+  const PidLayout layout = foundLayout(PidModel::kBoard);
   PidInput input(layout);
   device.output(std::vector<std::uint8_t>{0x0C, 1}, 0);
   ASSERT_TRUE(input.take(device.stateReport(), 1));
@@ -68,7 +69,7 @@ TEST(PidInput, AnOpenSwitchOrActuatorsOffHoldForcesBack) {
 }
 
 TEST(PidInput, SwitchesThatTheFirmwareNeverSetsDoNotCount) {
-  const PidLayout layout = layoutOf(PidModel::kBoard);
+  const PidLayout layout = foundLayout(PidModel::kBoard);
   PidInput input(layout);
   const std::vector<std::uint8_t> only_actuators_on = {0x02, 0x02};
   input.take(only_actuators_on, 1);
@@ -78,15 +79,13 @@ TEST(PidInput, SwitchesThatTheFirmwareNeverSetsDoNotCount) {
   EXPECT_TRUE(input.sample().forces_held_back);
 }
 
-constexpr std::int64_t kMs = 1'000'000;
-
 /// The sketch says of which block it speaks; 0x10: powered, 2: actuators on.
 std::vector<std::uint8_t> sketchState(int block, bool plays) {
   return {2, 0x12, static_cast<std::uint8_t>(block << 1 | (plays ? 1 : 0))};
 }
 
 TEST(PidInput, AnEffectThatStopsBetweenStartAndEndHoldsForcesBack) {
-  const PidLayout layout = layoutOf(PidModel::kSketch);
+  const PidLayout layout = foundLayout(PidModel::kSketch);
   const std::vector<std::int64_t> blocks = {1, 2};
   PidInput input(layout, blocks);
   const auto watch = [&](std::int64_t ms) {

@@ -7,13 +7,12 @@
 #include "core/haptics/hid/pid_writer.h"
 
 #include "tests/core/haptics/hid/pid_run.h"
+#include "tests/core/haptics/loop_numbers.h"
 
 namespace tactus::haptics {
 namespace {
 
 using support::PidModel;
-
-constexpr std::int64_t kMs = 1'000'000;
 
 TEST(PidSession, BeginsOnTheBoardWithTheseBytes) {
   PidRun run(PidModel::kBoard);

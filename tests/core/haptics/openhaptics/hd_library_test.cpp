@@ -8,7 +8,7 @@
 namespace tactus::haptics {
 namespace {
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 TEST(HdLibrary, AnAbsentLibrarySaysWhatWasTriedAndWhatToInstall) {
   unsetenv("GTDD_HOME");
@@ -18,15 +18,15 @@ TEST(HdLibrary, AnAbsentLibrarySaysWhatWasTriedAndWhatToInstall) {
   EXPECT_TRUE(message.starts_with("OpenHaptics library: found none that loads, tried /nowhere/libHD.so (")) << message;
   for (const char* part : {"cannot open shared object file", "OpenHaptics 3.4 runtime", "Touch driver",
                            "GTDD_HOME set to the folder", "/usr/share/3DSystems"})
-    EXPECT_TRUE(contains(message, part)) << part << ": " << message;
-  EXPECT_FALSE(contains(message, "\n"));
+    EXPECT_TRUE(says(message, part)) << part << ": " << message;
+  EXPECT_FALSE(says(message, "\n"));
 }
 
 TEST(HdLibrary, AMissingLibraryOfTheDriverIsNamed) {
   const auto loaded = HdLibrary::load(TACTUS_STAND_IN_WITHOUT_DRIVER);
   ASSERT_FALSE(loaded);
   const std::string message = loaded.error().message();
-  EXPECT_TRUE(contains(message, "libPhantomIOLib42.so: cannot open shared object file")) << message;
+  EXPECT_TRUE(says(message, "libPhantomIOLib42.so: cannot open shared object file")) << message;
 }
 
 TEST(HdLibrary, MissingFunctionsAreNamed) {
@@ -41,10 +41,10 @@ TEST(HdLibrary, TheFolderOfTheConfigurationIsAskedForOnlyWhereItIsNotThere) {
   setenv("GTDD_HOME", "/tmp", 1);
   EXPECT_EQ(hdEnvironmentAdvice(), "");
   setenv("GTDD_HOME", "/nowhere/at all", 1);
-  EXPECT_TRUE(contains(hdEnvironmentAdvice(), "/nowhere/at all")) << hdEnvironmentAdvice();
-  EXPECT_TRUE(contains(HdLibrary::load("/nowhere/libHD.so").error().message(), "/nowhere/at all"));
+  EXPECT_TRUE(says(hdEnvironmentAdvice(), "/nowhere/at all")) << hdEnvironmentAdvice();
+  EXPECT_TRUE(says(HdLibrary::load("/nowhere/libHD.so").error().message(), "/nowhere/at all"));
   unsetenv("GTDD_HOME");
-  EXPECT_TRUE(contains(hdEnvironmentAdvice(), "GTDD_HOME"));
+  EXPECT_TRUE(says(hdEnvironmentAdvice(), "GTDD_HOME"));
 }
 
 TEST(HdLibrary, LoadingAgainGivesTheSameLibrary) {

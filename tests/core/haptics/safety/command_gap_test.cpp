@@ -8,12 +8,12 @@
 #include "core/haptics/servo/servo_core.h"
 #include "core/haptics/simulated/virtual_device.h"
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/safety/safety_loop.h"
 
 namespace tactus::haptics {
 namespace {
 
-constexpr std::int64_t kTickNs = 1'000'000;
 constexpr double kAskedN = 1.7;
 
 /// A held device that asks for 1.7 N, in simulated time; the servo may stand still while the device runs.

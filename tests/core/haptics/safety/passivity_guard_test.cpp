@@ -13,11 +13,10 @@
 #include "core/haptics/simulated/simulated_body.h"
 #include "core/render/insertion_renderer.h"
 
+#include "tests/core/haptics/loop_numbers.h"
+
 namespace tactus::haptics {
 namespace {
-
-constexpr std::int64_t kMs = 1'000'000;
-constexpr double kCountMm = 0.055;
 
 using Source = std::function<double(double position_mm)>;
 

@@ -8,12 +8,11 @@
 
 #include "core/base/random.h"
 
+#include "tests/core/haptics/loop_numbers.h"
+#include "tests/core/haptics/safety/thermal_rating.h"
+
 namespace tactus::haptics {
 namespace {
-
-constexpr double kRatingN = 0.88;
-constexpr double kWindowS = 60;
-constexpr std::int64_t kMs = 1'000'000;
 
 /// Force over time as it was given, and the largest rms of any window that begins or ends at a tick. Between two ticks
 /// the force is constant, so that the largest of all windows is one of these.

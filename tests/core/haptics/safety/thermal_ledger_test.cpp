@@ -8,14 +8,14 @@
 
 #include "core/haptics/servo/servo.h"
 
+#include "tests/core/haptics/loop_numbers.h"
+#include "tests/core/haptics/safety/thermal_rating.h"
 #include "tests/core/haptics/scripted_device.h"
 
 namespace tactus::haptics {
 namespace {
 
-constexpr std::int64_t kTickNs = 1'000'000;
 constexpr int kWindowTicks = 60'000;
-constexpr double kRatingN = 0.88;
 
 /// A person who presses Start, feels 2 N for a while, and presses Stop; again and again.
 class StartAndStop {

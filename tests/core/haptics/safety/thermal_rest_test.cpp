@@ -8,12 +8,12 @@
 
 #include "core/base/random.h"
 
+#include "tests/core/haptics/loop_numbers.h"
+#include "tests/core/haptics/safety/thermal_rating.h"
+
 namespace tactus::haptics {
 namespace {
 
-constexpr double kRatingN = 0.88;
-constexpr double kWindowS = 60;
-constexpr std::int64_t kTickNs = 1'000'000;
 /// Of restBeforeS for ticks, and its effect on the time at which a load is forgotten.
 constexpr double kTickMarginS = 0.005;
 

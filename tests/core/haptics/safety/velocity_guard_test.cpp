@@ -6,10 +6,11 @@
 
 #include "core/base/random.h"
 
+#include "tests/core/haptics/loop_numbers.h"
+
 namespace tactus::haptics {
 namespace {
 
-constexpr double kCountMm = 0.055;
 /// One count between two medians that lie 10 ms apart; at the ends of a count twice half of it.
 constexpr double kCountErrorMmS = kCountMm / 0.010;
 /// While the window fills, and after a stall, the medians lie 5 ms apart or more.

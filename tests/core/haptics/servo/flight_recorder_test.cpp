@@ -9,7 +9,7 @@
 namespace tactus::haptics {
 namespace {
 
-Sample sampleOf(std::uint64_t tick) {
+Sample recordedSample(std::uint64_t tick) {
   Sample sample;
   sample.tick = tick;
   sample.position_mm = 2 * static_cast<double>(tick);
@@ -22,7 +22,7 @@ Trip tripAt(std::uint64_t tick) {
 
 /// Records the ticks from `first` to `last`, all with the same latched trip.
 void record(FlightRecorder& recorder, std::uint64_t first, std::uint64_t last, const Trip& latched) {
-  for (std::uint64_t tick = first; tick <= last; ++tick) recorder.record(sampleOf(tick), latched);
+  for (std::uint64_t tick = first; tick <= last; ++tick) recorder.record(recordedSample(tick), latched);
 }
 
 void expectTicks(const std::optional<FlightRecord>& record, std::uint64_t first, std::uint64_t last) {

@@ -5,13 +5,12 @@
 #include "core/base/random.h"
 #include "core/haptics/servo/servo_core.h"
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/scenes.h"
 #include "tests/core/haptics/servo/servo_hand.h"
 
 namespace tactus::haptics {
 namespace {
-
-constexpr double kRounding = 1e-12;  // of a few hundred additions of numbers near 1
 
 TEST(ServoCore, AnotherAxisIsNoMotion) {
   ServoHand hand(ForceSource::kInsertion);

@@ -7,6 +7,7 @@
 
 #include "core/base/random.h"
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/scenes.h"
 #include "tests/core/haptics/servo/servo_hand.h"
 #include "tests/support/real_time_trap.h"
@@ -14,7 +15,6 @@
 namespace tactus::haptics {
 namespace {
 
-constexpr double kRounding = 1e-12;  // of a few hundred additions of numbers near 1
 // Forces up to 1.3 N that go within 30 ms, beside a spring of 0.25 N/mm at 100 mm/s.
 constexpr double kCalmStepN = 1.3 / 30 + 0.025;
 

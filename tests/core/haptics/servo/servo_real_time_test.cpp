@@ -16,6 +16,7 @@
 
 #include "core/haptics/servo/servo.h"
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/scripted_device.h"
 #include "tests/support/ngt_model.h"
 #include "tests/support/real_time_trap.h"
@@ -23,8 +24,6 @@
 
 namespace tactus::haptics {
 namespace {
-
-constexpr std::int64_t kTickNs = 1'000'000;
 
 /// Four experts, of which three have weights and rules of their own.
 fuzzy::ForceModel fourExperts() {

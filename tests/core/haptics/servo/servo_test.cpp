@@ -7,13 +7,12 @@
 #include <memory>
 #include <vector>
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/scripted_device.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::haptics {
 namespace {
-
-constexpr std::int64_t kTickNs = 1'000'000;
 
 class ServoInVirtualTime : public testing::Test {
  protected:

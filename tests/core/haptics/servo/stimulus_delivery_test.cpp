@@ -8,12 +8,11 @@
 #include "core/haptics/servo/servo_core.h"
 #include "core/haptics/simulated/virtual_device.h"
 
+#include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/safety/safety_loop.h"
 
 namespace tactus::haptics {
 namespace {
-
-constexpr std::int64_t kTickNs = 1'000'000;
 
 /// A stimulus told tick by tick.
 class Told {

@@ -8,6 +8,7 @@
 
 #include "core/haptics/device/axis_mapping.h"
 
+#include "tests/core/haptics/simulated/axis_mm.h"
 #include "tests/core/haptics/simulated/virtual_clock.h"
 #include "tests/support/real_time_trap.h"
 
@@ -23,24 +24,22 @@ study::Recording wave(double rate_hz, int count) {
   return recording;
 }
 
-std::unique_ptr<ReplayDevice> started(const study::Recording& recording, const ReplaySettings& settings = {}) {
+std::unique_ptr<ReplayDevice> replaying(const study::Recording& recording, const ReplaySettings& settings = {}) {
   auto device = ReplayDevice::make(recording, settings);
   EXPECT_TRUE(device) << device.error().message();
   EXPECT_TRUE((*device)->start());
   return std::move(*device);
 }
 
-double axisMm(const DeviceState& state) { return AxisMapping().positionMm(state.position_mm); }
-
 TEST(ReplayDevice, SaysThatItIsSimulated) {
-  const auto device = started(wave(1000, 10));
+  const auto device = replaying(wave(1000, 10));
   EXPECT_TRUE(device->info().simulated);
   EXPECT_EQ(device->info().backend, "replay");
 }
 
 TEST(ReplayDevice, GivesTheRecordedPositionsToTheBit) {
   const auto recording = wave(1000, 500);
-  const auto device = started(recording);
+  const auto device = replaying(recording);
   for (int i = 0; i < 100; ++i) {
     const DeviceState state = device->read(tickNs(i));
     ASSERT_EQ(axisMm(state), recording.channels[0].values[0]) << "lead";
@@ -64,7 +63,7 @@ TEST(ReplayDevice, GivesTheRecordedPositionsToTheBit) {
 TEST(ReplayDevice, InterpolatesOtherRatesOnStraightLines) {
   const auto recording = wave(250, 50);
   const auto& values = recording.channels[0].values;
-  const auto device = started(recording, {.lead_s = 0});
+  const auto device = replaying(recording, {.lead_s = 0});
   for (int i = 0; i < 4 * 49; ++i) {
     const auto k = static_cast<std::size_t>(i / 4);
     const double expected_mm = values[k] + (values[k + 1] - values[k]) * (i % 4) / 4;
@@ -76,14 +75,14 @@ TEST(ReplayDevice, TimesOfTheRecordingCountBeforeItsRate) {
   study::Recording recording;
   recording.sample_rate_hz = 1000;
   recording.channels = {{"time", "s", {10, 10.002, 10.01}}, {"depth", "mm", {0, 4, 20}}, {"force", "N", {0, 0, 0}}};
-  const auto device = started(recording, {.lead_s = 0});
+  const auto device = replaying(recording, {.lead_s = 0});
   const double expected_mm[] = {0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 20};
   for (int i = 0; i < 12; ++i) EXPECT_NEAR(axisMm(device->read(tickNs(i))), expected_mm[i], 1e-12) << i;
 }
 
 TEST(ReplayDevice, ALoopComesBackWithoutAJump) {
   const auto recording = wave(1000, 40);
-  const auto device = started(recording, {.lead_s = 0.01, .loop = true, .return_s = 0.1});
+  const auto device = replaying(recording, {.lead_s = 0.01, .loop = true, .return_s = 0.1});
   const int period = 10 + 39 + 100;
   double before_mm = recording.channels[0].values[0];
   for (int i = 0; i < 3 * period; ++i) {
@@ -100,7 +99,7 @@ TEST(ReplayDevice, ALoopComesBackWithoutAJump) {
 }
 
 TEST(ReplayDevice, KeepsTheForcesItIsTold) {
-  const auto device = started(wave(1000, 10), {.lead_s = 0, .room_for_forces = 5});
+  const auto device = replaying(wave(1000, 10), {.lead_s = 0, .room_for_forces = 5});
   for (int i = 0; i < 7; ++i) {
     const DeviceState state = device->read(tickNs(i));
     ASSERT_EQ(state.written_ns, i == 0 ? 0 : tickNs(i - 1));
@@ -117,7 +116,7 @@ TEST(ReplayDevice, KeepsTheForcesItIsTold) {
 }
 
 TEST(ReplayDevice, StoppedItStays) {
-  const auto device = started(wave(1000, 100), {.lead_s = 0});
+  const auto device = replaying(wave(1000, 100), {.lead_s = 0});
   device->read(tickNs(0));
   const DeviceState state = device->read(tickNs(50));
   device->stop();
@@ -127,7 +126,7 @@ TEST(ReplayDevice, StoppedItStays) {
 }
 
 TEST(ReplayDevice, ReadAndWriteAreRealTimeSafe) {
-  const auto device = started(wave(700, 500), {.loop = true, .room_for_forces = 100});
+  const auto device = replaying(wave(700, 500), {.loop = true, .room_for_forces = 100});
   support::RealTimeTrap trap;
   for (int i = 0; i < 3000; ++i) {
     device->read(tickNs(i));

@@ -11,6 +11,7 @@
 
 #include "core/haptics/device/axis_mapping.h"
 
+#include "tests/core/haptics/simulated/axis_mm.h"
 #include "tests/core/haptics/simulated/virtual_clock.h"
 #include "tests/support/real_time_trap.h"
 
@@ -30,7 +31,6 @@ VirtualDeviceSettings stroking() {
   return settings;
 }
 
-double axisMm(const DeviceState& state) { return AxisMapping().positionMm(state.position_mm); }
 Vector3 against(double resistance_n) { return AxisMapping().forceOnHand(resistance_n); }
 
 /// Everything a loop sees and does with a force that depends on what it saw.

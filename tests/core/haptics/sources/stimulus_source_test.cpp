@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "tests/core/haptics/loop_numbers.h"
+
 namespace tactus::haptics {
 namespace {
-
-constexpr double kRounding = 1e-12;  // of a few thousand additions of numbers near 1
 
 /// Ticks of 1 ms.
 struct Judging {
