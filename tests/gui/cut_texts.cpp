@@ -87,7 +87,7 @@ bool mustBeWhole(const QWidget& widget) {
 
 QString wholeTexts(const QWidget& widget) {
   const auto* tabs = qobject_cast<const QTabBar*>(&widget);
-  if (tabs == nullptr) return textOf(widget);
+  if (tabs == nullptr) return textOf(widget).remove(QLatin1Char('&'));
   QString all;
   for (int i = 0; i < tabs->count(); ++i) all += tabs->tabText(i);
   return all;
@@ -107,7 +107,8 @@ QStringList cutTexts(QWidget& window) {
     const QString where = beyond(written.box, written.clip, *widget, kSlack + kBearing * written.box.height());
     if (!where.isEmpty()) {
       out << QStringLiteral("%1 \"%2\": cut %3").arg(nameOf(*widget), written.text, where);
-    } else if (mustBeWhole(*widget) && written.text.contains(kEllipsis) && !wholeTexts(*widget).contains(kEllipsis)) {
+    } else if (mustBeWhole(*widget) && written.text.contains(kEllipsis) &&
+               !wholeTexts(*widget).contains(written.text)) {
       out << QStringLiteral("%1 \"%2\": shortened").arg(nameOf(*widget), written.text);
     }
   }

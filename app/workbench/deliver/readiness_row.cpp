@@ -7,16 +7,18 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/readiness_sign.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 
 namespace tactus::workbench {
 namespace {
 
 constexpr std::size_t kMostHoles = 12;        // with a button each; more are fixed faster in the findings
-constexpr int kActWidth = 17 * theme::kGrid;  // px, so that the buttons of all lines end and begin together
+constexpr int kActWidth = 17 * theme::kGrid;  // px at 100 %, so that the buttons of all lines end and begin together
 
 QLabel* plainLabel(QWidget* parent) {
   auto* label = new QLabel(parent);
@@ -38,7 +40,7 @@ ReadinessRow::ReadinessRow(QWidget* parent)
       holes_(new QWidget(this)),
       hole_lines_(new QVBoxLayout(holes_)) {
   name_->setFont(theme::headingFont());
-  act_->setFixedWidth(kActWidth);
+  keepFitted(*act_, [this] { act_->setFixedWidth(appearance::scaled(kActWidth)); });
   hole_lines_->setContentsMargins(0, theme::kGrid / 2, 0, 0);
   hole_lines_->setSpacing(theme::kGrid / 2);
   holes_->hide();
@@ -80,7 +82,7 @@ void ReadinessRow::showHoles(const std::vector<DeliverFindings::Hole>& holes) {
     auto* words = new ElidedLabel(line);
     words->setFullText(holes[i].words);
     auto* accept = new QPushButton(tr("Accept"), line);
-    accept->setFixedWidth(kActWidth);
+    keepFitted(*accept, [accept] { accept->setFixedWidth(appearance::scaled(kActWidth)); });
     accept->setAccessibleName(tr("Accept the hole %1").arg(holes[i].words));
     accept->setToolTip(tr("Accept that there is no force here; the model keeps the name of the hole (undo: Ctrl+Z)"));
     connect(accept, &QPushButton::clicked, this, [this, name = holes[i].name] { emit holeAccepted(name); });

@@ -67,7 +67,7 @@ FeelController::~FeelController() {
 }
 
 bool FeelController::isNeckFlexed() const {
-  if (!scene_.model()) return false;
+  if (!scene_.model() || !neck_set_) return false;
   const auto& inputs = scene_.model()->model.inputs;
   const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
   const auto postures = input ? neckPostures(inputs[*input]) : std::nullopt;
@@ -75,6 +75,7 @@ bool FeelController::isNeckFlexed() const {
 }
 
 void FeelController::start(const QString& id) {
+  if (!neck_set_) setNeckFlexed(false);
   if (!prepare()) return;
   recorded_ = {};
   session_.start(id, force_, this);
@@ -136,6 +137,7 @@ void FeelController::setNeckFlexed(bool flexed) {
   const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
   const auto postures = input ? neckPostures(scene_.model()->model.inputs[*input]) : std::nullopt;
   if (!postures) return;
+  neck_set_ = true;
   flexing_ = true;
   scene_.setValue(*input, flexed ? postures->flexed : postures->upright);
   flexing_ = false;
@@ -184,7 +186,10 @@ void FeelController::onAnotherModel() {
 
 void FeelController::onValue(std::size_t input) {
   const std::string& id = scene_.model()->model.inputs[input].id;
-  if (id == kNeckFlexionId) emit neckChanged();
+  if (id == kNeckFlexionId) {
+    neck_set_ = true;
+    emit neckChanged();
+  }
   if (!isFelt() || id == kDepthId || id == kSpeedId) return;
   if (flexing_) {
     postScene(kGestureFadeS);

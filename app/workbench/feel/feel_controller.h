@@ -63,7 +63,10 @@ class FeelController : public QObject {
   /// How often the cost of the model was measured: once for each shape of a model that is felt.
   int costMeasurements() const { return cost_.measurements(); }
   bool followsHand() const { return follows_hand_; }
+  /// False as well while nothing has set the neck yet: the patient sits upright when the first run begins.
   bool isNeckFlexed() const;
+  /// Whether the neck has a flexion of its own; before that, the one of the first operating point is for the curves.
+  bool isNeckSet() const { return neck_set_; }
   /// The orders that began the current placement. Samples with older orders belong to the previous one.
   std::uint64_t placementOrders() const { return placement_orders_; }
 
@@ -73,8 +76,8 @@ class FeelController : public QObject {
 
  public slots:
   /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
-  /// first. Refused: no model is open, the servo refuses it, a start or a stop is in progress, or another
-  /// feature uses the device.
+  /// first. Raises the head, unless the neck was set before. Refused: no model is open, the servo refuses it, a start
+  /// or a stop is in progress, or another feature uses the device.
   void start(const QString& id);
   /// In any state: zero force from the next tick on. Then the servo and the placement end.
   void stop();
@@ -134,7 +137,8 @@ class FeelController : public QObject {
   double followed_mm_s_ = 0;      ///< the speed of the hand, smoothed for the curves
   std::int64_t followed_ns_ = 0;  ///< time of the sample that it follows
   bool flexing_ = false;          ///< the next change of neck flexion is a gesture
-  bool conditions_new_ = false;   ///< posted at the next beat, because a dragged slider changes them more often
+  bool neck_set_ = false;
+  bool conditions_new_ = false;  ///< posted at the next beat, because a dragged slider changes them more often
   std::uint64_t placement_orders_ = 0;
   PlacementMeter meter_;
   std::optional<PlacementSummary> last_placement_;

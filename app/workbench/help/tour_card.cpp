@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/primary_button.h"
@@ -13,7 +14,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kCardWidth = 340;  // px
+constexpr int kCardWidth = 340;  // px at 100 %
 
 }  // namespace
 
@@ -25,7 +26,6 @@ TourCard::TourCard(QWidget* parent)
       back_(new QPushButton(tr("Go back"), this)),
       next_(new PrimaryButton(tr("Next"), this)),
       end_(new QPushButton(tr("End the tour"), this)) {
-  setFixedWidth(kCardWidth);
   setColors(theme::card(), theme::accent());
   title_->setFont(theme::headingFont());
   title_->setWordWrap(true);
@@ -62,7 +62,8 @@ void TourCard::showStep(const QString& title, const QString& text, int step, int
   setAccessibleName(title);
   setAccessibleDescription(text);
   // The text wraps, so that the height follows from the width.
-  setFixedHeight(layout()->heightForWidth(kCardWidth));
+  setFixedWidth(appearance::scaled(kCardWidth));
+  setFixedHeight(layout()->heightForWidth(minimumWidth()));
   next_->setFocus();
 }
 

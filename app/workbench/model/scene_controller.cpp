@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/workbench/model/patient.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
@@ -205,10 +204,6 @@ void SceneController::adoptModel() {
       const std::size_t input = *inputNamed(model, setting.input);
       values_[input] = clamped(model.inputs[input], setting.value);
     }
-  }
-  // The patient sits upright before anything is done to her, as in the first step of the procedure.
-  if (const auto neck = inputNamed(model, kNeckFlexionId)) {
-    if (const auto postures = neckPostures(model.inputs[*neck])) values_[*neck] = postures->upright;
   }
   // The setting stays when an edited file is opened again, or a second model of the same kind.
   if (previous) {

@@ -1,5 +1,6 @@
 #include "app/workbench/shell/start_entry.h"
 
+#include <QKeyEvent>
 #include <QPainter>
 #include <algorithm>
 
@@ -61,6 +62,12 @@ QRect StartEntry::noteRect(int width) const {
   if (note_.isEmpty()) return {room.left(), top - 2, room.width(), 0};
   if (one_line_) return {room.left(), top, room.width(), metrics.height()};
   return {room.left(), top, room.width(), metrics.boundingRect(room, Qt::TextWordWrap, note_).height()};
+}
+
+void StartEntry::keyPressEvent(QKeyEvent* event) {
+  const bool enters = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enters || event->isAutoRepeat()) return QAbstractButton::keyPressEvent(event);
+  click();
 }
 
 void StartEntry::paintEvent(QPaintEvent* /*event*/) {

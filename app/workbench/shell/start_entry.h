@@ -23,6 +23,7 @@ class StartEntry : public QAbstractButton {
   int heightForWidth(int width) const override;
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
 
  private:

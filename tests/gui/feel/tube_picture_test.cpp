@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/feel/procedure.h"
-#include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/patient.h"
-#include "app/workbench/model/scene_controller.h"
 
-#include "tests/gui/sample_models.h"
+#include "tests/gui/feel/feel_test.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
@@ -29,26 +27,33 @@ TEST(TubePicture, DrawsTheNeckByTheWordOfItsFlexion) {
   EXPECT_EQ(drawnPosture(neck, 90), Posture::kChinOnChest);
 }
 
-TEST(TubePicture, ShowsTheHeadUpAtTheStartAsTheFirstStepSays) {
-  const tests::ModelFolder folder;
-  ModelController models;
-  const SceneController scene{models};
-  models.open(folder.write(support::s4FiveRegions()));
-  const fuzzy::Variable& neck = scene.model()->model.inputs[kNeck];
-  EXPECT_EQ(scene.value(kNeck), 7.5);  // the middle of what is fully small: 0 to 15
-  EXPECT_EQ(drawnPosture(neck, scene.value(kNeck)), Posture::kUpright);
+using TubePictureTest = FeelTest;
+
+TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
+  models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   EXPECT_TRUE(ngtProcedure().front().text.contains(QStringLiteral("The patient sits upright")));
+  // The curves begin as in Fig. 11 of the paper.
+  EXPECT_EQ(scene.value(kNeck), 60);
+  EXPECT_FALSE(feel.isNeckSet());
+  EXPECT_FALSE(feel.isNeckFlexed());
+  // What is felt is what the picture shows.
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(scene.value(kNeck), 7.5);  // the middle of what is fully small: 0 to 15
+  EXPECT_EQ(drawnPosture(scene.model()->model.inputs[kNeck], scene.value(kNeck)), Posture::kUpright);
+  // Whoever flexes it finds it flexed in the next run.
+  feel.setNeckFlexed(true);
+  feel.stop();
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(scene.value(kNeck), 82.5);
+  EXPECT_TRUE(feel.isNeckFlexed());
 }
 
-// Who goes on with a second model, or reads the file again, keeps the posture.
-TEST(TubePicture, KeepsThePostureFromModelToModel) {
-  const tests::ModelFolder folder;
-  ModelController models;
-  SceneController scene{models};
-  models.open(folder.write(support::s4FiveRegions()));
-  scene.setValue(kNeck, 82.5);
-  models.open(folder.write(support::s4AsPrinted(), QStringLiteral("printed.tactus.json")));
-  EXPECT_EQ(scene.value(kNeck), 82.5);
+TEST_F(TubePictureTest, ANeckThatWasSetIsFeltAsItIs) {
+  models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
+  scene.setValue(kNeck, 45);
+  EXPECT_TRUE(feel.isNeckSet());
+  feel.start(QStringLiteral("virtual"));
+  EXPECT_EQ(scene.value(kNeck), 45);
 }
 
 }  // namespace

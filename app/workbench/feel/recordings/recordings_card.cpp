@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
@@ -64,7 +63,7 @@ QIcon recordIcon(bool in_progress) {
   return picture;
 }
 
-constexpr int kOneRow = 760;  // px at 100 %: from this width on everything stands in one row
+constexpr int kOneRow = 760;  // px: from this width on everything stands in one row
 
 }  // namespace
 
@@ -150,11 +149,21 @@ void RecordingsCard::arrange() {
 
 void RecordingsCard::resizeEvent(QResizeEvent* event) {
   Card::resizeEvent(event);
-  const bool in_one_row = width() >= appearance::scaled(kOneRow);
+  const bool in_one_row = width() >= std::max(kOneRow, widthInOneRow());
   if (in_one_row == in_one_row_) return;
   in_one_row_ = in_one_row;
   arrange();
   showState();
+}
+
+int RecordingsCard::widthInOneRow() const {
+  const QMargins edges = layout()->contentsMargins();
+  int width = edges.left() + edges.right() - grid_->horizontalSpacing();
+  for (const QWidget* part :
+       std::initializer_list<const QWidget*>{who_label_, who_, record_, list_label_, list_, replay_}) {
+    width += std::max(part->minimumWidth(), part->minimumSizeHint().width()) + grid_->horizontalSpacing();
+  }
+  return width;
 }
 
 void RecordingsCard::listPeople() {

@@ -37,6 +37,7 @@ class RecordingsCard : public Card {
  private:
   void build();
   void arrange();
+  int widthInOneRow() const;
   void listPeople();
   void showWho();
   void listRecordings();

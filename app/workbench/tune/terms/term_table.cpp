@@ -33,7 +33,7 @@ using fuzzy::Term;
 enum Column { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kColumns };
 
 constexpr int kSwatchSide = 12;  // px
-constexpr int kNarrowestName = 100;
+constexpr int kNarrowestName = 64;
 constexpr int kMostWidth = 520;  // px that the table needs at most: as much as a window of 1280 px leaves it
 constexpr int kMoreWidth = 22;
 constexpr int kFewestRows = 4;  // with the head
