@@ -51,10 +51,12 @@ class EditedForce {
     }
     if (!probe_) {
       std::vector<MembershipFunction> words;
+      words.reserve(terms.size());
       for (const Term& term : terms) words.push_back(MembershipFunction::of(term));
       return point_.withWords(readers_, words);
     }
     std::vector<double> memberships;
+    memberships.reserve(terms.size());
     for (const Term& term : terms) memberships.push_back(MembershipFunction::of(term)(at()));
     return probe_->force(memberships);
   }

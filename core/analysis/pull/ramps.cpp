@@ -36,6 +36,7 @@ std::optional<Ramps> rampsOf(const fuzzy::Variable& variable, const std::vector<
 
 void writeRamps(const Ramps& before, const Ramps& after, std::vector<Term>& terms) {
   std::vector<std::vector<double>> points;
+  points.reserve(terms.size());
   for (const Term& term : terms) points.push_back(asTrapezoid(term));
   for (std::size_t r = 0; r < after.p.size(); ++r) {
     auto& left = points[after.order[r]];
