@@ -5736,10 +5736,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Table 1: insertion speed, and how clusters and levels agree</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Warnings</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5761,6 +5757,10 @@
             <numerusform>and %n more; point at a row of the table to read its own</numerusform>
             <numerusform>and %n more; point at a row of the table to read its own</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Table 1: insertion speed in mm/s, and how clusters and levels agree</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7893,11 +7893,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1
-mean (SD), mm/s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Accuracy</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7926,6 +7921,11 @@ p</source>
     </message>
     <message>
         <source>Warnings</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1
+mean (SD)</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
