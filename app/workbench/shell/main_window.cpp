@@ -6,7 +6,6 @@
 #include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
-#include <QStackedWidget>
 #include <QStatusTipEvent>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/page_stack.h"
 #include "app/workbench/kit/reading_order.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/header_place.h"
@@ -47,7 +47,7 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
       menus_(*menuBar()),
       banner_(new MessageBanner(this)),
       column_(new QVBoxLayout),
-      screens_(new QStackedWidget(this)),
+      screens_(new PageStack(this)),
       bench_(new BenchView(scene, settings, this)),
       header_place_(new HeaderPlace(*menuBar(), *bench_, this)),
       rail_(new StageRail(this)),

@@ -4,7 +4,6 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QStackedWidget>
 #include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -14,6 +13,7 @@
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/page_stack.h"
 #include "app/workbench/kit/tab_look.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_work.h"
@@ -35,7 +35,7 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
       failure_(new QLabel(this)),
-      pages_(new QStackedWidget(this)) {
+      pages_(new PageStack(this)) {
   setFocusPolicy(Qt::ClickFocus);
   new TabLook(*tabs_);
   tabs_->setExpanding(false);
