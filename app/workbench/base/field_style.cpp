@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QStyleOption>
+#include <QTabWidget>
 
 #include "app/workbench/base/theme.h"
 
@@ -36,10 +37,13 @@ FieldStyle::FieldStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
 void FieldStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                const QWidget* widget) const {
+  // There is no line below tabs (kit/tab_look.h), so there is none below what stands beside them.
+  if (element == PE_FrameTabBarBase && qobject_cast<const QTabWidget*>(widget) != nullptr) return;
   QProxyStyle::drawPrimitive(element, option, painter, widget);
   if (!wantsEdge(*option)) return;
   if (element == PE_FrameLineEdit) drawEdge(*painter, option->rect, kRound);
   if (element == PE_IndicatorCheckBox) drawEdge(*painter, option->rect, 0);
+  if (element == PE_IndicatorRadioButton) drawEdge(*painter, option->rect, option->rect.height() / 2.0);
 }
 
 void FieldStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,

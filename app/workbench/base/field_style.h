@@ -8,7 +8,8 @@
 
 namespace tactus::workbench::theme {
 
-/// Edge of fields to type in, of choices and of check boxes: contrast at least 3 to cards, window and buttons.
+/// Edge of fields to type in, of choices, of check boxes and of round buttons: contrast at least 3 to cards, window and
+/// buttons.
 QColor fieldEdge();
 
 class FieldStyle : public QProxyStyle {

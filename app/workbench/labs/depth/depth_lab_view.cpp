@@ -7,6 +7,7 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/say.h"
+#include "app/workbench/kit/tab_look.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"
@@ -75,6 +77,7 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
 QWidget* DepthLabView::makePages() {
   auto* card = new Card(this);
   auto* pages = new QTabWidget(card);
+  new TabLook(*pages->tabBar());
   pages->setDocumentMode(true);
   pages->addTab(new DepthTermPage(lab_), tr("Terms of the depth"));
   pages->addTab(new LengthPage(lab_), tr("Insertion length"));

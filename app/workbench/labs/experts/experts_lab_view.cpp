@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QStandardItemModel>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/primary_button.h"
 #include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/kit/tab_look.h"
 #include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/experts/band_lab.h"
 #include "app/workbench/labs/experts/experts_lab.h"
@@ -95,6 +97,7 @@ QWidget* ExpertsLabView::makeLeft() {
   weights->addTool(policy_);
   weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
   auto* details = new QTabWidget;
+  new TabLook(*details->tabBar());
   details->setDocumentMode(true);
   auto* policies = makeLabTable(*policies_, PolicyTable::kWhere, tr("Weight policies beside equal weights"), nullptr);
   policies->setObjectName(QStringLiteral("policies"));

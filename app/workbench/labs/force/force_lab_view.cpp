@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QSignalBlocker>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -12,6 +13,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/kit/tab_look.h"
 #include "app/workbench/labs/force/check_view.h"
 #include "app/workbench/labs/force/delivered_plot.h"
 #include "app/workbench/labs/force/force_lab.h"
@@ -63,6 +65,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   top_->addWidget(words);
   top_->setStretchFactor(0, 0);
   top_->setStretchFactor(1, 1);
+  new TabLook(*details_->tabBar());
   details_->setDocumentMode(true);
   details_->addTab(judgements_, tr("Judgements"));
   details_->addTab(checks_, tr("Checks"));

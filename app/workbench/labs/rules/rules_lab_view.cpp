@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
 #include <QVBoxLayout>
@@ -16,6 +17,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/kit/tab_look.h"
 #include "app/workbench/kit/wrapped_label.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/frame/lab_table.h"
@@ -65,6 +67,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   setMuted(*spread_);
   auto* grids = new LabCard(tr("What each expert says, and what it costs"), grids_);
   grids->addTool(spread_);
+  new TabLook(*details_->tabBar());
   details_->setDocumentMode(true);
   details_->addTab(makeCell(), tr("Chosen cell"));
   details_->addTab(makeFindings(), tr("Findings"));
