@@ -86,7 +86,8 @@ QList<SearchEntry> SearchParts::findings() const {
   QList<SearchEntry> entries;
   const auto shown = on_.findings.shared();
   for (std::size_t i = 0; i < shown->size(); ++i) {
-    entries << SearchEntry{(*shown)[i].sentence, tr("Finding"), [this, i, shown] {
+    entries << SearchEntry{(*shown)[i].kind + QStringLiteral(": ") + (*shown)[i].sentence, tr("Finding"),
+                           [this, i, shown] {
                              reveal(places_.findings);
                              // Another list has come meanwhile: its findings have other numbers.
                              if (on_.findings.shared() == shown) on_.findings.choose(i);

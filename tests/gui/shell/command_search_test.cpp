@@ -68,6 +68,15 @@ TEST_F(SearchTest, LeadsToCommandsPanelsTermsAndExperts) {
   EXPECT_EQ(bench.window.layoutBeside(), FeelParts::layoutId());
 }
 
+// The sentence of a hole says that no rule fires; who looks for one types "hole".
+TEST_F(SearchTest, AFindingIsFoundByItsKind) {
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !bench.findings.findings().empty(); }, tests::kPatience));
+  searchFor(QStringLiteral("hole"));
+  ASSERT_TRUE(bench.findings.chosen());
+  EXPECT_EQ(bench.findings.findings()[*bench.findings.chosen()].kind, QStringLiteral("Hole"));
+  EXPECT_TRUE(bench.finding_parts.panel().isVisible());
+}
+
 TEST_F(SearchTest, APlaceLeadsToTheForceThere) {
   bench.window.enter(Stage::kTune);
   searchFor(QStringLiteral("8 mm speed 20"));

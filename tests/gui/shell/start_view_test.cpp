@@ -118,7 +118,7 @@ TEST_F(StartViewTest, ADemoThatCannotBeMadeIsASentence) {
 TEST_F(StartViewTest, ANewModelHasTheInputsOfTheProcedureAndNoRules) {
   StartEntry* make = entry(QStringLiteral("New model from the NGT template"));
   ASSERT_NE(make, nullptr);
-  QTest::mouseClick(make, Qt::LeftButton);
+  QTest::keyClick(make, Qt::Key_Return);
   ASSERT_NE(bench.models.current(), nullptr);
   const fuzzy::ForceModel& model = bench.models.current()->model;
   ASSERT_EQ(model.inputs.size(), 4U);

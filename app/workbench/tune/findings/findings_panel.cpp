@@ -72,9 +72,10 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
 
   auto* head = new QHBoxLayout;
   head->setSpacing(theme::kGrid);
-  head->addWidget(kind_, 3);
-  head->addWidget(who_, 2);
-  head->addWidget(order_, 2);
+  head->addWidget(kind_, 30);
+  head->addWidget(who_, 20);
+  head->addWidget(order_, 20);
+  head->addStretch(1);  // with much room the choices stay at the left
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   layout->setSpacing(theme::kGrid);

@@ -12,6 +12,7 @@
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/row_stop.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
@@ -121,6 +122,9 @@ void FixCard::showFixes() {
     button->setToolTip(fixes[i].what);
     button->setObjectName(QStringLiteral("fix_%1").arg(i));
     button->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    keepFitted(*button, [button] {
+      button->setMinimumWidth(button->fontMetrics().horizontalAdvance(button->text()) + 3 * theme::kGrid);
+    });
     auto* effect = new ElidedLabel(fixes_);
     effect->setFullText(fixes[i].effect);
     setMuted(*effect);
