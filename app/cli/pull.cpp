@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <system_error>
@@ -11,6 +12,7 @@
 #include "app/cli/pull_text.h"
 #include "app/editing/edit.h"
 #include "app/version.h"
+#include "core/analysis/lint.h"
 #include "core/base/clock.h"
 #include "core/model_io/model_file.h"
 #include "elicitation/force/noticeable_force.h"
@@ -27,16 +29,31 @@ base::Result<void> refuseTheSameFile(const PullOptions& options) {
                       options.out);
 }
 
-/// Writes the model after a candidate. The checks keep their points and get the new forces.
-base::Result<void> writeEdited(const PullOptions& options, const fuzzy::ForceModel& model,
-                               const analysis::PullCandidate& candidate, const std::string& text) {
-  auto edit = editing::finished(applied(model, candidate.edits), text);
+/// The findings of the lint that the edited model has and the model before had not.
+std::vector<std::string> newFindings(const OpenedModel& before, const editing::Edit& after) {
+  const auto findings = analysis::lint(before.model, before.compiled).findings;
+  std::vector<std::string> out;
+  for (const analysis::Finding& one : analysis::lint(after.model, after.compiled).findings) {
+    const bool known = std::any_of(findings.begin(), findings.end(), [&](const analysis::Finding& other) {
+      return other.kind == one.kind && other.expert == one.expert && other.where == one.where;
+    });
+    if (!known) out.push_back("new finding: " + (one.expert.empty() ? "" : one.expert + ": ") + one.text);
+  }
+  return out;
+}
+
+/// Writes the model after a candidate and returns what the lint newly finds in it. The checks keep their points and get
+/// the new forces.
+base::Result<std::vector<std::string>> writeEdited(const PullOptions& options, const OpenedModel& opened,
+                                                   const analysis::PullCandidate& candidate, const std::string& text) {
+  auto edit = editing::finished(applied(opened.model, candidate.edits), text);
   if (!edit) return tl::unexpected(edit.error());
   editing::refreshChecks(edit->model, edit->compiled);
   edit->model.created_utc = base::formatUtc(std::chrono::system_clock::now());
   edit->model.generator = kGenerator;
   if (auto& from = edit->model.provenance) from->notes += (from->notes.empty() ? "" : " ") + edit->label + ".";
-  return model_io::writeModel(edit->model, options.out);
+  if (auto ok = model_io::writeModel(edit->model, options.out); !ok) return tl::unexpected(ok.error());
+  return newFindings(opened, *edit);
 }
 
 /// What an answer of either kind comes to on the screen and in a file.
@@ -153,7 +170,9 @@ base::Result<Output> pull(const PullOptions& options) {
   }
   const std::string& text = answer->texts[*options.apply - 1];
   const auto& chosen = answer->candidates[*options.apply - 1];
-  if (auto ok = writeEdited(options, question->opened.model, chosen, text); !ok) return tl::unexpected(ok.error());
+  const auto findings = writeEdited(options, question->opened, chosen, text);
+  if (!findings) return tl::unexpected(findings.error());
+  warnings.insert(warnings.end(), findings->begin(), findings->end());
   return Output{options.json ? std::move(answer->text) : base::oneLine(options.out) + ": " + text + "\n",
                 std::move(warnings)};
 }

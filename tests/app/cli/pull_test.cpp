@@ -118,6 +118,24 @@ TEST_F(PullCommandTest, EachEditCanBeWritten) {
   }
 }
 
+// Rule 3 to Large: more force well lubricated than at medium lubrication (rule 8, small), against nearly all other
+// steps.
+TEST_F(PullCommandTest, NewFindingsOfTheLintAreSaid) {
+  const PullJson found = pulled({s4_, "--at", kPulled, "--force", "0.62"});
+  std::size_t checked = 0;
+  for (std::size_t k = 0; k < found["candidates"].size(); ++k) {
+    const PullJson& one = found["candidates"][k];
+    const bool rule = one["gesture"] == "word" && one["rule"] == 3;
+    if (!rule && one["gesture"] != "p") continue;
+    ++checked;
+    const ProgramRun run(
+        {"pull", s4_, "--at", kPulled, "--force", "0.62", "--apply", std::to_string(k + 1), "--out", out_});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err.find("new finding: S4: ") != std::string::npos, rule) << run.err;
+  }
+  EXPECT_GE(checked, 2U);
+}
+
 TEST_F(PullCommandTest, InWords) {
   const ProgramRun one({"pull", s4_, "--at", kPulled, "--force", "0.55"});
   EXPECT_EQ(one.status, 0);
