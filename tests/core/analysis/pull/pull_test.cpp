@@ -18,7 +18,6 @@ constexpr double kDelta8 = 5.1e-9;       // N and shares to eight
 constexpr double kForceDigits = 5.1e-7;  // N to six
 constexpr double kMoved = 5.1e-5;        // K to four
 
-// sqrt(.04^2 + (.12 F)^2), the specification's just-noticeable difference.
 class PullTest : public testing::Test {
  protected:
   void pullAt(const std::vector<double>& point, double target_n, std::vector<std::size_t> locked = {}) {
