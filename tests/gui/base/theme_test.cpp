@@ -56,6 +56,7 @@ TEST_P(Theme, EveryPairReachesItsContrast) {
   pairs.push_back({"friction", theme::friction(), theme::card(), 3});
   for (std::size_t expert = 0; expert < 6; ++expert) {
     pairs.push_back({"expert", theme::expert(expert), theme::card(), 3});
+    pairs.push_back({"expert as text", theme::readableText(theme::expert(expert)), theme::card(), 4.5});
     for (std::size_t other = 0; other < expert; ++other) EXPECT_NE(theme::expert(expert), theme::expert(other));
   }
   for (std::size_t term = 0; term < 5; ++term) {

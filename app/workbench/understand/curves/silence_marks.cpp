@@ -128,7 +128,7 @@ void SilenceMarks::drawLane(QCPPainter& painter, const Lane& lane, double bottom
       note_left = box.left() - 4 - note_width;
     }
     if (note_left < std::max<double>(free_from, area->left())) continue;
-    painter.setPen(lane.color.darker(125));
+    painter.setPen(theme::readableText(lane.color));
     painter.drawText(QPointF(note_left, bottom - metrics.descent()), note);
     free_from = std::max(box.right(), note_left + note_width);
   }
