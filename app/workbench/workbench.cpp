@@ -64,4 +64,6 @@ Workbench::Workbench(QSettings& settings, const QString& autosave_root, DeviceAc
                    {edit_parts.panel(), rule_parts.panel(), finding_parts.panel(), here_parts.rules()}),
       help_menu(window) {}
 
+Workbench::~Workbench() { window.hide(); }
+
 }  // namespace tactus::workbench

@@ -60,6 +60,8 @@ struct Workbench {
   /// Autosaved work is kept below `autosave_root`. The devices are those of `devices`.
   explicit Workbench(QSettings& settings, const QString& autosave_root = autosaveRoot(),
                      DeviceAccess devices = realDevices());
+  /// Hides the window first: views that are hidden stop what the features compute, and those go before the window.
+  ~Workbench();
 
   ModelController models;
   SceneController scene;
