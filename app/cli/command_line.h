@@ -45,6 +45,19 @@ CLI::Validator wholeNumberUpTo(std::uint64_t largest);
 /// is none. Needed because CLI11 ignores an unknown command, or names the option without its command.
 std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<std::string>& arguments);
 
+/// The model file that the command reads.
+inline void addModel(CLI::App& command, std::string& model) {
+  command.add_option("MODEL", model, "Model file")->required()->check(notEmpty());
+}
+
+/// `--at`: one point of the model, read by `pointOption` (model_arguments.h).
+inline void addPoint(CLI::App& command, std::vector<std::string>& at) {
+  command.add_option("--at", at, "INPUT=VALUE for each input, separated by commas")
+      ->required()
+      ->delimiter(',')
+      ->check(notEmpty());
+}
+
 inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 
 /// Adds `--accept KIND`, which may be repeated (accepted_data.h). `what`: the work that findings of these kinds do not

@@ -86,7 +86,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
              });
   addCommand(app, chosen, "eval", "The force of a model at the points of a CSV file", eval,
              [](CLI::App& command, EvalOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               addModel(command, o.model);
                command.add_option("--in", o.points, "CSV file with one column per input of the model")
                    ->required()
                    ->check(notEmpty());
@@ -99,26 +99,20 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                    ->default_str("exact");
              });
   addCommand(app, chosen, "check", "Validation and lint of a model", check, [](CLI::App& command, CheckOptions& o) {
-    command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+    addModel(command, o.model);
     addJson(command, o.json);
   });
   addCommand(app, chosen, "why", "Why the force at a point is what it is, and what would change it", why,
              [](CLI::App& command, WhyOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
-               command.add_option("--at", o.at, "INPUT=VALUE for each input, separated by commas")
-                   ->required()
-                   ->delimiter(',')
-                   ->check(notEmpty());
+               addModel(command, o.model);
+               addPoint(command, o.at);
                command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
                addJson(command, o.json);
              });
   addCommand(app, chosen, "pull", "The smallest edits that give a wanted force at a point", pull,
              [](CLI::App& command, PullOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
-               command.add_option("--at", o.at, "INPUT=VALUE for each input, separated by commas")
-                   ->required()
-                   ->delimiter(',')
-                   ->check(notEmpty());
+               addModel(command, o.model);
+               addPoint(command, o.at);
                command.add_option("--force", o.force_n, "Wanted force in newtons; not needed with --curve")
                    ->check(numberThat("a finite force, such as 0.55", [](double x) { return std::isfinite(x); }));
                command.add_option("--expert", o.expert, "One expert; by default the mean of all, without its rules")
@@ -141,14 +135,14 @@ void addCommands(CLI::App& app, Chosen& chosen) {
              });
   addCommand(
       app, chosen, "bench", "Run time against error on this machine", bench, [](CLI::App& command, BenchOptions& o) {
-        command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+        addModel(command, o.model);
         command.add_option("--seconds", o.seconds, "Time for each row, from 0.001 to 60")
             ->check(numberThat("a number of seconds from 0.001 to 60", [](double x) { return x >= 0.001 && x <= 60; }));
         addJson(command, o.json);
       });
   addCommand(app, chosen, "simulate", "The insertion renderer on a model, with a simulated hand and device", simulate,
              [](CLI::App& command, SimulateOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               addModel(command, o.model);
                command.add_option("--scenario", o.scenario, "Scenario file: hand, device, what happens when")
                    ->required()
                    ->check(notEmpty());

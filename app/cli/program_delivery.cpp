@@ -6,7 +6,7 @@ namespace tactus::cli {
 void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "bundle", "Everything that a simulator team needs of a model, with what each file promises",
              bundle, [](CLI::App& command, BundleOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               addModel(command, o.model);
                command.add_option("--out", o.out, "Folder to write: a new one, or one with an earlier bundle")
                    ->required()
                    ->check(notEmpty());
@@ -21,7 +21,7 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
              });
   addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,
              [](CLI::App& command, ConvertOptions& o) {
-               command.add_option("MODEL", o.model, "Model file")->required()->check(notEmpty());
+               addModel(command, o.model);
                command.add_option("--to", o.to, "Format")
                    ->required()
                    ->check(oneOf({"fll", "fcl", "fcl-fuzzylite", "fis", "fml", "c"}));

@@ -19,7 +19,7 @@ QTableView* makeQuietTable(QAbstractItemModel& model, const QString& accessible_
   view->setAccessibleName(accessible_name);
   view->verticalHeader()->hide();
   QHeaderView* const head = view->horizontalHeader();
-  // Where the heads end, the ground of the cells goes on.
+  // Beyond the last head the table has the color of its cells.
   for (QHeaderView* header : {head, view->verticalHeader()}) {
     QPalette colors = header->palette();
     colors.setColor(QPalette::Window, theme::card());

@@ -40,7 +40,7 @@ TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(scene.value(kNeck), 7.5);  // the middle of what is fully small: 0 to 15
   EXPECT_EQ(drawnPosture(scene.model()->model.inputs[kNeck], scene.value(kNeck)), Posture::kUpright);
-  // Whoever flexes it finds it flexed in the next run.
+  // A neck that the user flexed stays flexed in the next run.
   feel.setNeckFlexed(true);
   feel.stop();
   feel.start(QStringLiteral("virtual"));

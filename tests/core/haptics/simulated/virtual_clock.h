@@ -3,9 +3,10 @@
 
 #include <cstdint>
 
+#include "tests/core/haptics/loop_numbers.h"
+
 namespace tactus::haptics {
 
-inline constexpr std::int64_t kTickNs = 1'000'000;
 inline constexpr std::int64_t kBeginNs = 77'123'456'789;  ///< a clock does not begin at 0
 
 constexpr std::int64_t tickNs(int tick) { return kBeginNs + tick * kTickNs; }
