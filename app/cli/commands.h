@@ -165,6 +165,7 @@ struct ConvertOptions {
   std::string to;                  ///< fll, fcl, fcl-fuzzylite, fis, fml or c
   std::string out;                 ///< folder
   std::vector<std::string> fixed;  ///< `INPUT=VALUE`, for c: inputs that stay at a value
+  bool json = false;
 };
 /// Writes a model for other programs: one file per expert, or C source.
 base::Result<Output> convert(const ConvertOptions& options);

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "core/base/files/file.h"
+#include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/exchange/c_source.h"
 #include "core/exchange/dialect.h"
@@ -51,11 +52,18 @@ base::Result<Output> convert(const ConvertOptions& options) {
   if (!files) return base::inFile(files.error(), options.model);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
   Output output{{}, read->warnings};
+  std::vector<std::string> paths;
   for (const auto& [name, text] : *files) {
     const std::string path = options.out + "/" + name;
     if (const auto written = base::writeFileAtomically(path, text); !written) return tl::unexpected(written.error());
+    paths.push_back(path);
     output.text += base::oneLine(path) + '\n';
   }
+  if (!options.json) return output;
+  base::JsonWriter json;
+  json.beginObject().key("model").value(options.model).key("to").value(options.to);
+  json.key("files").values(paths).key("warnings").values(output.warnings);
+  output.text = json.endObject().text();
   return output;
 }
 

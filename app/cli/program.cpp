@@ -168,6 +168,11 @@ std::string harmless(std::string text, const std::vector<std::string>& arguments
   return base::plainLines(text);
 }
 
+int cannotWrite(std::ostream& err) {
+  err << "tactus: found a standard output that cannot be written to, wanted a pipe or file with room\n";
+  return kWrongInput;
+}
+
 int report(const base::Result<Output>& result, std::ostream& out, std::ostream& err) {
   if (!result) {
     err << "tactus: " << result.error().message() << '\n';
@@ -178,8 +183,7 @@ int report(const base::Result<Output>& result, std::ostream& out, std::ostream& 
   out << (result->is_table ? result->text : base::plainLines(result->text)) << std::flush;
   if (!result->failure.empty()) err << "tactus: " << base::oneLine(result->failure) << '\n';
   if (out.good()) return result->failure.empty() ? kFine : kWrongInput;
-  err << "tactus: found a standard output that cannot be written to, wanted a pipe or file with room\n";
-  return kWrongInput;
+  return cannotWrite(err);
 }
 
 }  // namespace
@@ -219,7 +223,8 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
     std::ostringstream help;
     std::ostringstream wrong;  // says what was typed
     const int status = app.exit(error, help, wrong) == 0 ? kFine : kWrongUsage;
-    out << help.str();
+    out << help.str() << std::flush;
+    if (!out.good()) return cannotWrite(err);
     err << harmless(wrong.str(), typed);
     return status;
   }

@@ -27,6 +27,7 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                    ->check(oneOf({"fll", "fcl", "fcl-fuzzylite", "fis", "fml", "c"}));
                command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
                command.add_option("--fix", o.fixed, "INPUT=VALUE: C source with this input fixed; may be repeated");
+               addJson(command, o.json);
              });
   addCommand(app, chosen, "import", "A model file from a model of another fuzzy program: FLL, FCL or FIS", import,
              [](CLI::App& command, ImportOptions& o) {

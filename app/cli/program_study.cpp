@@ -41,16 +41,27 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                addAccept(command, o.accept, "import");
                addJson(command, o.json);
              });
-  addCommand(study, chosen, "export", "Write everything as CSV tables with a codebook", studyExport,
-             [](CLI::App& command, StudyExportOptions& o) {
-               addFile(command, o.file);
-               command.add_option("FOLDER", o.folder, "New or empty folder, or an earlier export, which is replaced")
-                   ->required()
-                   ->check(notEmpty());
-               command.add_flag("--shareable", o.shareable, "Only what counts now, without identifying details");
-               command.add_flag("--bom", o.mark, "Begin each table with a byte order mark, for spreadsheet programs");
-               addJson(command, o.json);
-             });
+  addCommand(
+      study, chosen, "export", "Write everything as CSV tables with a codebook", studyExport,
+      [](CLI::App& command, StudyExportOptions& o) {
+        addFile(command, o.file);
+        command
+            .add_option("FOLDER,--out", o.folder,
+                        "New or empty folder, or an earlier export, which is replaced; no default")
+            ->check(notEmpty());
+        command.parse_complete_callback([&o] {
+          if (o.folder.empty()) throw CLI::RequiredError("FOLDER");
+        });
+        command.add_flag("--shareable", o.shareable, "Only what counts now, without identifying details");
+        auto* const mark =
+            command.add_flag("--bom", o.mark, "Begin each table with a byte order mark, for spreadsheet programs");
+        command
+            .add_option("--layout", o.layout,
+                        "A data set for publication, without identifying details; default: CSV tables with a codebook")
+            ->check(oneOf({"psych-ds", "bids"}))
+            ->excludes(mark);
+        addJson(command, o.json);
+      });
   addCommand(study, chosen, "compare", "Does a choice of the method matter here? In newtons", studyCompare,
              [](CLI::App& command, StudyCompareOptions& o) {
                addBuildOptions(command, o, "compare");

@@ -51,10 +51,11 @@ struct StudyExportOptions {
   std::string file;
   std::string folder;
   bool shareable = false;
-  bool mark = false;  ///< writes a byte order mark into each CSV table
+  bool mark = false;   ///< writes a byte order mark into each CSV table
+  std::string layout;  ///< `psych-ds`, `bids`; empty: the program's own tables
   bool json = false;
 };
-/// Exports CSV tables with a codebook.
+/// Exports CSV tables with a codebook; with `layout` a data set for publication, of a study file or a folder of tables.
 base::Result<Output> studyExport(const StudyExportOptions& options);
 
 struct StudyFormOptions {

@@ -1,10 +1,15 @@
 #include "app/session/study_export.h"
 
 #include <random>
+#include <utility>
 
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
+#include "app/dataset/dataset.h"
+#include "app/session/study_source.h"
+#include "app/version.h"
 #include "core/base/json/json_writer.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -15,9 +20,33 @@ std::uint64_t secretSeed() {
   return (static_cast<std::uint64_t>(device()) << 32U) | device();
 }
 
+base::Result<Output> dataSet(const StudyExportOptions& options) {
+  auto tables = session::readStudy(options.file, elicitation::ngtInputIds());
+  if (!tables) return tl::unexpected(tables.error());
+  const auto layout = options.layout == "bids" ? dataset::Layout::kBids : dataset::Layout::kPsychDs;
+  const auto done = dataset::writeDataSet(tables->study, layout, options.folder, secretSeed(), kGenerator);
+  if (!done) return tl::unexpected(done.error());
+  std::vector<std::string> notes = std::move(tables->notes);
+  notes.insert(notes.end(), done->notes.begin(), done->notes.end());
+  if (options.json) {
+    base::JsonWriter json;
+    json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+    json.key("layout").value(options.layout).key("profile").value("shareable");
+    json.key("participants").value(done->participants).key("files").value(done->files);
+    json.key("notes").values(notes).key("notices").values(tables->notices).endObject();
+    return Output{json.text(), std::move(tables->notices)};
+  }
+  notes.insert(notes.begin(), tables->notices.begin(), tables->notices.end());
+  return Output{"Wrote " + std::to_string(done->participants) + " participants in the layout " + options.layout +
+                    " to " + base::oneLine(options.folder) +
+                    "; read README and enter authors and license before it is published\n",
+                std::move(notes)};
+}
+
 }  // namespace
 
 base::Result<Output> studyExport(const StudyExportOptions& options) {
+  if (!options.layout.empty()) return dataSet(options);
   const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
   if (!file) return tl::unexpected(file.error());
   session::ExportOptions settings;

@@ -50,26 +50,26 @@ Error notFree(const fs::path& folder, std::string found) {
 }
 
 /// The first file of the folder that no export makes, or nothing.
-std::optional<fs::path> otherFile(const fs::path& folder) {
+std::optional<fs::path> otherFile(const fs::path& folder, const ExportKind& kind) {
   std::error_code error;
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
     const fs::path below = entry.path().lexically_relative(folder);
-    if (!entry.is_directory(error) && !isOurs(below)) return below;
+    if (!entry.is_directory(error) && !kind.is_ours(below)) return below;
   }
   return std::nullopt;
 }
 
-/// An earlier export has its codebook, and no file that an export does not write.
-Result<void> requireFree(const fs::path& folder) {
+/// An earlier export has its marker, and no file that an export does not write.
+Result<void> requireFree(const fs::path& folder, const ExportKind& kind) {
   std::error_code error;
   if (!fs::exists(folder, error)) return {};
   if (!fs::is_directory(folder, error)) return tl::unexpected(notFree(folder, "a file"));
   if (fs::is_empty(folder, error)) return {};
-  const auto codebook = base::readFile((folder / "codebook.json").string(), std::size_t{1} << 24U);
-  if (!codebook || codebook->find(kCodebookFormat) == std::string::npos) {
+  const auto marker = base::readFile((folder / kind.marker).string(), std::size_t{1} << 24U);
+  if (!marker || marker->find(kind.text) == std::string::npos) {
     return tl::unexpected(notFree(folder, "a folder that holds other files"));
   }
-  if (const auto other = otherFile(folder)) {
+  if (const auto other = otherFile(folder, kind)) {
     return tl::unexpected(notFree(folder, "an earlier export with another file, " + base::quoted(other->string())));
   }
   return {};
@@ -107,9 +107,11 @@ Result<void> exchange(const fs::path& from, const fs::path& to, Swap swap) {
 
 }  // namespace
 
+ExportKind tablesExport() { return {"codebook.json", kCodebookFormat, isOurs}; }
+
 bool isExport(const fs::path& folder) {
   std::error_code error;
-  return fs::is_directory(folder, error) && !fs::is_empty(folder, error) && !otherFile(folder);
+  return fs::is_directory(folder, error) && !fs::is_empty(folder, error) && !otherFile(folder, tablesExport());
 }
 
 ExportFolder::ExportFolder(fs::path target, fs::path temporary, base::Descriptor in_use)
@@ -123,12 +125,15 @@ ExportFolder::~ExportFolder() {
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
 }
 
-Result<ExportFolder> ExportFolder::beside(const std::string& folder) {
+Result<ExportFolder> ExportFolder::beside(const std::string& folder, const ExportKind& kind) {
   std::error_code error;
   fs::path target = fs::weakly_canonical(fs::absolute(folder, error), error);
   if (error) return ioError(folder, error);
   if (!target.has_filename()) target = target.parent_path();
-  if (auto free = requireFree(target); !free) return tl::unexpected(free.error());
+  if (auto free = requireFree(target, kind); !free) {
+    free.error().file = folder;  // as the caller named it
+    return tl::unexpected(free.error());
+  }
   if (auto made = base::makeFolder(target.parent_path().string()); !made) return tl::unexpected(made.error());
   auto [temporary, in_use] = base::makeUnfinishedFolder(target.string(), base::kUnfinishedEnding);
   if (!in_use.isOpen()) return ioError(target.parent_path(), {errno, std::generic_category()});

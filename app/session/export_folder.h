@@ -3,11 +3,22 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 
 namespace tactus::session {
+
+/// What an earlier export of one kind is recognized by.
+struct ExportKind {
+  std::string_view marker;                              ///< a file at the top of each
+  std::string_view text;                                ///< a part of that file
+  bool (*is_ours)(const std::filesystem::path& below);  ///< whether such an export writes this file of the folder
+};
+
+/// CSV tables with a codebook (study_export.h).
+ExportKind tablesExport();
 
 /// How a new export replaces an earlier one.
 enum class Swap {
@@ -19,8 +30,8 @@ enum class Swap {
 /// earlier export, it gets that folder's mode.
 class ExportFolder {
  public:
-  /// Creates a folder beside `folder`. Refused: a `folder` that holds anything but an earlier export.
-  static base::Result<ExportFolder> beside(const std::string& folder);
+  /// Creates a folder beside `folder`. Refused: a `folder` that holds anything but an earlier export of the `kind`.
+  static base::Result<ExportFolder> beside(const std::string& folder, const ExportKind& kind = tablesExport());
 
   ExportFolder(ExportFolder&& other) noexcept;
   ExportFolder& operator=(ExportFolder&&) = delete;
@@ -40,7 +51,7 @@ class ExportFolder {
   base::Descriptor in_use_;  ///< a crash releases it
 };
 
-/// Whether `folder` holds files, and only files of an export.
+/// Whether `folder` holds files, and only files of an export of tables.
 bool isExport(const std::filesystem::path& folder);
 
 }  // namespace tactus::session

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::session {
 namespace {
@@ -76,6 +77,24 @@ std::string experienceBand(std::optional<double> years) {
   if (*years < 5) return "<5";
   if (*years < 10) return "5-10";
   return *years <= 15 ? "10-15" : ">15";
+}
+
+std::vector<std::string> inputsOf(const study::Study& study) {
+  std::vector<std::string> inputs = elicitation::ngtInputIds();
+  for (const auto& rule : study.rules) {
+    for (const auto& condition : rule.conditions) {
+      if (std::find(inputs.begin(), inputs.end(), condition.input) == inputs.end()) inputs.push_back(condition.input);
+    }
+  }
+  return inputs;
+}
+
+std::string simulatedNote(const study::Study& study) {
+  const auto count = std::count_if(study.participants.begin(), study.participants.end(),
+                                   [](const study::Participant& participant) { return participant.simulated; });
+  if (count == 0) return {};
+  return "Simulated by a program, not measured: the data of " + std::to_string(count) + " of " +
+         std::to_string(study.participants.size()) + " participants (column `simulated`).";
 }
 
 ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/study/records.h"
 
@@ -12,6 +13,12 @@ namespace tactus::session {
 /// The band of `years` of experience (>= 0): `<5`, `5-10` (10 excluded), `10-15` (15 included), `>15`; empty if
 /// unknown.
 std::string experienceBand(std::optional<double> years);
+
+/// The inputs of the study's rules: those of the tube model, then further ones.
+std::vector<std::string> inputsOf(const study::Study& study);
+
+/// One sentence: how many participants a program simulated. Empty if none.
+std::string simulatedNote(const study::Study& study);
 
 struct ShareableStudy {
   study::Study study;              ///< codes P1, P2, … in an order drawn with the seed; no name

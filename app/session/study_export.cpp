@@ -12,7 +12,6 @@
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::session {
 namespace {
@@ -28,17 +27,6 @@ constexpr const char* kNotGuarded =
     "Text is exported as entered. A spreadsheet program may run text that begins with = + - @ as a formula: for such "
     "a "
     "program export with `--bom`, which puts an apostrophe in front.";
-
-/// The inputs of the study's rules: those of the tube model, then further ones.
-std::vector<std::string> inputsOf(const study::Study& study) {
-  std::vector<std::string> inputs = elicitation::ngtInputIds();
-  for (const auto& rule : study.rules) {
-    for (const auto& condition : rule.conditions) {
-      if (std::find(inputs.begin(), inputs.end(), condition.input) == inputs.end()) inputs.push_back(condition.input);
-    }
-  }
-  return inputs;
-}
 
 /// Adds the column of the bands of experience to the table of participants.
 Result<void> addBands(const std::string& path, const std::vector<std::string>& bands) {
@@ -74,14 +62,6 @@ Result<void> addMark(const std::string& path, const store::RecordTable& descript
     csv.endRow();
   }
   return base::writeFileAtomically(path, std::string(store::kByteOrderMark) + csv.text());
-}
-
-std::string simulatedNote(const study::Study& study) {
-  const auto count = std::count_if(study.participants.begin(), study.participants.end(),
-                                   [](const study::Participant& participant) { return participant.simulated; });
-  if (count == 0) return {};
-  return "Simulated by a program, not measured: the data of " + std::to_string(count) + " of " +
-         std::to_string(study.participants.size()) + " participants (column `simulated`).";
 }
 
 class Exporter {

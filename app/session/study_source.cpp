@@ -19,7 +19,16 @@ base::Result<study::StudyTables> readTables(const std::string& folder, const std
 
 base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return readTables(path, input_ids);
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status)) return readTables(path, input_ids);
+  if (!std::filesystem::is_regular_file(status)) {
+    const bool is_there = std::filesystem::exists(status);
+    return tl::unexpected(base::Error{base::ErrorCode::kIo,
+                                      path,
+                                      {},
+                                      is_there ? "a device or a pipe" : "nothing of this name",
+                                      "a study file, or a folder with participants.csv"});
+  }
   const auto file = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
   if (!file) return tl::unexpected(file.error());
   auto view = studyForElicitation(*file);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <span>
 #include <utility>
 
@@ -97,6 +98,12 @@ base::Result<TableError> errorOfChecks(const fuzzy::ForceModel& model, std::stri
 }
 
 base::Result<BundleCheck> checkBundle(const std::string& folder) {
+  std::error_code ignored;
+  if (!std::filesystem::is_directory(folder, ignored)) {
+    const bool is_there = std::filesystem::exists(folder, ignored);
+    return tl::unexpected(base::Error{
+        base::ErrorCode::kIo, folder, {}, is_there ? "a file" : "nothing of this name", "the folder of a bundle"});
+  }
   const std::string path = folder + "/" + std::string(kManifestName);
   const auto text = base::readFile(path, kMostManifestBytes);
   if (!text) return tl::unexpected(text.error());

@@ -32,9 +32,14 @@ tl::unexpected<Error> fileError(const std::string& path, std::string found, std:
 Result<void> requireFile(const std::string& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
-  if (status.type() == fs::file_type::regular) return {};
-  std::string found = "a name of something else";
-  if (path.empty()) {
+  const bool is_regular = status.type() == fs::file_type::regular;
+  // One with a journal beside it holds what the journal holds.
+  const bool is_empty = is_regular && identityOf(path).bytes == 0 && identityOf(journalOf(path)).bytes <= 0;
+  if (is_regular && !is_empty) return {};
+  std::string found = "a device or a pipe";
+  if (is_empty) {
+    found = "an empty file";
+  } else if (path.empty()) {
     found = "an empty file name";
   } else if (status.type() == fs::file_type::directory) {
     found = "a folder";

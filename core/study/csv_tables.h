@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -48,6 +49,10 @@ base::Result<std::vector<Answer>> readAnswers(const base::CsvTable& table);
 /// The rules of one table `rules.csv`, with `input_ids` as in readStudyFolder. Does not check the participants.
 base::Result<std::vector<GivenRule>> readRules(const base::CsvTable& table,
                                                const std::vector<std::string>& input_ids = {});
+
+/// The cell `term` of judgements.csv, and the cell `status` of answers.csv.
+std::string_view judgementText(const ForceJudgement& judgement);
+std::string_view statusText(Answer::Status status);
 
 /// Writes the five tables of `study` into `folder`, each completely or not at all. A table without rows has its header,
 /// so that no table of an older study remains. `input_ids`: the input columns of rules.csv; a rule with another input

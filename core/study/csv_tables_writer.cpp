@@ -35,20 +35,6 @@ std::string speedsText(const std::vector<SpeedSample>& speeds) {
   return csv.text();
 }
 
-std::string_view judgementText(const ForceJudgement& judgement) {
-  switch (judgement.kind) {
-    case ForceJudgement::Kind::kTerm:
-      return judgement.term;
-    case ForceJudgement::Kind::kNotFelt:
-      return "not_felt";
-    case ForceJudgement::Kind::kBeyondPractice:
-      return "beyond_practice";
-    case ForceJudgement::Kind::kNoAnswer:
-      return {};
-  }
-  return {};
-}
-
 std::string judgementsText(const std::vector<ForceJudgement>& judgements) {
   CsvWriter csv({"participant", "series", "step", "force_n", "term"});
   for (const auto& judgement : judgements) {
@@ -56,20 +42,6 @@ std::string judgementsText(const std::vector<ForceJudgement>& judgements) {
     csv.cell(judgement.force_n).cell(judgementText(judgement)).endRow();
   }
   return csv.text();
-}
-
-std::string_view statusText(Answer::Status status) {
-  switch (status) {
-    case Answer::Status::kAnswered:
-      return "answered";
-    case Answer::Status::kSkipped:
-      return "skipped";
-    case Answer::Status::kCantTell:
-      return "cant_tell";
-    case Answer::Status::kCleared:
-      return "cleared";
-  }
-  return {};
 }
 
 std::string answersText(const std::vector<Answer>& answers) {
@@ -107,6 +79,34 @@ Result<std::string> rulesText(const std::vector<GivenRule>& rules, const std::ve
 }
 
 }  // namespace
+
+std::string_view judgementText(const ForceJudgement& judgement) {
+  switch (judgement.kind) {
+    case ForceJudgement::Kind::kTerm:
+      return judgement.term;
+    case ForceJudgement::Kind::kNotFelt:
+      return "not_felt";
+    case ForceJudgement::Kind::kBeyondPractice:
+      return "beyond_practice";
+    case ForceJudgement::Kind::kNoAnswer:
+      return {};
+  }
+  return {};
+}
+
+std::string_view statusText(Answer::Status status) {
+  switch (status) {
+    case Answer::Status::kAnswered:
+      return "answered";
+    case Answer::Status::kSkipped:
+      return "skipped";
+    case Answer::Status::kCantTell:
+      return "cant_tell";
+    case Answer::Status::kCleared:
+      return "cleared";
+  }
+  return {};
+}
 
 Result<void> writeStudyFolder(const Study& study, const std::vector<std::string>& input_ids,
                               const std::string& folder) {

@@ -122,6 +122,44 @@ TEST_F(BrokenInput, ABuildThatFailsWritesNothing) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
+/// What is said of a `found` where a study may be a file or a folder.
+TEST_F(BrokenInput, AStudyThatIsNeitherFileNorFolder) {
+  const std::string wanted = "wanted a study file, or a folder with participants.csv\n";
+  const std::string none = folder_.file("none");
+  for (const std::string& path : {none, std::string("/dev/null")}) {
+    const std::string found = ": found " + std::string(path == none ? "nothing of this name" : "a device or a pipe");
+    for (const std::vector<std::string>& line : {std::vector<std::string>{"build", path, "--out", folder_.file("m")},
+                                                 {"report", path, "--out", folder_.file("r")},
+                                                 {"study", "compare", path},
+                                                 {"study", "export", path, folder_.file("out"), "--layout", "bids"}}) {
+      const ProgramRun run(line);
+      EXPECT_EQ(run.status, 1);
+      EXPECT_EQ(run.err, "tactus: " + path + found + ", " + wanted);
+    }
+  }
+}
+
+TEST_F(BrokenInput, ABundleThatIsNoFolder) {
+  writeText(folder_.file("file"), "{}");
+  EXPECT_EQ(ProgramRun({"verify", folder_.file("file")}).err,
+            "tactus: " + folder_.file("file") + ": found a file, wanted the folder of a bundle\n");
+  EXPECT_EQ(ProgramRun({"verify", folder_.file("none")}).err,
+            "tactus: " + folder_.file("none") + ": found nothing of this name, wanted the folder of a bundle\n");
+}
+
+TEST(WrongUsage, AnExportWithoutItsFolder) {
+  const ProgramRun run({"study", "export", "a.tactus", "--layout", "bids"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_TRUE(run.err.starts_with("FOLDER is required")) << run.err;
+}
+
+TEST(WrongOutput, HelpThatCannotBeWrittenIsAnError) {
+  std::ofstream full("/dev/full");
+  std::ostringstream err;
+  EXPECT_EQ(run({"--help"}, full, err), 1);
+  EXPECT_EQ(err.str(), "tactus: found a standard output that cannot be written to, wanted a pipe or file with room\n");
+}
+
 TEST(WrongUsage, HasStatusTwo) {
   const std::vector<std::vector<std::string>> lines = {{},
                                                        {"frob"},

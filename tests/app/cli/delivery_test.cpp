@@ -54,7 +54,7 @@ TEST_F(DeliveryTest, AnAlteredFileIsExitOneWithItsName) {
   EXPECT_EQ(Json::parse(verified.out)["ok"], false);
   const ProgramRun none({"verify", folder_.file("nowhere")});
   EXPECT_EQ(none.status, 1);
-  EXPECT_NE(none.err.find("manifest.json"), std::string::npos);
+  EXPECT_NE(none.err.find("nowhere: found nothing of this name"), std::string::npos);
 }
 
 TEST_F(DeliveryTest, AHoleStopsABundleUntilItIsAccepted) {
@@ -82,6 +82,11 @@ TEST_F(DeliveryTest, ConvertsToEachFormat) {
     EXPECT_NE(made.out.find(file), std::string::npos) << made.out;
     EXPECT_FALSE(readText(folder_.file("out") + "/" + file).empty());
   }
+  const ProgramRun said({"convert", model, "--to", "fis", "--out", folder_.file("out"), "--json"});
+  ASSERT_EQ(said.status, 0) << said.err;
+  const auto json = nlohmann::json::parse(said.out);
+  ASSERT_FALSE(json["files"].empty());
+  for (const auto& file : json["files"]) EXPECT_TRUE(std::filesystem::exists(file.get<std::string>())) << file;
   EXPECT_EQ(ProgramRun({"convert", model, "--to", "xls", "--out", folder_.file("out")}).status, 2);
 }
 

@@ -104,7 +104,7 @@ TEST_F(StudyFiles, SaysWhatIsThereInsteadOfAStudy) {
   writeText("participant,years\nP1,3\n");
   EXPECT_NE(openError().find("found a file of another kind, wanted a Tactus study file"), std::string::npos);
   writeText("");
-  EXPECT_NE(openError().find("found a database of another program"), std::string::npos);
+  EXPECT_NE(openError().find("found an empty file, wanted a Tactus study file"), std::string::npos);
   EXPECT_EQ(fs::file_size(path()), 0U);
   fs::remove(path());
   PlainSql(path()).complaint("CREATE TABLE bookmarks (url TEXT)");

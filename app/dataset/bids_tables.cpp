@@ -1,0 +1,176 @@
+// Judgements, rules and answers as tables of BIDS.
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "app/dataset/bids.h"
+#include "app/dataset/sidecar.h"
+#include "app/dataset/tsv.h"
+#include "core/base/text.h"
+#include "core/study/csv_tables.h"
+#include "questionnaires/form_file.h"
+#include "questionnaires/questionnaire.h"
+
+namespace tactus::dataset {
+namespace {
+
+/// The words of the force, and what stands in the place of one.
+Levels forceLevels() {
+  Levels levels;
+  for (const auto& answer : questionnaires::ngtForceForm().answers) levels.emplace_back(answer.term, answer.word);
+  return levels;
+}
+
+Levels joined(Levels levels, const Levels& more) {
+  levels.insert(levels.end(), more.begin(), more.end());
+  return levels;
+}
+
+template <class Record>
+std::vector<Record> of(const std::vector<Record>& records, const std::string& participant) {
+  std::vector<Record> out;
+  std::copy_if(records.begin(), records.end(), std::back_inserter(out),
+               [&](const Record& record) { return record.participant == participant; });
+  return out;
+}
+
+std::string pathOf(const std::string& participant, std::string_view task) {
+  return subject(participant) + "/beh/" + subject(participant) + "_task-" + std::string(task) + "_beh";
+}
+
+void writeJudgements(const PublishedStudy& published, const study::Participant& participant, FileSet& files) {
+  TsvWriter table({"series", "step", "force_n", "term"});
+  for (const auto& judgement : of(published.study().judgements, participant.code)) {
+    table.row({judgement.series, std::to_string(judgement.step), base::formatNumber(judgement.force_n),
+               std::string(study::judgementText(judgement))});
+  }
+  Sidecar sidecar;
+  sidecar.member("TaskName", "judgement").member("TaskDescription", "Judge a constant force in words");
+  sidecar.member("Simulated", participant.simulated);
+  sidecar.column("series", "The order of the forces: ascending, descending or random");
+  sidecar.column("step", "Place in the series, from 1");
+  sidecar.column("force_n", "The force that was commanded", "N");
+  sidecar.column("term", "The word for the force; n/a: no answer",
+                 joined(forceLevels(),
+                        {{"not_felt", "no force was felt"}, {"beyond_practice", "larger than in real placements"}}));
+  const std::string path = pathOf(participant.code, "judgement");
+  files.add(path + ".tsv", table.text());
+  files.add(path + ".json", sidecar.text());
+}
+
+void writeRules(const PublishedStudy& published, const study::Participant& participant, FileSet& files) {
+  const auto rules = of(published.study().rules, participant.code);
+  if (rules.empty()) return;
+  std::vector<std::string> columns = {"form"};
+  columns.insert(columns.end(), published.inputs.begin(), published.inputs.end());
+  columns.insert(columns.end(), {"then", "weight"});
+  TsvWriter table(columns);
+  for (const auto& rule : rules) {
+    std::vector<std::string> cells = {rule.form};
+    for (const auto& input : published.inputs) {
+      const auto it = std::find_if(rule.conditions.begin(), rule.conditions.end(),
+                                   [&](const study::ItemCondition& condition) { return condition.input == input; });
+      cells.push_back(it == rule.conditions.end() ? std::string() : it->term);
+    }
+    cells.push_back(rule.then);
+    cells.push_back(base::formatNumber(rule.weight));
+    table.row(cells);
+  }
+  Sidecar sidecar;
+  sidecar.member("TaskName", "rules").member("TaskDescription", "Rules given directly instead of through answers");
+  sidecar.member("Simulated", participant.simulated);
+  sidecar.column("form", "Form or reading whose depth terms the rule uses");
+  for (const auto& input : published.inputs) {
+    sidecar.column(input, "Term of this input in the rule's conditions; n/a: no condition");
+  }
+  sidecar.column("then", "The word for the force", forceLevels());
+  sidecar.column("weight", "Weight of the rule, 0 to 1", "1");
+  const std::string path = pathOf(participant.code, "rules");
+  files.add(path + ".tsv", table.text());
+  files.add(path + ".json", sidecar.text());
+}
+
+/// The name of a form's table, other than the `taken` ones, to which it is added. The answers that become the rules of
+/// the force model are `force_rules`.
+std::string tableName(const std::string& form, std::set<std::string>& taken) {
+  std::string name = form == questionnaires::ngtForceForm().id ? "force_rules" : form;
+  for (char& c : name) {
+    const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+    if (!is_plain) c = '_';
+  }
+  while (!taken.insert(name).second) name += "_other";
+  return name;
+}
+
+/// `q07` for item 7, as in the survey files.
+std::string itemColumn(int item) { return (item < 10 ? "q0" : "q") + std::to_string(item); }
+
+/// Of one form: the value of each participant's item.
+using FormAnswers = std::map<std::string, std::map<int, std::string>>;
+
+std::string formSidecar(const std::string& form, const std::vector<int>& items) {
+  const auto words = questionnaires::questionnaire(form, "en");
+  Levels levels;
+  if (words) {
+    for (const auto& choice : words->choices)
+      levels.emplace_back(choice.value, choice.label.empty() ? choice.value : choice.label);
+  }
+  levels = joined(std::move(levels), {{"cant_tell", "the participant cannot tell"},
+                                      {"skipped", "no answer"},
+                                      {"cleared", "answered, then withdrawn"}});
+  Sidecar sidecar;
+  sidecar.object("MeasurementToolMetadata", words ? words->title + " (" + form + ")" : form);
+  sidecar.column("participant_id", "Participant, a code that was drawn for this data set");
+  for (const int item : items) {
+    std::string text = "Item " + std::to_string(item);
+    if (words) {
+      const auto it = std::find_if(words->questions.begin(), words->questions.end(),
+                                   [&](const auto& question) { return question.number == item; });
+      if (it != words->questions.end()) text = it->text;
+    }
+    sidecar.column(itemColumn(item), text, levels);
+  }
+  return sidecar.text();
+}
+
+}  // namespace
+
+void writeBehavior(const PublishedStudy& published, FileSet& files) {
+  for (const auto& participant : published.study().participants) {
+    writeJudgements(published, participant, files);
+    writeRules(published, participant, files);
+  }
+}
+
+void writePhenotype(const PublishedStudy& published, FileSet& files) {
+  std::map<std::string, FormAnswers> forms;
+  for (const auto& answer : published.study().answers) {
+    const bool is_answered = answer.status == study::Answer::Status::kAnswered;
+    forms[answer.form][answer.participant][answer.item] =
+        is_answered ? answer.term : std::string(study::statusText(answer.status));
+  }
+  std::set<std::string> taken;
+  for (const auto& [form, answers] : forms) {
+    std::vector<int> items;
+    for (const auto& [participant, values] : answers) {
+      for (const auto& [item, value] : values) items.push_back(item);
+    }
+    std::sort(items.begin(), items.end());
+    items.erase(std::unique(items.begin(), items.end()), items.end());
+    std::vector<std::string> columns = {"participant_id"};
+    for (const int item : items) columns.push_back(itemColumn(item));
+    TsvWriter table(columns);
+    for (const auto& participant : published.study().participants) {
+      const auto found = answers.find(participant.code);
+      const std::map<int, std::string> values = found == answers.end() ? std::map<int, std::string>() : found->second;
+      std::vector<std::string> cells = {subject(participant.code)};
+      for (const int item : items) cells.push_back(values.contains(item) ? values.at(item) : std::string());
+      table.row(cells);
+    }
+    const std::string path = "phenotype/" + tableName(form, taken);
+    files.add(path + ".tsv", table.text());
+    files.add(path + ".json", formSidecar(form, items));
+  }
+}
+
+}  // namespace tactus::dataset
