@@ -67,16 +67,33 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                addBuildOptions(command, o, "compare");
                addJson(command, o.json);
              });
-  addCommand(
-      study, chosen, "form", "The questionnaire for a survey system or on paper", studyForm,
-      [](CLI::App& command, StudyFormOptions& o) {
-        command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")
-            ->required()
-            ->check(notEmpty());
-        command.add_option("--to", o.to, "What it is for")->required()->check(oneOf({"redcap", "limesurvey", "print"}));
-        command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
-        addJson(command, o.json);
-      });
+  addCommand(study, chosen, "form", "The questionnaire for a survey system or on paper", studyForm,
+             [](CLI::App& command, StudyFormOptions& o) {
+               command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")
+                   ->required()
+                   ->check(notEmpty());
+               auto* const to = command.add_option("--to", o.to, "What it is for; no default")
+                                    ->check(oneOf({"redcap", "limesurvey", "print"}));
+               command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+               auto* const responses = command
+                                           .add_option("--responses", o.responses,
+                                                       "Table of answers that a survey system exported; no default")
+                                           ->excludes(to)
+                                           ->check(notEmpty());
+               command
+                   .add_option("--participants", o.participants,
+                               "CSV file record,participant; default: the record ids are the participants' codes")
+                   ->needs(responses)
+                   ->check(notEmpty());
+               command.add_option("--missing", o.missing, "A cell that means no answer, such as -999; no default")
+                   ->needs(responses)
+                   ->allow_extra_args(false)
+                   ->check(notEmpty());
+               command.parse_complete_callback([&o] {
+                 if (o.to.empty() && o.responses.empty()) throw CLI::RequiredError("--to or --responses");
+               });
+               addJson(command, o.json);
+             });
   addCommand(study, chosen, "recode", "Give a participant another code", studyRecode,
              [](CLI::App& command, StudyRecodeOptions& o) {
                addFile(command, o.file);

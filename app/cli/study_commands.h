@@ -59,14 +59,22 @@ struct StudyExportOptions {
 base::Result<Output> studyExport(const StudyExportOptions& options);
 
 struct StudyFormOptions {
-  std::string study;  ///< a study file, or a folder with CSV tables, which has no protocol
-  std::string to;     ///< `redcap`, `limesurvey`, `print`
-  std::string out;    ///< folder
+  std::string study;                 ///< a study file, or a folder with CSV tables, which has no protocol
+  std::string to;                    ///< `redcap`, `limesurvey`, `print`; empty: `responses` are read
+  std::string out;                   ///< folder
+  std::string responses;             ///< CSV table that a survey system exported
+  std::string participants;          ///< CSV table `record,participant`; empty: the record ids are the codes
+  std::vector<std::string> missing;  ///< cells of the responses that mean no answer
   bool json = false;
 };
 /// Writes the form that the study's participants answer, in the languages of its protocol, for people who answer it
-/// elsewhere.
+/// elsewhere; or with `responses` reads their answers.
 base::Result<Output> studyForm(const StudyFormOptions& options);
+
+/// The responses of `studyForm` as the tables of a study, in the folder `out`. `form`: the study's; `notices` of its
+/// opening.
+base::Result<Output> studyResponses(const StudyFormOptions& options, const std::string& form,
+                                    std::vector<std::string> notices);
 
 struct StudyRecodeOptions {
   std::string file;

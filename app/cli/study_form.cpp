@@ -1,4 +1,5 @@
-// `tactus study form`: the questionnaire of a study for survey systems, and on paper.
+// `tactus study form`: the questionnaire of a study for survey systems, and on paper; the way back:
+// study_responses.cpp.
 #include <filesystem>
 #include <set>
 #include <utility>
@@ -81,6 +82,7 @@ base::Result<NamedFiles> filesFor(const std::string& to, const std::vector<Surve
 base::Result<Output> studyForm(const StudyFormOptions& options) {
   auto asked = askedForm(options.study);
   if (!asked) return tl::unexpected(asked.error());
+  if (!options.responses.empty()) return studyResponses(options, asked->form, std::move(asked->notices));
   const auto surveys = surveysOf(*asked);
   if (!surveys) return base::inFile(surveys.error(), options.study);
   const auto files = filesFor(options.to, *surveys);

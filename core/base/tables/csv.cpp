@@ -30,6 +30,8 @@ std::size_t filledCells(const std::vector<std::string_view>& cells) {
 std::string separatorName(char separator) {
   if (separator == ';') return "semicolons between the cells";
   if (separator == '\t') return "tabs between the cells";
+  if (separator == '|') return "vertical bars between the cells";
+  if (separator == '^') return "carets between the cells";
   return base::quoted(std::string(1, separator)) + " between the cells";
 }
 

@@ -35,6 +35,8 @@ CsvDialect csvDialect(std::string_view text) {
   bool commas = false;
   bool semicolons = false;
   bool tabs = false;
+  bool bars = false;
+  bool carets = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (line[i] == '"') in_quotes = !in_quotes;
     if (in_quotes) continue;
@@ -42,9 +44,14 @@ CsvDialect csvDialect(std::string_view text) {
     commas = commas || (line[i] == ',' && !between_digits);
     semicolons = semicolons || line[i] == ';';
     tabs = tabs || line[i] == '\t';
+    bars = bars || line[i] == '|';
+    carets = carets || line[i] == '^';
   }
   if (!commas && semicolons) dialect.separator = ';';
   if (!commas && !semicolons && tabs) dialect.separator = '\t';
+  const bool usual = commas || semicolons || tabs;
+  if (!usual && bars) dialect.separator = '|';
+  if (!usual && !bars && carets) dialect.separator = '^';
   return dialect;
 }
 

@@ -17,7 +17,7 @@ struct CsvDialect {
 };
 
 /// The dialect of `text` (UTF-8). A first line `sep=;` decides. Otherwise semicolons or tabs, if the first line has
-/// them and has commas only between digits; else commas.
+/// them and has commas only between digits; vertical bars or carets, if it has none of these; else commas.
 CsvDialect csvDialect(std::string_view text);
 
 /// Splits a buffer into records. It moves the unquoted cells to the front of the buffer, with one byte between

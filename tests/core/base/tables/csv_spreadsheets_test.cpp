@@ -39,6 +39,15 @@ TEST(CsvSpreadsheets, SemicolonsAndDecimalCommas) {
   EXPECT_EQ(table.note(), "t.csv: read with semicolons between the cells, decimal commas");
 }
 
+TEST(CsvSpreadsheets, BarsAndCaretsWhereNothingElseSeparates) {
+  const auto bars = tableOf("code|text\nA|\"x|y\"\n");
+  EXPECT_EQ(bars.columns(), (std::vector<std::string>{"code", "text"}));
+  EXPECT_EQ(bars.cell(0, 1), "x|y");
+  EXPECT_EQ(bars.note(), "t.csv: read with vertical bars between the cells");
+  EXPECT_EQ(tableOf("code^text\nA^b,c\n").note(), "t.csv: read with carets between the cells");
+  EXPECT_EQ(tableOf("a|b,c^d\n1,2\n").columns(), (std::vector<std::string>{"a|b", "c^d"}));
+}
+
 TEST(CsvSpreadsheets, TabsAndDecimalPoints) {
   EXPECT_EQ(tableOf("a\tb, c\n1.5\tx,2\n").columns(), (std::vector<std::string>{"a\tb", "c"}))
       << "a comma in the first line separates";
