@@ -7,13 +7,14 @@
 
 namespace tactus::elicitation {
 
-inline constexpr std::size_t kFcmLanes = 8;  // samples side by side, on every processor
+inline constexpr std::size_t kFcmLanes = 8;      // samples side by side, on every processor
+inline constexpr std::size_t kFcmMostRows = 64;  // of as many samples as lanes, in one block
 
 /// A run of samples and their scaling: x = (value * scale - shift) * stretch.
 struct FcmBlock {
   const double* values = nullptr;
   const double* weights = nullptr;  ///< one per value; nullptr: all 1
-  std::size_t count = 0;            ///< a multiple of kFcmLanes
+  std::size_t count = 0;            ///< a multiple of kFcmLanes, at most kFcmMostRows times them
   double scale = 1;
   double shift = 0;
   double stretch = 1;

@@ -7,8 +7,8 @@
 namespace tactus::elicitation {
 namespace {
 
-// Samples added up plainly, 64 in each lane, before compensation: their rounding stays below the result's.
-constexpr std::size_t kBlock = 64 * kFcmLanes;
+// Samples added up plainly, kFcmMostRows in each lane, before compensation: their rounding stays below the result's.
+constexpr std::size_t kBlock = kFcmMostRows * kFcmLanes;
 
 double sumOfLanes(const double* lane) {
   return ((lane[0] + lane[4]) + (lane[2] + lane[6])) + ((lane[1] + lane[5]) + (lane[3] + lane[7]));

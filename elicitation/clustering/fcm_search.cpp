@@ -107,9 +107,11 @@ class Search {
     const FcmData data = entries.view();
     base::Random random(settings_.seed);
     std::vector<FcmDescent> found;
-    const bool more = settings_.starts > 1 && (settings_.m > kMinimaApartM || entries.size() <= kFewEntries);
+    const bool few = entries.size() <= kFewEntries;
+    const bool more = settings_.starts > 1 && (settings_.m > kMinimaApartM || few);
     const int starts = more ? kStartsFactor * settings_.starts : settings_.starts;
     for (int start = 0; start < std::max(starts, 1) && !out_.canceled; ++start) {
+      if (start == settings_.starts && !few && found.size() == 1) break;  // J is smooth: they all agree
       std::vector<double> centres = startNumber(start, entries, random);
       if (centres.size() < settings_.clusters) continue;
       FcmDescent end = descend(data, std::move(centres), FcmBeginning::kAnywhere, settings, before_pass_);

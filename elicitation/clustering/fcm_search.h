@@ -18,6 +18,7 @@ struct FcmSearch {
 
 /// Searches from coarse to fine: descends from all starts on a few hundred entries, from their distinct minima on all
 /// entries, and from the candidates for the lowest minimum on all samples. `data`: more distinct values than clusters.
+/// Four times settings.starts are made for up to 64 distinct values, and for m above 3 if the first ones disagree.
 FcmSearch searchMinima(const FcmData& data, const FcmSettings& settings);
 
 }  // namespace tactus::elicitation

@@ -63,6 +63,22 @@ TEST(FcmLongData, FewDistinctValuesNeedNoPassOverAllSamples) {
   EXPECT_LE(errorOf(samples, {}, {}), kRounding);
 }
 
+// Above m = 3 J has minima at single samples, so more starts are made: not where all of the first ones agree.
+TEST(FcmLongData, MoreStartsAreMadeOnlyIfTheFirstDisagree) {
+  const auto samples = strokes(5000);
+  const auto passes = [&](double m) {
+    int count = 0;  // over entries and over all samples
+    FcmSettings settings{.m = m};
+    settings.keep_going = [&](const FcmProgress&) { return ++count > 0; };
+    const auto result = fuzzyCMeans(samples, settings);
+    EXPECT_TRUE(result && result->other_minima.empty()) << m;
+    return count;
+  };
+  // 16 starts each, and at m = 3.2 the 8 relocations of the minimum; with 64 starts it would be more than four times.
+  EXPECT_LT(passes(3.2), 2.5 * passes(2.9));
+  EXPECT_LE(errorOf(samples, {}, {.m = 3.2}), kRounding);
+}
+
 TEST(FcmLongData, AnOutlierTakesNoDigitsFromTheRest) {
   auto samples = strokes(5000);
   samples[777] = 1e6;
