@@ -25,7 +25,7 @@ struct StudySpeedIntervals {
 /// One StrokeBootstrap per participant. Replicate i of the average is the average of all participants' replicates i.
 /// The averaged intervals describe the variation of strokes, not of participants. Their degrees of freedom are those of
 /// all participants together (pooledSpread). For the median, each participant counts equally.
-/// Thread: any, one at a time.
+/// Thread: any, one at a time, but for addTo.
 class SpeedBootstrap {
  public:
   /// The speeds of `built`, made by buildModel from `study` with `settings`. The same seed gives the same replicates.
@@ -38,6 +38,10 @@ class SpeedBootstrap {
 
   /// Adds replicates. With small batches a caller can report, refine and stop.
   void add(std::size_t replicates);
+  std::size_t participants() const { return participants_.size(); }
+  /// Adds them to one participant alone, several participants at once from several threads, which gives the same
+  /// replicates. All must have equally many before anything else is called.
+  void addTo(std::size_t participant, std::size_t replicates) { participants_[participant].add(replicates); }
   std::size_t replicates() const { return participants_.front().replicates(); }
   /// The intervals so far; empty lists without replicates.
   StudySpeedIntervals intervals(double coverage = kCoverage) const;

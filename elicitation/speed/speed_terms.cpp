@@ -8,32 +8,10 @@
 #include "core/base/check.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
+#include "elicitation/speed/membership_edge.h"
 
 namespace tactus::elicitation {
 namespace {
-
-/// Membership of x in one cluster, as fcmMemberships, which computes all.
-double membership(double x, std::size_t cluster, std::span<const double> centres, double m) {
-  const double own = std::abs(x - centres[cluster]);
-  if (own == 0) return 1;
-  double sum = 0;
-  for (const double centre : centres) {
-    const double ratio = own / std::abs(x - centre);  // infinite on another center, whose membership is 1
-    sum += m == 2 ? ratio * ratio : std::pow(ratio, 2 / (m - 1));
-  }
-  return 1 / sum;
-}
-
-/// The point nearest to `outside` (where the membership in `cluster` is below alpha), coming from `inside` (where it is
-/// not), that still has at least alpha: bisection down to neighboring doubles.
-double edge(double inside, double outside, std::size_t cluster, std::span<const double> centres, double m,
-            double alpha) {
-  while (true) {
-    const double middle = inside + (outside - inside) / 2;
-    if (middle == inside || middle == outside) return inside;
-    (membership(middle, cluster, centres, m) >= alpha ? inside : outside) = middle;
-  }
-}
 
 double average(const std::vector<double>& values, std::span<const double> weights, Averaging averaging) {
   if (averaging == Averaging::kMedian) return base::median(values);
@@ -62,8 +40,7 @@ base::Result<std::vector<Ramp>> alphaCutRamps(std::span<const double> centres, d
     if (alpha == 1) {
       ramps.push_back({centres[k], centres[k + 1]});
     } else {
-      ramps.push_back({edge(centres[k], centres[k + 1], k, centres, m, alpha),
-                       edge(centres[k + 1], centres[k], k + 1, centres, m, alpha)});
+      ramps.push_back({membershipEdge(centres, k, k + 1, m, alpha), membershipEdge(centres, k + 1, k, m, alpha)});
     }
   }
   return ramps;

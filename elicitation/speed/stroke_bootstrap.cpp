@@ -13,7 +13,7 @@
 namespace tactus::elicitation {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // of the gaps between centers; far below any interval
+constexpr double kTolerance = 1e-4;  // of the gaps between centers; far below what the bins of the strokes cost
 constexpr int kMostDraws = 100;      // before a replicate takes the centers of all strokes
 
 bool ascending(const std::vector<double>& centres) {
@@ -45,6 +45,7 @@ StrokeBootstrap::StrokeBootstrap(StrokeResampler strokes, std::vector<double> ce
       random_(seed) {
   for (double& centre : start_) centre = strokes_.toScaled(centre);
   settings_.fcm.tolerance = kTolerance;
+  if (settings_.centres == SpeedCentres::kClusters) sums_ = StrokeSums(strokes_, start_, settings_.fcm.m);
   setSpreads();
 }
 
@@ -62,7 +63,7 @@ std::vector<double> StrokeBootstrap::centresNow() {
   }
   if (strokes_.values().size() < start_.size()) return {};
   const FcmData data = scaledFcmData(strokes_.values(), strokes_.weights());
-  centres = descend(data, start_, FcmBeginning::kNearMinimum, settings_.fcm, {}).centres;
+  centres = descend(data, sums_.firstStep(strokes_.times()), FcmBeginning::kNearMinimum, settings_.fcm, {}).centres;
   for (double& centre : centres) centre = strokes_.toOriginal(centre);
   return centres;
 }

@@ -15,6 +15,7 @@
 #include "elicitation/speed/participant_speeds.h"
 #include "elicitation/speed/speed_terms.h"
 #include "elicitation/speed/stroke_resampling.h"
+#include "elicitation/speed/stroke_sums.h"
 
 namespace tactus::elicitation {
 
@@ -42,11 +43,11 @@ struct SpeedIntervals {
 /// at once and improves over time. The caller cancels by adding no more. The batch sizes do not affect the result. One
 /// replicate of 24,000 samples takes some tens of microseconds.
 /// Each replicate draws, for each level, as many strokes as the level has, with replacement. Then it computes the
-/// centers of their samples and the ramps. Cluster centers come from one descent from the participant's own centers;
-/// other minima are not searched. Level means are sorted. If centers coincide, or there are fewer different speeds than
-/// clusters, the draw is repeated. If that does not end (strokes with almost no variation), the replicate uses the
-/// participant's own centers.
-/// Thread: any, one at a time.
+/// centers of their samples and the ramps. Cluster centers come from one descent from where Newton's step from the
+/// participant's own centers leads, or from those if it leads far; other minima are not searched. Level means are
+/// sorted. If centers coincide, or there are fewer different speeds than clusters, the draw is repeated. If that does
+/// not end (strokes with almost no variation), the replicate uses the participant's own centers. Thread: any, one at a
+/// time.
 class StrokeBootstrap {
  public:
   /// `samples`: those that gave `centres` (after trimming), of one participant. `levels`, `settings`: as for
@@ -81,6 +82,7 @@ class StrokeBootstrap {
   StrokeResampler strokes_;
   std::vector<double> own_mm_s_;  // centers of all strokes
   std::vector<double> start_;     // the same, scaled
+  StrokeSums sums_;               // at start_, for clusters
   SpeedTermSettings settings_;
   base::Random random_;
   std::vector<DrawSpread> centre_spreads_;

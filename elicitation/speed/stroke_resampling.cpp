@@ -13,6 +13,12 @@ std::size_t binOf(double scaled) {
   return std::min(static_cast<std::size_t>(std::max(place, 0.0)), StrokeResampler::kBins - 1);
 }
 
+void addTimes(double times, const std::vector<double>& from, std::span<double> to) {
+  const double* const source = from.data();
+  double* const target = to.data();
+  for (std::size_t i = 0; i < from.size(); ++i) target[i] += times * source[i];
+}
+
 }  // namespace
 
 StrokeResampler::StrokeResampler(std::span<const study::SpeedSample> samples, std::span<const std::string> levels)
@@ -35,22 +41,21 @@ StrokeResampler::StrokeResampler(std::span<const study::SpeedSample> samples, st
     StrokeBins& own = strokes[stroke];
     own.count += 1;
     own.sum += scaled;
-    own.bins.push_back({binOf(scaled), 1, scaled});
-  }
-  for (std::size_t level = 0; level < levels_.size(); ++level) {
-    times_[level].resize(levels_[level].size());
-    for (StrokeBins& stroke : levels_[level]) {
-      auto& bins = stroke.bins;
-      std::stable_sort(bins.begin(), bins.end(), [](const Bin& a, const Bin& b) { return a.place < b.place; });
-      std::vector<Bin> joined;
-      for (const Bin& bin : bins) {
-        if (joined.empty() || joined.back().place != bin.place) joined.push_back({bin.place, 0, 0});
-        joined.back().count += 1;
-        joined.back().sum += bin.sum;
-      }
-      bins = std::move(joined);
+    const std::size_t bin = binOf(scaled);
+    if (own.counts.empty()) own.first = bin;
+    if (bin < own.first) {
+      own.counts.insert(own.counts.begin(), own.first - bin, 0.0);
+      own.sums.insert(own.sums.begin(), own.first - bin, 0.0);
+      own.first = bin;
     }
+    if (bin - own.first >= own.counts.size()) {
+      own.counts.resize(bin - own.first + 1);
+      own.sums.resize(bin - own.first + 1);
+    }
+    own.counts[bin - own.first] += 1;
+    own.sums[bin - own.first] += scaled;
   }
+  for (std::size_t level = 0; level < levels_.size(); ++level) times_[level].resize(levels_[level].size());
   takeAll();
 }
 
@@ -76,6 +81,12 @@ void StrokeResampler::takeAll() {
   collect();
 }
 
+void StrokeResampler::takeOnly(std::size_t level, std::size_t stroke) {
+  for (auto& times : times_) std::fill(times.begin(), times.end(), 0.0);
+  times_[level][stroke] = 1;
+  collect();
+}
+
 void StrokeResampler::leaveOut(std::size_t level, std::size_t stroke) {
   for (auto& times : times_) std::fill(times.begin(), times.end(), 1.0);
   times_[level][stroke] = 0;
@@ -95,19 +106,22 @@ void StrokeResampler::collect() {
     for (std::size_t stroke = 0; stroke < levels_[level].size(); ++stroke) {
       const double times = times_[level][stroke];
       if (times == 0) continue;
-      for (const Bin& bin : levels_[level][stroke].bins) {
-        bin_count_[bin.place] += times * bin.count;
-        bin_sum_[bin.place] += times * bin.sum;
-      }
+      const StrokeBins& own = levels_[level][stroke];
+      addTimes(times, own.counts, std::span(bin_count_).subspan(own.first));
+      addTimes(times, own.sums, std::span(bin_sum_).subspan(own.first));
     }
   }
-  values_.clear();
-  weights_.clear();
+  values_.resize(kBins);
+  weights_.resize(kBins);
+  std::size_t filled = 0;
   for (std::size_t place = 0; place < kBins; ++place) {
-    if (bin_count_[place] == 0) continue;
-    values_.push_back(bin_sum_[place] / bin_count_[place]);
-    weights_.push_back(bin_count_[place]);
+    const double count = bin_count_[place];
+    values_[filled] = bin_sum_[place] / (count > 0 ? count : 1);
+    weights_[filled] = count;
+    filled += count > 0 ? 1 : 0;  // an empty bin is written over
   }
+  values_.resize(filled);
+  weights_.resize(filled);
 }
 
 std::vector<double> StrokeResampler::levelMeans() const {

@@ -30,10 +30,14 @@ class StrokeResampler {
   void draw(base::Random& random);
   /// Takes every stroke once.
   void takeAll();
+  /// Takes one stroke once and no other (indices from 0).
+  void takeOnly(std::size_t level, std::size_t stroke);
   /// Takes every stroke once except this one (indices from 0).
   void leaveOut(std::size_t level, std::size_t stroke);
   /// The number of strokes of each level.
   std::vector<std::size_t> strokeCounts() const;
+  /// How often each stroke of each level is taken.
+  std::span<const std::vector<double>> times() const { return times_; }
 
   /// The samples of the drawn strokes, ascending, scaled to [-1, 1], and the number of samples that each represents.
   std::span<const double> values() const { return values_; }
@@ -47,15 +51,11 @@ class StrokeResampler {
   std::vector<double> levelMeans() const;
 
  private:
-  struct Bin {
-    std::size_t place = 0;
-    double count = 0;
-    double sum = 0;  // of scaled speeds
-  };
   struct StrokeBins {
     double count = 0;
-    double sum = 0;  // of scaled speeds
-    std::vector<Bin> bins;
+    double sum = 0;                    // of scaled speeds
+    std::size_t first = 0;             // bin of its lowest speed
+    std::vector<double> counts, sums;  // of each bin from there to that of its highest speed
   };
 
   void collect();

@@ -94,6 +94,22 @@ TEST(SpeedBootstrap, CanBeStoppedBeforeEachParticipant) {
   EXPECT_TRUE(SpeedBootstrap::of(study, model, settings, 1, [] { return true; }));
 }
 
+TEST(SpeedBootstrap, ParticipantsOneByOneGiveTheSame) {
+  const auto study = studyOf({"S1_600.csv", "S3_600.csv", "S4_600.csv"});
+  const BuildSettings settings;
+  const auto model = built(study, settings);
+  auto together = SpeedBootstrap::of(study, model, settings).value();
+  together.add(30);
+  auto alone = SpeedBootstrap::of(study, model, settings).value();
+  ASSERT_EQ(alone.participants(), 3U);
+  for (const std::size_t participant : {2U, 0U, 1U}) alone.addTo(participant, 30);
+  EXPECT_EQ(alone.replicates(), 30U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_EQ(alone.intervals().averaged[k].p.low, together.intervals().averaged[k].p.low);
+    EXPECT_EQ(alone.intervals().participants[2].ramps[k].q.high, together.intervals().participants[2].ramps[k].q.high);
+  }
+}
+
 TEST(SpeedBootstrap, NoSpeedsAreRefused) {
   auto study = studyOf({"S1_600.csv"});
   study.speeds.clear();

@@ -1,12 +1,14 @@
 #include "app/workbench/labs/speed/speed_clusters.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <gtest/gtest.h>
 #include <iostream>
 
 #include "app/session/study_view.h"
 #include "app/workbench/labs/speed/objective_trace.h"
+#include "app/workbench/labs/speed/side_by_side.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -103,6 +105,25 @@ TEST_F(SpeedClustersTest, AnotherNumberOfClustersAveragesNothing) {
   ASSERT_TRUE(checked);
   EXPECT_TRUE(checked->subjects.front()->speeds.diagnostics.warnings.empty());
   EXPECT_EQ(checked->subjects.front()->speeds.diagnostics.levels.size(), 3U);  // Table 1 stays
+}
+
+TEST(SideBySide, EachPieceIsDoneOnceAndAnAnswerToStopEndsIt) {
+  std::vector<std::atomic<int>> done(500);
+  double told = 0;
+  EXPECT_TRUE(sideBySide(
+      done.size(), [&](std::size_t i) { ++done[i]; },
+      [&](double share) {
+        EXPECT_TRUE(share >= 0 && share <= 1);
+        told = share;
+        return true;
+      }));
+  EXPECT_EQ(told, 1);
+  for (const auto& times : done) EXPECT_EQ(times, 1);
+
+  std::atomic<int> pieces = 0;
+  EXPECT_FALSE(sideBySide(
+      1000, [&](std::size_t) { ++pieces; }, [](double) { return false; }));
+  EXPECT_EQ(pieces, 0);
 }
 
 TEST_F(SpeedClustersTest, TheIntervalsAreThoseOfWholeStrokes) {

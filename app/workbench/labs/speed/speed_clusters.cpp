@@ -1,15 +1,14 @@
 #include "app/workbench/labs/speed/speed_clusters.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <map>
-#include <thread>
 #include <tuple>
 #include <utility>
 
 #include "app/figures/colors.h"
+#include "app/workbench/labs/speed/side_by_side.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
@@ -18,8 +17,7 @@ namespace {
 using elicitation::SpeedCentres;
 
 constexpr std::size_t kBins = 36;
-constexpr std::size_t kFirstReplicates = 100;  // about as long as a blink
-constexpr std::size_t kBatchDraws = 80;  // of all participants, between two looks whether to stop: some milliseconds
+constexpr std::size_t kBatch = 100;  // replicates of a participant between two looks whether to stop: 1 or 2 ms
 
 fuzzy::Variable defaultSpeed() {
   const auto inputs = elicitation::ngtInputs();
@@ -198,25 +196,14 @@ void SpeedClusters::clusterOne(Subject& subject, const elicitation::BuildSetting
   subject.result = std::move(next);
 }
 
-// On two processors: the window waits for it, so one is free. Returns whether it came to the end.
+// Returns whether it came to the end.
 bool SpeedClusters::clusterAll(const elicitation::BuildSettings& settings, std::size_t clusters,
                                const KeepGoing& keep_going) {
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> stopped = !keep_going(0);
-  const auto work = [&](const KeepGoing& tell) {
-    for (std::size_t i = next++; i < subjects_.size() && !stopped; i = next++) {
-      clusterOne(subjects_[i], settings, clusters);
-      if (tell && !tell(static_cast<double>(i + 1) / static_cast<double>(subjects_.size()))) stopped = true;
-    }
-  };
   const auto is_kept = [&](const Subject& subject) { return subject.key == keyOf(settings, clusters); };
-  std::jthread other;
-  if (std::thread::hardware_concurrency() > 1 && !std::all_of(subjects_.begin(), subjects_.end(), is_kept)) {
-    other = std::jthread([&work] { work({}); });
-  }
-  work(keep_going);
-  if (other.joinable()) other.join();
-  return !stopped && keep_going(1);
+  const auto work = [&](std::size_t i) { clusterOne(subjects_[i], settings, clusters); };
+  if (!std::all_of(subjects_.begin(), subjects_.end(), is_kept)) return sideBySide(subjects_.size(), work, keep_going);
+  for (std::size_t i = 0; i < subjects_.size(); ++i) work(i);
+  return keep_going(1);
 }
 
 std::shared_ptr<const SpeedResult> SpeedClusters::cluster(const std::shared_ptr<const LabStudy>& study,
@@ -318,14 +305,16 @@ void SpeedClusters::bootstrap(const KeepGoing& keep_going,
   }
   auto replicates = elicitation::SpeedBootstrap::of(study_->study, built, settings_, 1, [&] { return keep_going(0); });
   if (!replicates) return;
-  const std::size_t batch = std::max<std::size_t>(1, kBatchDraws / subjects_.size());
   std::size_t told = 0;
   while (replicates->replicates() < elicitation::kBootstrapReplicates) {
-    const double share = static_cast<double>(replicates->replicates()) / elicitation::kBootstrapReplicates;
-    if (!keep_going(share)) return;
-    replicates->add(batch);
+    const auto all = static_cast<double>(elicitation::kBootstrapReplicates);
+    const double from = static_cast<double>(replicates->replicates()) / all;
+    const auto go_on = [&](double share) { return keep_going(from + share * kBatch / all); };
+    if (!sideBySide(
+            subjects_.size(), [&](std::size_t i) { replicates->addTo(i, kBatch); }, go_on))
+      return;
     const std::size_t done = replicates->replicates();
-    if (done < kFirstReplicates || (done < 2 * told && done < elicitation::kBootstrapReplicates)) continue;
+    if (done < 2 * told && done < elicitation::kBootstrapReplicates) continue;
     told = done;
     result_.intervals = replicates->intervals();
     more(std::make_shared<const SpeedResult>(result_));
