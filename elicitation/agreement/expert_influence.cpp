@@ -44,16 +44,18 @@ base::Result<std::vector<fuzzy::CompiledModel>> compileEach(const fuzzy::ForceMo
   return out;
 }
 
-/// Calls `visit(point, forces)` at every one of `points`.
-template <class Visit>
-void forEachPoint(const std::vector<fuzzy::CompiledModel>& experts, const analysis::SamplePoints& points,
-                  std::size_t inputs, Visit visit) {
+/// Calls `visit(point, forces)` at every one of `points`, and `go_on` with the number of points before each block;
+/// false ends it. Returns whether it came to the end.
+template <class Visit, class GoOn>
+bool forEachPoint(const std::vector<fuzzy::CompiledModel>& experts, const analysis::SamplePoints& points,
+                  std::size_t inputs, Visit visit, GoOn go_on) {
   std::vector<std::vector<double>> columns(inputs, std::vector<double>(kPointsAtOnce));
   std::vector<std::vector<double>> forces_n(experts.size(), std::vector<double>(kPointsAtOnce));
   std::vector<std::vector<std::uint8_t>> fired(experts.size(), std::vector<std::uint8_t>(kPointsAtOnce));
   std::vector<std::vector<double>> block;
   PointForces at{std::vector<double>(experts.size()), std::vector<std::uint8_t>(experts.size())};
   for (std::size_t begin = 0; begin < points.size(); begin += kPointsAtOnce) {
+    if (!go_on(begin)) return false;
     const std::size_t count = std::min(kPointsAtOnce, points.size() - begin);
     block.clear();
     for (std::size_t i = 0; i < count; ++i) {
@@ -74,6 +76,7 @@ void forEachPoint(const std::vector<fuzzy::CompiledModel>& experts, const analys
       visit(block[i], at);
     }
   }
+  return true;
 }
 
 /// The averaged force, without the expert `left_out` where there is one; nothing where all others abstain.
@@ -206,16 +209,27 @@ std::size_t costOf(const fuzzy::ForceModel& model) {
 
 }  // namespace
 
-base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model) {
+base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model,
+                                               const std::function<bool(double share)>& go_on) {
   const auto experts = compileEach(model);
   if (!experts) return tl::unexpected(experts.error());
   const std::size_t affordable = std::max<std::size_t>(64, kInfluenceAllowance / costOf(model));
   Comparison comparison(model);
   const std::size_t inputs = model.inputs.size();
-  forEachPoint(*experts, analysis::kinkPoints(model, std::min(kMostKinkPoints, affordable)), inputs,
-               [&comparison](const auto& point, const auto& at) { comparison.take(point, at, false); });
-  forEachPoint(*experts, analysis::evenPoints(model, std::min(kSpreadPoints, affordable)), inputs,
-               [&comparison](const auto& point, const auto& at) { comparison.take(point, at, true); });
+  const auto kinks = analysis::kinkPoints(model, std::min(kMostKinkPoints, affordable));
+  const auto even = analysis::evenPoints(model, std::min(kSpreadPoints, affordable));
+  const auto all = static_cast<double>(kinks.size() + even.size());
+  const auto goes_on = [&](std::size_t done) { return !go_on || go_on(static_cast<double>(done) / all); };
+  const bool ended =
+      forEachPoint(
+          *experts, kinks, inputs,
+          [&comparison](const auto& point, const auto& at) { comparison.take(point, at, false); }, goes_on) &&
+      forEachPoint(
+          *experts, even, inputs,
+          [&comparison](const auto& point, const auto& at) { comparison.take(point, at, true); },
+          [&](std::size_t done) { return goes_on(kinks.size() + done); });
+  if (!ended)
+    return base::fail(base::ErrorCode::kCancelled, "influence of experts", "a request to stop", "time to end");
   return comparison.result();
 }
 

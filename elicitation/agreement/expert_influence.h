@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -53,7 +54,10 @@ struct ExpertInfluences {
 /// deterministic selection if there are more than 200,000 or the model is large), and at 8,192 evenly spread points. So
 /// they are lower bounds of the true ones. Root mean squares and shares weigh the whole input space evenly. An expert
 /// of weight 0 changes nothing. Returns the error of `fuzzy::compile`.
-base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model);
+/// `go_on`: asked about a thousand points each with the share that is done, [0, 1]; false ends with an error of kind
+/// kCancelled.
+base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model,
+                                               const std::function<bool(double share)>& go_on = {});
 
 /// Change of the mean, in just-noticeable differences, above which a note is made.
 inline constexpr double kNotableDifference = 2;

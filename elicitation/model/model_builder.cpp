@@ -109,8 +109,26 @@ Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
 /// BuiltModel::speeds of another build of the same study whose settings cluster alike, or none.
 using KnownClusters = const std::vector<ParticipantSpeeds>*;
 
+/// Asked with the share of the whole build that is done; empty: never.
+using GoOn = std::function<bool(double share)>;
+
+// Of the time that a build of many participants takes, about.
+constexpr double kClustered = 0.45;
+constexpr double kWithRules = 0.55;
+
+/// The same for a part of it.
+GoOn between(const GoOn& go_on, double from, double to) {
+  if (!go_on) return {};
+  return [&go_on, from, to](double share) { return go_on(from + (to - from) * share); };
+}
+
+Result<void> goesOn(const GoOn& go_on, double share) {
+  if (!go_on || go_on(share)) return {};
+  return fail(ErrorCode::kCancelled, "model", "a request to stop", "time to end");
+}
+
 Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, KnownClusters known,
-                        BuiltModel& out) {
+                        const GoOn& go_on, BuiltModel& out) {
   auto& speed = variable(out.model.inputs, "speed");
   if (known != nullptr) {
     out.speeds = *known;
@@ -120,7 +138,7 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
       one.ramps = std::move(*ramps);
     }
   } else {
-    auto participants = clusterSpeeds(study, speed, settings.speed);
+    auto participants = clusterSpeeds(study, speed, settings.speed, go_on);
     if (!participants) return tl::unexpected(participants.error());
     out.speeds = std::move(*participants);
   }
@@ -271,7 +289,8 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
   return {};
 }
 
-Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& settings, KnownClusters known) {
+Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& settings, KnownClusters known,
+                           const GoOn& go_on = {}) {
   if (auto ok = checkParticipants(study); !ok) return tl::unexpected(ok.error());
   BuiltModel out;
   out.model.inputs = ngtInputs();
@@ -281,7 +300,8 @@ Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& setti
   out.model.generator = settings.generator;
   if (auto ok = buildDepth(settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), ngtRegionInput());
-  if (auto ok = buildSpeed(study, settings, known, out); !ok) return tl::unexpected(ok.error());
+  if (auto ok = buildSpeed(study, settings, known, between(go_on, 0, kClustered), out); !ok)
+    return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), "speed");
   if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), out.model.output.id);
@@ -290,9 +310,10 @@ Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& setti
 
 /// Everything of buildModel but the influences.
 Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::Form> forms, const BuildSettings& settings,
-                           KnownClusters known) {
-  auto terms = termsOf(study, settings, known);
+                           KnownClusters known, const GoOn& go_on = {}) {
+  auto terms = termsOf(study, settings, known, go_on);
   if (!terms) return terms;
+  if (auto ok = goesOn(go_on, kClustered); !ok) return tl::unexpected(ok.error());
   BuiltModel out = std::move(*terms);
   std::vector<std::string> answer_terms;
   for (const auto& term : ngtOutput().terms) answer_terms.push_back(term.id);
@@ -301,6 +322,7 @@ Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::For
   out.experts = std::move(rules->experts);
   append(out.notes, rules->notes);
   if (auto ok = buildExperts(study, settings, out); !ok) return tl::unexpected(ok.error());
+  if (auto ok = goesOn(go_on, (kClustered + kWithRules) / 2); !ok) return tl::unexpected(ok.error());
 
   out.model.provenance = modelProvenance(study, out.experts, settings);
   out.model.renderer = fuzzy::RendererParameters{};
@@ -325,11 +347,11 @@ Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& se
 }
 
 Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
-                              const BuildSettings& settings, KnownClusters clustered) {
-  auto made = modelOf(study, forms, settings, clustered);
+                              const BuildSettings& settings, KnownClusters clustered, const GoOn& go_on) {
+  auto made = modelOf(study, forms, settings, clustered, go_on);
   if (!made) return made;
   BuiltModel out = std::move(*made);
-  auto influences = expertInfluence(out.model);
+  auto influences = expertInfluence(out.model, between(go_on, kWithRules, 1));
   if (!influences) return tl::unexpected(influences.error());
   out.influences = std::move(*influences);
   append(out.notes, influenceNotes(out.model, out.influences));

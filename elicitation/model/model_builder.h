@@ -1,6 +1,7 @@
 // Builds a study's averaged force model, with all intermediate results for a report.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,9 +68,12 @@ struct BuiltModel {
 /// reports them.
 /// `clustered`: BuiltModel::speeds of an earlier model of the same study, if its settings cluster alike (clusterAlike);
 /// null: the speeds are clustered.
+/// `go_on`: asked now and then with the share of the time that has passed, about, [0, 1], never less than before; false
+/// ends with an error of kind kCancelled.
 base::Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::Form> forms,
                                     const BuildSettings& settings,
-                                    const std::vector<ParticipantSpeeds>* clustered = nullptr);
+                                    const std::vector<ParticipantSpeeds>* clustered = nullptr,
+                                    const std::function<bool(double share)>& go_on = {});
 
 /// Whether some participant has a rule or an answer, so that a model can be built.
 bool hasRules(const study::Study& study);

@@ -130,13 +130,18 @@ bool clusterAlike(const SpeedTermSettings& a, const SpeedTermSettings& b) {
 }
 
 Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
-                                                     const SpeedTermSettings& settings) {
+                                                     const SpeedTermSettings& settings,
+                                                     const std::function<bool(double share)>& go_on) {
   if (auto ok = checkSettings(speed, settings); !ok) return tl::unexpected(ok.error());
   const ParticipantSamples samples(study.speeds);
   std::vector<ParticipantSpeeds> out;
-  for (const auto& participant : study.participants) {
+  for (std::size_t i = 0; i < study.participants.size(); ++i) {
+    const auto& participant = study.participants[i];
     const auto own = samples.of(participant.code);
     if (own.empty()) continue;
+    if (go_on && !go_on(static_cast<double>(i) / static_cast<double>(study.participants.size()))) {
+      return fail(ErrorCode::kCancelled, "clustering of the speeds", "a request to stop", "time to end");
+    }
     auto one = clusterOne(participant, own, speed, settings);
     if (!one) return tl::unexpected(one.error());
     out.push_back(std::move(*one));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,8 +47,11 @@ struct ParticipantSpeeds {
 /// Returns an error that names the participant for: settings out of range, a level that is not a term of `speed`,
 /// speeds that cannot be clustered, a center below the universe of `speed`. For level means also: a level without
 /// samples, or means that do not rise with the level.
+/// `go_on`: asked before each participant with the share that is done, [0, 1]; false ends with an error of kind
+/// kCancelled.
 base::Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
-                                                           const SpeedTermSettings& settings);
+                                                           const SpeedTermSettings& settings,
+                                                           const std::function<bool(double share)>& go_on = {});
 
 /// `speed` with a universe that contains all participants, and with the terms of the averaged ramps.
 fuzzy::Variable averagedSpeed(const fuzzy::Variable& speed, std::span<const ParticipantSpeeds> participants,

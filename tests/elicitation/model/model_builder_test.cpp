@@ -87,6 +87,32 @@ TEST(ModelBuilder, SpeedTermsAreAveragedOrOwn) {
   EXPECT_EQ(built->model.inputs[3].terms[1].points, (std::vector<double>{25, 110, 110, 260}));
 }
 
+TEST(ModelBuilder, ABuildTellsItsShareAndEndsWhereItIsStopped) {
+  auto study = smallStudy();
+  addSpeeds(study, "A", {20, 100, 200});
+  addSpeeds(study, "B", {40, 120, 240});
+  std::vector<double> shares;
+  const auto whole = buildModel(study, forms(), {}, nullptr, [&shares](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(shares.front(), 0);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_TRUE(shares.back() > 0.5 && shares.back() <= 1);
+  // Before each of the two, after them, before the checks, and several times while experts are left out.
+  ASSERT_GE(shares.size(), 6U);
+  EXPECT_EQ(whole->model, buildModel(study, forms(), {})->model) << "to be asked changes nothing";
+
+  for (std::size_t last = 1; last <= shares.size(); ++last) {
+    std::size_t asked = 0;
+    const auto stopped = buildModel(study, forms(), {}, nullptr, [&](double) { return ++asked < last; });
+    ASSERT_FALSE(stopped) << last;
+    EXPECT_EQ(stopped.error().code, base::ErrorCode::kCancelled);
+    EXPECT_EQ(asked, last) << "not asked again";
+  }
+}
+
 TEST(ModelBuilder, ForceTermsComeFromTheVote) {
   auto study = smallStudy();
   const char* terms[] = {"very_small", "small", "medium", "large", "very_large"};

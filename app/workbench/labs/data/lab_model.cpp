@@ -39,8 +39,12 @@ LabWork::Deliver LabModel::build(const LabWork::Run& run) {
   settings.generator = kGenerator;
   const bool clustered = kept_.built != nullptr && kept_.study.lock() == run.study &&
                          elicitation::clusterAlike(kept_.with, settings.speed);
-  auto made =
-      elicitation::buildModel(run.study->study, run.study->forms, settings, clustered ? &kept_.built->speeds : nullptr);
+  const auto go_on = [&run](double share) {
+    run.progress(share);
+    return !run.stop.stop_requested();
+  };
+  auto made = elicitation::buildModel(run.study->study, run.study->forms, settings,
+                                      clustered ? &kept_.built->speeds : nullptr, go_on);
   settings.speed.fcm.keep_going = {};
   const QString sentence = made ? QString() : text(made.error().message());
   const auto built = made ? std::make_shared<const elicitation::BuiltModel>(std::move(*made)) : nullptr;
