@@ -79,6 +79,27 @@ TEST_F(OriginPartsTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return moves.sentence().contains(QStringLiteral(" rms")); }, kBuildMs));
 }
 
+// A header that hides asks for its columns again: the records are gone by then, and the table has to know it.
+TEST_F(OriginPartsTest, TheWindowClosesAndAnswersTheNextQuestion) {
+  bench.window.enter(Stage::kAgree);
+  ForceLabView& lab = bench.lab_parts.forceView();
+  bench.lab_parts.screen().reveal(&lab);
+  emit lab.votes().originAsked(0.9, "large");
+  ASSERT_TRUE(answered());
+  OriginWindow& view = *bench.origin_parts.view();
+  ASSERT_EQ(view.table().model()->rowCount(), 2);
+  view.close();
+  EXPECT_FALSE(view.isVisible());
+  EXPECT_EQ(bench.origin_parts.finder().origin(), nullptr);
+  EXPECT_EQ(view.table().model()->rowCount(), 0);
+  EXPECT_EQ(view.table().model()->headerData(0, Qt::Horizontal).toString(), QStringLiteral("Participant"));
+
+  emit lab.votes().originAsked(0.1, "very_small");
+  ASSERT_TRUE(answered());
+  EXPECT_TRUE(view.isVisible());
+  EXPECT_EQ(view.table().model()->rowCount(), 3);
+}
+
 TEST_F(OriginPartsTest, AVoteLeadsToItsJudgements) {
   bench.window.enter(Stage::kAgree);
   ForceLabView& lab = bench.lab_parts.forceView();

@@ -17,7 +17,8 @@ QVariant LabTableModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant LabTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal) return {};
+  // A sorted table asks for column -1 if it has no rows to find the column by.
+  if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
   const LabColumn& column = columns_[static_cast<std::size_t>(section)];
   if (role == Qt::DisplayRole) return column.title;
   if (role == Qt::TextAlignmentRole) return static_cast<int>(column.side | Qt::AlignVCenter);

@@ -37,6 +37,7 @@ void OriginFinder::close() {
   influence_work_.drop();
   data_.setWanted(*this, false);
   model_.setWanted(*this, false);
+  emit changed();
 }
 
 QString OriginFinder::failure() const {

@@ -33,10 +33,11 @@ class OriginFinder : public QObject {
 
   /// Null while it is computed, or if nothing is asked.
   const Origin* origin() const { return origin_.get(); }
+  const std::shared_ptr<const Origin>& sharedOrigin() const { return origin_; }
   /// Why there is no answer; empty if there is one, or it is on its way.
   QString failure() const;
   /// What record `row` moves; nothing while it is not known.
-  const Influence& influence(std::size_t row) const { return influences_[row]; }
+  Influence influence(std::size_t row) const { return row < influences_.size() ? influences_[row] : Influence(); }
   /// Compares this record next.
   void askInfluence(std::size_t row);
   /// The sentence about what a record moves; empty while it is not known.

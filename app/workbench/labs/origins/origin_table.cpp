@@ -15,6 +15,7 @@ OriginTable::OriginTable(const OriginFinder& finder, QObject* parent)
       finder_(finder) {
   connect(&finder, &OriginFinder::changed, this, [this] {
     beginResetModel();
+    origin_ = finder_.sharedOrigin();
     endResetModel();
   });
   connect(&finder, &OriginFinder::influenceChanged, this, [this](std::size_t row) {
@@ -23,12 +24,10 @@ OriginTable::OriginTable(const OriginFinder& finder, QObject* parent)
   });
 }
 
-int OriginTable::rows() const {
-  return finder_.origin() == nullptr ? 0 : static_cast<int>(finder_.origin()->records.size());
-}
+int OriginTable::rows() const { return origin_ == nullptr ? 0 : static_cast<int>(origin_->records.size()); }
 
 QString OriginTable::movesText(std::size_t row) const {
-  const OriginFinder::Influence& found = finder_.influence(row);
+  const OriginFinder::Influence found = finder_.influence(row);
   if (!found) return row < OriginFinder::kMostUnasked ? QStringLiteral("…") : QStringLiteral("–");
   if (!*found) return tr("no model");
   return movedText(**found);
@@ -36,13 +35,13 @@ QString OriginTable::movesText(std::size_t row) const {
 
 QVariant OriginTable::cell(int row, int column, int role) const {
   const auto at = static_cast<std::size_t>(row);
-  const OriginRecord& record = finder_.origin()->records[at];
+  const OriginRecord& record = origin_->records[at];
   if (role == Qt::ToolTipRole) {
     const QString sentence = finder_.influenceSentence(at);
     return column == kMoves && !sentence.isEmpty() ? QVariant(sentence) : QVariant();
   }
   if (role == kOrderRole && column == kMoves) {
-    const OriginFinder::Influence& found = finder_.influence(at);
+    const OriginFinder::Influence found = finder_.influence(at);
     return found && *found ? (*found)->difference.largest_n : -1.0;
   }
   if (role == kOrderRole && column == kRecord) return row;

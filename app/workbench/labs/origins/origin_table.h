@@ -1,6 +1,8 @@
 // The records behind a number as an item model.
 #pragma once
 
+#include <memory>
+
 #include "app/workbench/labs/frame/lab_table_model.h"
 #include "app/workbench/labs/origins/origin_finder.h"
 
@@ -22,6 +24,7 @@ class OriginTable : public LabTableModel {
   QString movesText(std::size_t row) const;
 
   const OriginFinder& finder_;
+  std::shared_ptr<const Origin> origin_;  ///< what the rows show: the finder may have the next one already
 };
 
 }  // namespace tactus::workbench
