@@ -110,7 +110,9 @@ struct PullOptions {
   std::optional<double> force_n;     ///< wanted at the point; needed unless there is a curve
   std::string curve;                 ///< CSV file of a reference curve or band; empty: none
   std::string expert;                ///< id of one expert; empty: the mean
-  std::vector<std::string> locked;   ///< ids of variables whose terms must not change
+  std::vector<std::string> locked;   ///< ids of variables whose terms must not change; `rules`: no rule changes
+  std::vector<std::string> pins;     ///< `INPUT=VALUE,…` each: points whose force stays; the other inputs as in `at`
+  std::string study;                 ///< study file whose history may hold sign-offs on the model; empty: none
   std::optional<std::size_t> apply;  ///< candidate to write, from 1
   std::string out;                   ///< model file for it
   bool json = false;

@@ -124,7 +124,17 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.parse_complete_callback([&o] {
                  if (!o.force_n && o.curve.empty()) throw CLI::RequiredError("--force or --curve");
                });
-               command.add_option("--lock", o.locked, "Variable whose terms stay as they are; as often as needed")
+               command
+                   .add_option("--lock", o.locked,
+                               "Variable whose terms stay as they are, or the word rules; as often as needed")
+                   ->check(notEmpty());
+               command
+                   .add_option("--pin", o.pins,
+                               "INPUT=VALUE,...: a point whose force stays; other inputs as in --at; repeatable")
+                   ->expected(1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+                   ->check(notEmpty());
+               command.add_option("--study", o.study, "Study file in which the model may have been signed off")
                    ->check(notEmpty());
                auto* const apply = command.add_option("--apply", o.apply, "Number of the edit to write, from 1");
                auto* const out = command.add_option("--out", o.out, "Model file to write")->check(notEmpty());

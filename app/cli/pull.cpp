@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
+#include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -8,11 +11,12 @@
 #include "app/cli/model_arguments.h"
 #include "app/cli/opened_model.h"
 #include "app/cli/pull_curve_text.h"
+#include "app/cli/pull_findings.h"
 #include "app/cli/pull_reference.h"
+#include "app/cli/pull_sign_offs.h"
 #include "app/cli/pull_text.h"
 #include "app/editing/edit.h"
 #include "app/version.h"
-#include "core/analysis/lint.h"
 #include "core/base/clock.h"
 #include "core/model_io/model_file.h"
 #include "elicitation/force/noticeable_force.h"
@@ -22,6 +26,9 @@ namespace {
 
 using base::ErrorCode;
 
+/// The word for all rules in `--lock`, unless a variable is called so.
+constexpr std::string_view kRules = "rules";
+
 base::Result<void> refuseTheSameFile(const PullOptions& options) {
   std::error_code none;
   if (options.out.empty() || !std::filesystem::equivalent(options.model, options.out, none)) return {};
@@ -29,31 +36,16 @@ base::Result<void> refuseTheSameFile(const PullOptions& options) {
                       options.out);
 }
 
-/// The findings of the lint that the edited model has and the model before had not.
-std::vector<std::string> newFindings(const OpenedModel& before, const editing::Edit& after) {
-  const auto findings = analysis::lint(before.model, before.compiled).findings;
-  std::vector<std::string> out;
-  for (const analysis::Finding& one : analysis::lint(after.model, after.compiled).findings) {
-    const bool known = std::any_of(findings.begin(), findings.end(), [&](const analysis::Finding& other) {
-      return other.kind == one.kind && other.expert == one.expert && other.where == one.where;
-    });
-    if (!known) out.push_back("new finding: " + (one.expert.empty() ? "" : one.expert + ": ") + one.text);
-  }
-  return out;
-}
-
-/// Writes the model after a candidate and returns what the lint newly finds in it. The checks keep their points and get
-/// the new forces.
-base::Result<std::vector<std::string>> writeEdited(const PullOptions& options, const OpenedModel& opened,
-                                                   const analysis::PullCandidate& candidate, const std::string& text) {
+/// Writes the model after a candidate. The checks keep their points and get the new forces.
+base::Result<void> writeEdited(const PullOptions& options, const OpenedModel& opened,
+                               const analysis::PullCandidate& candidate, const std::string& text) {
   auto edit = editing::finished(applied(opened.model, candidate.edits), text);
   if (!edit) return tl::unexpected(edit.error());
   editing::refreshChecks(edit->model, edit->compiled);
   edit->model.created_utc = base::formatUtc(std::chrono::system_clock::now());
   edit->model.generator = kGenerator;
   if (auto& from = edit->model.provenance) from->notes += (from->notes.empty() ? "" : " ") + edit->label + ".";
-  if (auto ok = model_io::writeModel(edit->model, options.out); !ok) return tl::unexpected(ok.error());
-  return newFindings(opened, *edit);
+  return model_io::writeModel(edit->model, options.out);
 }
 
 /// What an answer of either kind comes to on the screen and in a file.
@@ -69,7 +61,21 @@ struct Question {
   OpenedModel opened;
   std::vector<double> point;
   analysis::PullSettings settings;
+  std::unique_ptr<NewFindings> findings = {};  ///< of edits of `opened`, which does not move any more
+  std::vector<SignOff> sign_offs = {};
 };
+
+/// The point of `--pin`: the inputs that it names, and the others as in `point`.
+base::Result<std::vector<double>> pinOption(const fuzzy::ForceModel& model, const std::string& text,
+                                            std::vector<double> point) {
+  std::istringstream entries(text);
+  for (std::string entry; std::getline(entries, entry, ',');) {
+    const auto input = inputOption(model, "--pin", entry);
+    if (!input) return tl::unexpected(input.error());
+    point[input->first] = input->second;
+  }
+  return point;
+}
 
 base::Result<Question> questionOf(const PullOptions& options) {
   auto opened = openedModel(options.model);
@@ -80,9 +86,15 @@ base::Result<Question> questionOf(const PullOptions& options) {
   if (!expert) return tl::unexpected(expert.error());
   out.settings.expert = *expert;
   for (const std::string& id : options.locked) {
-    const auto variable = variableOption(model, "--lock", id);
-    if (!variable) return tl::unexpected(variable.error());
-    out.settings.locked.push_back(*variable);
+    auto variable = variableOption(model, "--lock", id);
+    if (variable) {
+      out.settings.locked.push_back(*variable);
+    } else if (id == kRules) {
+      out.settings.lock_rules = true;
+    } else {
+      variable.error().wanted += ", or " + std::string(kRules);
+      return tl::unexpected(variable.error());
+    }
   }
   auto point = pointOption(model, "--at", options.at);
   if (!point) return tl::unexpected(point.error());
@@ -91,7 +103,21 @@ base::Result<Question> questionOf(const PullOptions& options) {
     ok.error().place = "--at " + ok.error().place;
     return tl::unexpected(ok.error());
   }
+  for (const std::string& pin : options.pins) {
+    auto pinned = pinOption(model, pin, out.point);
+    if (!pinned) return tl::unexpected(pinned.error());
+    if (auto ok = analysis::checkPoint(model, *pinned); !ok) {
+      ok.error().place = "--pin " + ok.error().place;
+      return tl::unexpected(ok.error());
+    }
+    out.settings.pins.push_back(std::move(*pinned));
+  }
   return out;
+}
+
+PullNotes notesOf(const Question& question) {
+  return {[&question](const analysis::PullCandidate& one) { return question.findings->after(one); },
+          question.sign_offs};
 }
 
 bool leavesRulesOut(const Question& question) {
@@ -104,7 +130,8 @@ base::Result<Answer> pointAnswer(const PullOptions& options, const Question& que
       analysis::pull(model, question.point, *options.force_n, elicitation::justNoticeableDifference, question.settings);
   if (!found) return tl::unexpected(found.error());
   Answer out;
-  out.text = options.json ? asJson(model, *found) : asText(model, *found, leavesRulesOut(question));
+  const PullNotes notes = notesOf(question);
+  out.text = options.json ? asJson(model, *found, notes) : asText(model, *found, leavesRulesOut(question), notes);
   for (const auto& one : found->candidates) out.texts.push_back(candidateText(model, one));
   out.candidates = std::move(found->candidates);
   return out;
@@ -128,7 +155,8 @@ base::Result<Answer> curveAnswer(const PullOptions& options, const Question& que
     out.warnings.push_back(options.curve + ": " + std::to_string(found->left_out) +
                            " points at which no rule fires are left out");
   }
-  out.text = options.json ? asJson(asked, *found) : asText(asked, *found);
+  const PullNotes notes = notesOf(question);
+  out.text = options.json ? asJson(asked, *found, notes) : asText(asked, *found, notes);
   for (const auto& one : found->candidates) {
     out.candidates.push_back(one.candidate);
     out.texts.push_back(curveCandidateText(model, one));
@@ -154,13 +182,22 @@ std::optional<std::string> sharedNote(const Question& question, const Answer& an
 
 base::Result<Output> pull(const PullOptions& options) {
   if (auto ok = refuseTheSameFile(options); !ok) return tl::unexpected(ok.error());
-  const auto question = questionOf(options);
+  auto question = questionOf(options);
   if (!question) return tl::unexpected(question.error());
+  if (!options.study.empty()) {
+    auto sign_offs = signOffsOn(question->opened.model, options.study);
+    if (!sign_offs) return tl::unexpected(sign_offs.error());
+    question->sign_offs = std::move(*sign_offs);
+  }
+  question->findings = std::make_unique<NewFindings>(question->opened);
   auto answer = options.curve.empty() ? pointAnswer(options, *question) : curveAnswer(options, *question);
   if (!answer) return tl::unexpected(answer.error());
 
   std::vector<std::string> warnings = question->opened.warnings;
   warnings.insert(warnings.end(), answer->warnings.begin(), answer->warnings.end());
+  for (const SignOff& one : question->sign_offs) {
+    warnings.push_back("every edit contradicts a sign-off: " + one.author + ", " + one.utc + ": " + one.text);
+  }
   if (auto note = sharedNote(*question, *answer)) warnings.push_back(std::move(*note));
   if (!options.apply) return Output{std::move(answer->text), std::move(warnings)};
   const std::size_t count = answer->candidates.size();
@@ -170,9 +207,8 @@ base::Result<Output> pull(const PullOptions& options) {
   }
   const std::string& text = answer->texts[*options.apply - 1];
   const auto& chosen = answer->candidates[*options.apply - 1];
-  const auto findings = writeEdited(options, question->opened, chosen, text);
-  if (!findings) return tl::unexpected(findings.error());
-  warnings.insert(warnings.end(), findings->begin(), findings->end());
+  if (auto ok = writeEdited(options, question->opened, chosen, text); !ok) return tl::unexpected(ok.error());
+  for (const std::string& finding : question->findings->after(chosen)) warnings.push_back("new finding: " + finding);
   return Output{options.json ? std::move(answer->text) : base::oneLine(options.out) + ": " + text + "\n",
                 std::move(warnings)};
 }

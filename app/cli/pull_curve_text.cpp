@@ -26,10 +26,11 @@ std::string curveCandidateText(const fuzzy::ForceModel& model, const analysis::C
          (candidate.same_curve == 0
               ? ""
               : "; as much as " + std::to_string(candidate.same_curve) +
-                    (candidate.same_curve == 1 ? " other edit" : " other edits") + " here, different elsewhere");
+                    (candidate.same_curve == 1 ? " other edit" : " other edits") + " here, different elsewhere") +
+         contradictionText(candidate.candidate);
 }
 
-std::string asText(const CurveQuestion& question, const analysis::CurvePull& pull) {
+std::string asText(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
   std::string sentence =
       "The force is " + formatFixed(pull.residual_n, 3) + " N (root mean square) from the reference.";
   if (const auto left = leftOver(pull)) sentence += " Out of reach: " + *left + ".";
@@ -39,7 +40,7 @@ std::string asText(const CurveQuestion& question, const analysis::CurvePull& pul
   for (; shown < pull.candidates.size() && shown < kMostShown; ++shown) {
     const analysis::CurveCandidate& one = pull.candidates[shown];
     text += "\n" + wrapped(curveCandidateText(question.model, one), padded(std::to_string(shown + 1), 4), 4);
-    text += wrapped(elsewhereText(one.candidate), "    ", 4);
+    text += wrapped(elsewhereText(one.candidate), "    ", 4) + findingsText(notes.findings(one.candidate));
   }
   if (pull.candidates.size() > shown)
     text += "\n" + std::to_string(pull.candidates.size() - shown) + " more with --json\n";
@@ -47,7 +48,7 @@ std::string asText(const CurveQuestion& question, const analysis::CurvePull& pul
   return text;
 }
 
-std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull) {
+std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
   base::JsonWriter json;
   json.beginObject().key("before_n");
   question.before_n ? json.value(*question.before_n) : json.null();
@@ -56,10 +57,11 @@ std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pul
   json.key("residual_n").value(pull.residual_n).key("reachable").null().key("blocker");
   const auto left = leftOver(pull);
   left ? json.value(*left) : json.null();
+  writeSignOffs(json, notes.sign_offs);
   json.key("candidates").beginArray();
   for (const analysis::CurveCandidate& one : pull.candidates) {
     json.beginObject();
-    writeMembers(json, question.model, one.candidate);
+    writeMembers(json, question.model, one.candidate, notes.findings(one.candidate));
     json.key("residual_n").value(one.residual_n);
     json.key("text").value(curveCandidateText(question.model, one)).endObject();
   }

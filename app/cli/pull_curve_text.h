@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/pull_text.h"
 #include "core/analysis/pull/pull_curve.h"
 #include "core/fuzzy/force_model.h"
 
@@ -20,8 +21,8 @@ struct CurveQuestion {
 /// The edits and what they leave; `5 edits give the same curve` where one curve does not tell them apart.
 std::string curveCandidateText(const fuzzy::ForceModel& model, const analysis::CurveCandidate& candidate);
 
-std::string asText(const CurveQuestion& question, const analysis::CurvePull& pull);
+std::string asText(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes);
 
-std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull);
+std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes);
 
 }  // namespace tactus::cli

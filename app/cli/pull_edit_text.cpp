@@ -1,10 +1,12 @@
 #include "app/cli/pull_edit_text.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "app/cli/model_words.h"
+#include "app/cli/wrapped_text.h"
 #include "core/analysis/pull/ramps.h"
 #include "core/base/text.h"
 
@@ -72,6 +74,16 @@ void writeEdit(base::JsonWriter& json, const fuzzy::ForceModel& model, const Pul
   json.key("delta").value(edit.delta);
 }
 
+/// The experts whose rules get another word or are taken away, each once.
+std::vector<std::string> contradicted(const PullCandidate& candidate) {
+  std::vector<std::string> out;
+  for (const PullEdit& edit : candidate.edits) {
+    const bool is_answer = edit.gesture == Gesture::kWord || edit.gesture == Gesture::kOff;
+    if (is_answer && std::find(out.begin(), out.end(), edit.expert) == out.end()) out.push_back(edit.expert);
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string editText(const fuzzy::ForceModel& model, const PullEdit& edit) {
@@ -113,7 +125,19 @@ std::string elsewhereText(const PullCandidate& candidate) {
          (candidate.folded ? "; not plausible" : "");
 }
 
-void writeMembers(base::JsonWriter& json, const fuzzy::ForceModel& model, const PullCandidate& candidate) {
+std::string contradictionText(const PullCandidate& candidate) {
+  const auto experts = contradicted(candidate);
+  return experts.empty() ? "" : "; contradicts " + base::oneLine(base::joined(experts, "'s and ")) + "'s answer";
+}
+
+std::string findingsText(const std::vector<std::string>& findings) {
+  std::string text;
+  for (const std::string& finding : findings) text += wrapped("new finding: " + finding, "    ", 4);
+  return text;
+}
+
+void writeMembers(base::JsonWriter& json, const fuzzy::ForceModel& model, const PullCandidate& candidate,
+                  const std::vector<std::string>& findings) {
   json.key("kind").value(name(candidate.kind));
   writeEdit(json, model, candidate.edits[0]);
   if (candidate.edits.size() > 1) {
@@ -129,6 +153,7 @@ void writeMembers(base::JsonWriter& json, const fuzzy::ForceModel& model, const 
   json.key("force_n").value(candidate.force_n).key("k").value(elsewhere.k).key("k_curve").value(elsewhere.k_curve);
   json.key("k_box").value(elsewhere.k_box).key("largest_n").value(elsewhere.largest_n);
   json.key("folded").value(candidate.folded);
+  json.key("contradicts").values(contradicted(candidate)).key("new_findings").values(findings);
 }
 
 }  // namespace tactus::cli

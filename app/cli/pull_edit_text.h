@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "core/analysis/pull/pull.h"
 #include "core/base/json/json_writer.h"
@@ -19,7 +20,14 @@ std::string editsText(const fuzzy::ForceModel& model, std::span<const analysis::
 /// `elsewhere it moves the force by 0.090 just-noticeable differences, at most 0.159 N`.
 std::string elsewhereText(const analysis::PullCandidate& candidate);
 
-/// Writes the members `kind` to `folded` of a candidate; edits after the first are objects in `more`.
-void writeMembers(base::JsonWriter& json, const fuzzy::ForceModel& model, const analysis::PullCandidate& candidate);
+/// `; contradicts S4's answer` where an edit gives a rule another word or takes it away; otherwise nothing.
+std::string contradictionText(const analysis::PullCandidate& candidate);
+
+/// A line for each new finding of the lint, as below a candidate.
+std::string findingsText(const std::vector<std::string>& findings);
+
+/// Writes the members `kind` to `new_findings` of a candidate; edits after the first are objects in `more`.
+void writeMembers(base::JsonWriter& json, const fuzzy::ForceModel& model, const analysis::PullCandidate& candidate,
+                  const std::vector<std::string>& findings);
 
 }  // namespace tactus::cli

@@ -33,13 +33,26 @@ std::vector<std::size_t> shown(const analysis::Pull& pull) {
 
 }  // namespace
 
+void writeSignOffs(base::JsonWriter& json, const std::vector<SignOff>& sign_offs) {
+  json.key("sign_offs").beginArray();
+  for (const SignOff& one : sign_offs) {
+    json.beginObject(base::JsonWriter::Layout::kInline).key("author").value(one.author);
+    json.key("utc").value(one.utc).key("text").value(one.text).endObject();
+  }
+  json.endArray();
+}
+
 std::string candidateText(const fuzzy::ForceModel& model, const PullCandidate& candidate) {
   return editsText(model, candidate.edits) +
-         (candidate.exact ? "" : "; comes only to " + formatFixed(candidate.force_n, 3) + " N");
+         (candidate.exact ? "" : "; comes only to " + formatFixed(candidate.force_n, 3) + " N") +
+         contradictionText(candidate);
 }
 
 std::string blockerText(const fuzzy::ForceModel& model, const analysis::Pull& pull) {
   const PullBlocker& blocker = *pull.blocker;
+  if (blocker.kind == PullBlocker::Kind::kLock && blocker.variable > model.inputs.size())
+    return "the rules are locked, and without the lock one edit is enough";
+  if (blocker.kind == PullBlocker::Kind::kPin) return "the pinned points stay, and without the pins one edit is enough";
   const fuzzy::Variable& variable = analysis::variableAt(model, blocker.variable);
   const std::string term = labelOf(findTerm(variable.terms, blocker.term), blocker.term);
   switch (blocker.kind) {
@@ -58,13 +71,15 @@ std::string blockerText(const fuzzy::ForceModel& model, const analysis::Pull& pu
       return "the nearest edit ends where the universe of " + base::oneLine(variable.id) + " ends";
     case PullBlocker::Kind::kTurn:
       return "the force turns back at the nearest edit";
+    case PullBlocker::Kind::kPin:
     case PullBlocker::Kind::kRules:
       break;
   }
   return "one rule is not enough, the words of the other rules hold the force";
 }
 
-std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, bool rules_left_out) {
+std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, bool rules_left_out,
+                   const PullNotes& notes) {
   const std::string wanted = formatFixed(pull.target_n, 3) + " N";
   if (!pull.before_n) return "No rule fires here, so no edit of what is there gives " + wanted + ".\n";
   std::string sentence = formatFixed(*pull.before_n, 3) + " N here, wanted " + wanted +
@@ -81,7 +96,7 @@ std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, b
   for (const std::size_t k : few) {
     const PullCandidate& one = pull.candidates[k];
     text += "\n" + wrapped(candidateText(model, one), padded(std::to_string(k + 1), 4), 4);
-    text += wrapped(elsewhereText(one), "    ", 4);
+    text += wrapped(elsewhereText(one), "    ", 4) + findingsText(notes.findings(one));
   }
   if (pull.candidates.size() > few.size())
     text += "\n" + std::to_string(pull.candidates.size() - few.size()) + " more with --json\n";
@@ -89,7 +104,7 @@ std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, b
   return text;
 }
 
-std::string asJson(const fuzzy::ForceModel& model, const analysis::Pull& pull) {
+std::string asJson(const fuzzy::ForceModel& model, const analysis::Pull& pull, const PullNotes& notes) {
   base::JsonWriter json;
   json.beginObject().key("before_n");
   pull.before_n ? json.value(*pull.before_n) : json.null();
@@ -102,10 +117,11 @@ std::string asJson(const fuzzy::ForceModel& model, const analysis::Pull& pull) {
   }
   json.key("blocker");
   pull.blocker ? json.value(blockerText(model, pull)) : json.null();
+  writeSignOffs(json, notes.sign_offs);
   json.key("candidates").beginArray();
   for (const PullCandidate& one : pull.candidates) {
     json.beginObject();
-    writeMembers(json, model, one);
+    writeMembers(json, model, one, notes.findings(one));
     json.key("text").value(candidateText(model, one)).endObject();
   }
   return json.endArray().endObject().text();

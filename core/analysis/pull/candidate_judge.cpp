@@ -12,6 +12,7 @@ namespace tactus::analysis {
 namespace {
 
 constexpr double kSameTarget = 1e-9;   // of the range of the output
+constexpr double kPinnedShare = 0.25;  // of a noticeable difference
 constexpr double kSameVolume = 1e-12;  // of the input space: rounding of a sum of boxes
 
 /// The share of the input space in which no rule fires. Sides without width count as nothing.
@@ -40,7 +41,19 @@ CandidateJudge::CandidateJudge(const fuzzy::ForceModel& model, const fuzzy::Comp
     : model_(model),
       point_(point),
       curve_input_(analysis::curveInput(model, settings.curve_input)),
-      elsewhere_(model, compiled, point, curve_input_, settings.box_points, noticeable) {}
+      elsewhere_(model, compiled, point, curve_input_, settings.box_points, noticeable) {
+  for (const std::vector<double>& pin : settings.pins) {
+    const double force_n = compiled.evaluate(pin).force_n;
+    pins_.push_back({pin, force_n, kPinnedShare * noticeable(std::abs(force_n))});
+  }
+}
+
+bool CandidateJudge::holdsPins(const fuzzy::CompiledModel& after) const {
+  return std::all_of(pins_.begin(), pins_.end(), [&](const Pin& pin) {
+    const auto force = after.evaluate(pin.point);
+    return force.fired && std::abs(force.force_n - pin.force_n) <= pin.allowed_n;
+  });
+}
 
 double CandidateJudge::same() const noexcept { return kSameTarget * (model_.output.max - model_.output.min); }
 
@@ -56,7 +69,7 @@ std::optional<PullCandidate> CandidateJudge::judged(std::vector<PullEdit> edits,
   if (!compiled) return std::nullopt;
   const auto force = compiled->evaluate(point_);
   out.elsewhere = elsewhere_.of(*compiled);
-  if (!force.fired || out.elsewhere.opens_hole) return std::nullopt;
+  if (!force.fired || out.elsewhere.opens_hole || !holdsPins(*compiled)) return std::nullopt;
   if (std::any_of(edits.begin(), edits.end(), mayOpenAHole) && uncovered(after) > uncovered(model_) + kSameVolume) {
     return std::nullopt;  // between the points
   }

@@ -19,7 +19,8 @@ class CandidateJudge {
 
   std::size_t curveInput() const noexcept { return curve_input_; }
 
-  /// The candidate that makes the edits one after the other. Nothing if it opens a hole or makes no valid model.
+  /// The candidate that makes the edits one after the other. Nothing if it opens a hole, moves a pin or makes no valid
+  /// model.
   /// Without `target_n` no force is exact.
   std::optional<PullCandidate> judged(std::vector<PullEdit> edits, std::optional<double> target_n) const;
 
@@ -27,7 +28,15 @@ class CandidateJudge {
   double same() const noexcept;
 
  private:
+  struct Pin {
+    std::vector<double> point;
+    double force_n = 0;    ///< before
+    double allowed_n = 0;  ///< largest difference
+  };
+  bool holdsPins(const fuzzy::CompiledModel& after) const;
+
   const fuzzy::ForceModel& model_;
+  std::vector<Pin> pins_;
   std::vector<double> point_;
   std::size_t curve_input_;
   ElsewhereProbe elsewhere_;

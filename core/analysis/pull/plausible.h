@@ -12,6 +12,10 @@ namespace tactus::analysis {
 /// The part of `model` that a pull sees: the expert number `expert` alone, or the mean of those with a weight.
 fuzzy::ForceModel modelOf(const fuzzy::ForceModel& model, std::optional<std::size_t> expert);
 
+/// Refuses a pin that is no point of the model (checkPoint), or at which no rule of `compiled` fires.
+base::Result<void> checkPins(const fuzzy::CompiledModel& compiled, const fuzzy::ForceModel& model,
+                             std::span<const std::vector<double>> pins);
+
 /// `asked`, else the input `depth`, else the last input.
 std::size_t curveInput(const fuzzy::ForceModel& model, std::optional<std::size_t> asked);
 

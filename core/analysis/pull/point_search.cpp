@@ -30,7 +30,7 @@ PointSearch searchPoint(const PointForce& point, double target_n, const PullSett
     auto found = searchList(point, list, target_n);
     out.gestures.insert(out.gestures.end(), found.begin(), found.end());
   }
-  if (alone) out.rules = searchRules(point, 0, target_n);
+  if (alone && !settings.lock_rules) out.rules = searchRules(point, 0, target_n);
   return out;
 }
 

@@ -160,10 +160,15 @@ class Puller {
   PointSearch found_;
 };
 
-/// The variable that has to be unlocked for an edit that gives the target.
+/// The variable that has to be unlocked for an edit that gives the target; one above the output's for the rules.
 std::optional<std::size_t> helpfulUnlock(const Pull& unlocked, const PullSettings& settings, std::size_t output) {
   for (const PullCandidate& one : unlocked.candidates) {
-    if (one.folded || !one.exact || editsRule(one.edits[0].gesture)) continue;
+    if (one.folded) continue;
+    if (editsRule(one.edits[0].gesture)) {
+      if (settings.lock_rules) return output + 1;
+      continue;
+    }
+    if (!one.exact) continue;
     const std::size_t variable = one.edits[0].list.variable;
     if (variable > output) continue;
     if (std::find(settings.locked.begin(), settings.locked.end(), variable) != settings.locked.end()) return variable;
@@ -197,6 +202,20 @@ base::Result<void> checkPoint(const ForceModel& model, std::span<const double> p
   return {};
 }
 
+base::Result<void> checkPins(const fuzzy::CompiledModel& compiled, const ForceModel& model,
+                             std::span<const std::vector<double>> pins) {
+  for (const std::vector<double>& pin : pins) {
+    if (auto ok = checkPoint(model, pin); !ok) {
+      ok.error().place = ok.error().place.empty() ? "pin" : "pin " + ok.error().place;
+      return ok;
+    }
+    if (!compiled.evaluate(pin).fired) {
+      return fail(ErrorCode::kValue, "pin", "a point at which no rule fires", "a point with a force to keep");
+    }
+  }
+  return {};
+}
+
 base::Result<Pull> pull(const ForceModel& model, std::span<const double> point, double target_n,
                         const NoticeableDifference& noticeable, const PullSettings& settings) {
   if (auto ok = checkPoint(model, point); !ok) return tl::unexpected(ok.error());
@@ -207,11 +226,20 @@ base::Result<Pull> pull(const ForceModel& model, std::span<const double> point, 
   auto compiled = fuzzy::compile(pulled);
   if (!compiled) return tl::unexpected(compiled.error());
   const std::vector<double> place(point.begin(), point.end());
+  if (auto ok = checkPins(*compiled, model, settings.pins); !ok) return tl::unexpected(ok.error());
   Pull out = Puller(pulled, *compiled, place, target_n, noticeable, settings).answer();
   if (!out.blocker || out.blocker->kind == Kind::kNoRule || out.blocker->kind == Kind::kCentroid) return out;
-  if (settings.locked.empty()) return out;
   PullSettings free = settings;
+  if (!settings.pins.empty()) {
+    free.pins.clear();
+    if (!Puller(pulled, *compiled, place, target_n, noticeable, free).answer().blocker) {
+      out.blocker = PullBlocker{Kind::kPin, 0, {}, out.blocker->limit_n};
+      return out;
+    }
+  }
+  if (settings.locked.empty() && !settings.lock_rules) return out;
   free.locked.clear();
+  free.lock_rules = false;
   const Pull unlocked = Puller(pulled, *compiled, place, target_n, noticeable, free).answer();
   if (const auto variable = helpfulUnlock(unlocked, settings, model.inputs.size())) {
     out.blocker = PullBlocker{Kind::kLock, *variable, {}, out.blocker->limit_n};

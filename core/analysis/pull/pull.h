@@ -27,8 +27,12 @@ enum class PullKind {
 std::string_view name(PullKind kind) noexcept;
 
 struct PullSettings {
-  std::optional<std::size_t> expert;       ///< index; nothing: the mean, which only offers terms that experts share
-  std::vector<std::size_t> locked;         ///< variables whose terms must not change; the output follows the inputs
+  std::optional<std::size_t> expert;  ///< index; nothing: the mean, which only offers terms that experts share
+  std::vector<std::size_t> locked;    ///< variables whose terms must not change; the output follows the inputs
+  bool lock_rules = false;            ///< no edit of a rule is offered
+  /// Points whose force stays within a quarter of a noticeable difference; an edit that moves it further is not
+  /// offered.
+  std::vector<std::vector<double>> pins;
   std::optional<std::size_t> curve_input;  ///< nothing: `depth`, or the last input
   std::size_t box_points = kBoxPoints;     ///< 0: k is k_curve, for an answer within a frame
 };
@@ -47,7 +51,8 @@ struct PullCandidate {
 struct PullBlocker {
   enum class Kind {
     kNoRule,    ///< no rule fires at the point
-    kLock,      ///< with `variable` unlocked an edit does it
+    kLock,      ///< with `variable` unlocked an edit does it; one above the output's: the rules
+    kPin,       ///< without the pins an edit does it
     kCentroid,  ///< `term` alone does not go beyond its own centroid, `limit_n`
     kOrder,     ///< `term` would have no core
     kRamp,      ///< the ramp beside `term` would have no width
@@ -76,8 +81,8 @@ struct Pull {
 
 /// The edits that give `target_n` at `point` (in the order and units of the model). Gestures on lists that sum to one
 /// keep the sum; others move single vertices. Edits of one rule are offered for one expert, or a model of one.
-/// Deterministic. Refused: a wrong number of values, a value that is not finite or outside its universe, a target that
-/// is not finite. Thread: any.
+/// Deterministic. Refused: a wrong number of values, a value that is not finite or outside its universe (of the point
+/// or a pin), a pin at which no rule fires, a target that is not finite. Thread: any.
 base::Result<Pull> pull(const fuzzy::ForceModel& model, std::span<const double> point, double target_n,
                         const NoticeableDifference& noticeable, const PullSettings& settings = {});
 

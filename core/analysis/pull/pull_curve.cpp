@@ -37,7 +37,7 @@ std::vector<PullEdit> worthwhile(const ForceModel& model, const ReferenceFit& fi
       take(one.edit);
     }
   }
-  if (model.experts.size() == 1) {
+  if (model.experts.size() == 1 && !settings.lock_rules) {
     for (const PullEdit& edit : ruleEdits(model, 0)) take(edit);
   }
   return out;
@@ -79,6 +79,7 @@ base::Result<CurvePull> pullToCurve(const ForceModel& model, std::span<const dou
   const ForceModel pulled = modelOf(model, settings.expert);
   const auto compiled = fuzzy::compile(pulled);
   if (!compiled) return tl::unexpected(compiled.error());
+  if (auto ok = checkPins(*compiled, model, settings.pins); !ok) return tl::unexpected(ok.error());
   const ReferenceFit fit(*compiled, reference, noticeable);
   if (fit.points() == 0) {
     return base::fail(base::ErrorCode::kData, "", "a reference without a point at which a rule fires", "at least one");

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/model_io/model_file.h"
+#include "core/store/model_versions.h"
 #include "elicitation/model/model_checks.h"
 
 #include "tests/app/cli/run_program.h"
@@ -82,9 +83,10 @@ TEST_F(PullCommandTest, TheMembersOfItsJson) {
     EXPECT_EQ(one["rule"], 28);
     EXPECT_EQ(one["then"], "very_small");
     EXPECT_EQ(one["folded"], true);
-    EXPECT_EQ(
-        one["text"],
-        "S4, rule 28 (Neck flexion large, Depth laryngopharynx): very_small instead of large; comes only to 0.519 N");
+    EXPECT_EQ(one["text"],
+              "S4, rule 28 (Neck flexion large, Depth laryngopharynx): very_small instead of large; comes only to "
+              "0.519 N; contradicts "
+              "S4's answer");
   }
   EXPECT_TRUE(word);
 }
@@ -134,6 +136,71 @@ TEST_F(PullCommandTest, NewFindingsOfTheLintAreSaid) {
     EXPECT_EQ(run.err.find("new finding: S4: ") != std::string::npos, rule) << run.err;
   }
   EXPECT_GE(checked, 2U);
+}
+
+TEST_F(PullCommandTest, EachCandidateSaysWhatItContradictsAndNewlyFinds) {
+  const PullJson found = pulled({s4_, "--at", kPulled, "--force", "0.62"});
+  std::size_t words = 0;
+  for (const PullJson& one : found["candidates"]) {
+    const bool says_otherwise = one["gesture"] == "word" || one["gesture"] == "off";
+    words += says_otherwise ? 1 : 0;
+    EXPECT_EQ(one["contradicts"], says_otherwise ? PullJson::array({"S4"}) : PullJson::array());
+    EXPECT_EQ(one["text"].get<std::string>().find("contradicts S4's answer") != std::string::npos, says_otherwise);
+    const bool is_checked = one["gesture"] == "p" || (one["gesture"] == "word" && one["rule"] == 3);
+    EXPECT_TRUE(!is_checked || one["new_findings"].empty() == (one["gesture"] == "p")) << one;
+  }
+  EXPECT_GE(words, 4U);  // rules 3, 4, 23 and 24 to Large (oracle 2)
+}
+
+TEST_F(PullCommandTest, RulesAndPointsCanBeHeld) {
+  const PullJson locked = pulled({s4_, "--at", kPulled, "--force", "0.62", "--lock", "rules"});
+  for (const PullJson& one : locked["candidates"]) EXPECT_TRUE(one["rule"].is_null());
+  EXPECT_FALSE(locked["candidates"].empty());
+  const char* const throat = "lubrication=1,neck_flexion=60,depth=150,speed=50";
+  const PullJson held = pulled({s4_, "--at", throat, "--force", "0.6", "--lock", "lubrication", "neck_flexion", "depth",
+                                "speed", "force", "rules"});
+  EXPECT_EQ(held["blocker"], "the rules are locked, and without the lock one edit is enough");
+  const PullJson pinned = pulled({s4_, "--at", kPulled, "--force", "0.5", "--pin", "depth=200.5"});
+  EXPECT_EQ(pinned["blocker"], "the pinned points stay, and without the pins one edit is enough");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--pin", "dpth=1"}, 1,
+                "--pin: found 'dpth', wanted an input of the model");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--pin", "depth=700"}, 1,
+                "--pin depth: found 700, wanted a value from 0 to 600");
+}
+
+TEST_F(PullCommandTest, SignOffsOnTheModelAreSaid) {
+  const std::string study = folder_.file("a.tactus");
+  ASSERT_EQ(ProgramRun({"study", "new", study}).status, 0);
+  {
+    auto file = store::StudyFile::open(study);
+    ASSERT_TRUE(file);
+    study::RecordIds ids;
+    const auto add = [&](const std::string& label, fuzzy::ForceModel model) {
+      study::ModelVersion version;
+      version.id = ids.next();
+      version.utc_ms = 1'770'000'000'000;
+      version.author = "S4";
+      version.label = label;
+      version.text = model_io::formatModel(model);
+      EXPECT_TRUE(store::append(*file, version));
+    };
+    auto same = support::s4FiveRegions();  // the model of the test has checks and a provenance besides
+    add("edit: S4: rule 1", same);
+    add("sign-off: feels right, after 1 edit: 4 strokes on Touch", same);
+    same.experts[0].rules[0].weight = 0.5;
+    add("sign-off: approved without feeling, after 2 edits", same);
+  }
+  const ProgramRun run({"pull", s4_, "--at", kPulled, "--force", "0.55", "--study", study, "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const PullJson found = PullJson::parse(run.out);
+  ASSERT_EQ(found["sign_offs"].size(), 1U);
+  EXPECT_EQ(found["sign_offs"][0]["author"], "S4");
+  EXPECT_EQ(found["sign_offs"][0]["text"], "feels right, after 1 edit: 4 strokes on Touch");
+  EXPECT_EQ(
+      unwrapped(run.err),
+      "tactus: warning: every edit contradicts a sign-off: S4, 2026-02-02T02:40:00Z: feels right, after 1 edit: 4 "
+      "strokes on Touch\n");
+  expectRefused({s4_, "--at", kPulled, "--force", "0.55", "--study", s4_}, 1, "wanted a Tactus study file");
 }
 
 TEST_F(PullCommandTest, InWords) {
