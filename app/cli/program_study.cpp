@@ -17,6 +17,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
   addCommand(study, chosen, "new", "Make a study file", studyNew, [](CLI::App& command, StudyNewOptions& o) {
     addFile(command, o.file);
     command.add_option("--name", o.name, "Name of the study; by default the file's")->check(notEmpty());
+    addJson(command, o.json);
   });
   addCommand(study, chosen, "info", "What a study file holds", studyInfo, [](CLI::App& command, StudyInfoOptions& o) {
     addFile(command, o.file);
@@ -110,6 +111,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
         command.parse_complete_callback([&o] {
           if (!o.yes && !o.dry_run) throw CLI::RequiredError("--yes or --dry-run");
         });
+        addJson(command, o.json);
       });
   addCommand(study, chosen, "protocol", "Show or set what each participant is asked", studyProtocol,
              [](CLI::App& command, StudyProtocolOptions& o) {
@@ -136,7 +138,10 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                command.add_flag("--remove", o.remove, "Take the key away")->excludes(from);
              });
   addCommand(study, chosen, "erase", "Finish an erasure that was interrupted", studyErase,
-             [](CLI::App& command, StudyEraseOptions& o) { addFile(command, o.file); });
+             [](CLI::App& command, StudyEraseOptions& o) {
+               addFile(command, o.file);
+               addJson(command, o.json);
+             });
 }
 
 }  // namespace tactus::cli

@@ -80,7 +80,14 @@ Result<Output> studyNew(const StudyNewOptions& options) {
   const std::string name = options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
   auto file = newStudy(options.file, name);
   if (!file) return tl::unexpected(file.error());
+  const auto info = store::studyInfo(*file);
+  if (!info) return tl::unexpected(info.error());
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  if (options.json) {
+    base::JsonWriter json;
+    json.beginObject().key("file").value(options.file).key("id").value(toText(info->id)).key("name").value(name);
+    return Output{json.endObject().text(), {}};
+  }
   return Output{"Made the study " + base::oneLine(name) + " in " + base::oneLine(options.file) + '\n', {}};
 }
 

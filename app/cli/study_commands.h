@@ -11,6 +11,7 @@ namespace tactus::cli {
 struct StudyNewOptions {
   std::string file;
   std::string name;  ///< empty: the file's name
+  bool json = false;
 };
 /// Creates a study file without participants.
 base::Result<Output> studyNew(const StudyNewOptions& options);
@@ -89,6 +90,7 @@ struct StudyWithdrawOptions {
   std::string person;  ///< code or id
   bool yes = false;    ///< really remove
   bool dry_run = false;
+  bool json = false;
 };
 /// Removes all data of a participant permanently; with `dry_run` only says what would be removed and what would stay.
 /// For a participant who withdrew already, removes the rest of an interrupted erasure.
@@ -117,6 +119,7 @@ base::Result<Output> studyKey(const StudyKeyOptions& options);
 
 struct StudyEraseOptions {
   std::string file;
+  bool json = false;
 };
 /// Finishes an interrupted erasure.
 base::Result<Output> studyErase(const StudyEraseOptions& options);

@@ -4,6 +4,7 @@
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "core/base/clock.h"
+#include "core/base/json/json_writer.h"
 #include "core/store/copies.h"
 #include "core/store/recoding.h"
 #include "core/store/withdrawal.h"
@@ -33,6 +34,17 @@ void addCopies(const std::string& file, const study::RecordId& person, const std
   }
 }
 
+/// The members that every JSON of a withdrawal begins with.
+void beginJson(base::JsonWriter& json, const StudyWithdrawOptions& options, const std::string& code,
+               const study::RecordId& person, bool removed) {
+  json.beginObject().key("file").value(options.file).key("participant").value(code);
+  json.key("id").value(toText(person)).key("removed").value(removed);
+}
+
+std::string endJson(base::JsonWriter& json, const std::vector<std::string>& warnings) {
+  return json.key("warnings").values(warnings).endObject().text();
+}
+
 /// What is left to do for a participant who withdrew already.
 Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptions& options,
                                 const store::Tombstone& tombstone) {
@@ -49,6 +61,12 @@ Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptio
   output.warnings = noticesButErasure(file);
   if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
   addCopies(options.file, tombstone.person, {options.person}, output);
+  if (options.json) {
+    base::JsonWriter json;
+    beginJson(json, options, options.person, tombstone.person, true);
+    json.key("records").value(0).key("models_cleaned").value(0);
+    output.text = endJson(json, output.warnings);
+  }
   return output;
 }
 
@@ -75,6 +93,17 @@ Result<Output> previewOf(const StudyWithdrawOptions& options) {
                 "What would stay:\n" + line("versions of models as they are", preview->models_kept);
   output.warnings = noticesOf(*file);
   addCopies(options.file, person->id, {person->code}, output);
+  if (options.json) {
+    base::JsonWriter json;
+    beginJson(json, options, person->code, person->id, false);
+    json.key("records").value(preview->records).key("sessions").value(preview->sessions);
+    json.key("strokes").value(preview->strokes).key("judgements").value(preview->judgements);
+    json.key("answers").value(preview->answers).key("rules").value(preview->rules);
+    json.key("profiles").value(preview->profiles).key("ratings").value(preview->ratings);
+    json.key("placements").value(preview->placements).key("feel_recordings").value(preview->feel_recordings);
+    json.key("models_cleaned").value(preview->models_cleaned).key("models_kept").value(preview->models_kept);
+    output.text = endJson(json, output.warnings);
+  }
   return output;
 }
 
@@ -118,6 +147,12 @@ Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
                               "were left as they are");
   }
   addCopies(options.file, person->id, {person->code}, output);
+  if (options.json) {
+    base::JsonWriter json;
+    beginJson(json, options, person->code, person->id, true);
+    json.key("records").value(withdrawal->records).key("models_cleaned").value(withdrawal->models);
+    output.text = endJson(json, output.warnings);
+  }
   return output;
 }
 
@@ -138,6 +173,13 @@ Result<Output> studyErase(const StudyEraseOptions& options) {
                                          (erasure->unfinished.size() == 1 ? " participant" : " participants")) +
       "; the file holds no data of withdrawn participants any more\n";
   for (const auto& tombstone : *withdrawn) addCopies(options.file, tombstone.person, {}, output);
+  if (options.json) {
+    base::JsonWriter json;
+    json.beginObject().key("file").value(options.file).key("finished").beginArray();
+    for (const auto& person : erasure->unfinished) json.value(toText(person));
+    json.endArray().key("models_cleaned").value(erasure->models).key("withdrawn").value(withdrawn->size());
+    output.text = json.key("warnings").values(output.warnings).endObject().text();
+  }
   return output;
 }
 

@@ -307,6 +307,26 @@ TEST_F(StudyCommands, ADryRunSaysWhatAWithdrawalRemovesAndRemovesNothing) {
   EXPECT_EQ(ProgramRun({"study", "withdraw", path("a.tactus"), "S7", "--dry-run"}).status, 1);
 }
 
+TEST_F(StudyCommands, NewWithdrawAndEraseSayInJsonWhatTheyDid) {
+  const auto made = json({"study", "new", path("b.tactus")});
+  EXPECT_EQ(made["name"], "b");
+  EXPECT_EQ(made["id"], json({"study", "info", path("b.tactus")})["id"]);
+  fine({"study", "import", path("a.tactus"), path("tables")});
+  const auto dry = json({"study", "withdraw", path("a.tactus"), "S1", "--dry-run"});
+  EXPECT_EQ(dry["removed"], false);
+  EXPECT_EQ(dry["participant"], "S1");
+  EXPECT_EQ(dry["sessions"], 1);
+  EXPECT_EQ(dry["answers"], 1);
+  const auto removed = json({"study", "withdraw", path("a.tactus"), "S1", "--yes"});
+  EXPECT_EQ(removed["removed"], true);
+  EXPECT_EQ(removed["records"], dry["records"]);
+  EXPECT_EQ(removed["id"], dry["id"]);
+  EXPECT_EQ(json({"study", "withdraw", path("a.tactus"), "S1", "--yes"})["records"], 0);
+  const auto erased = json({"study", "erase", path("a.tactus")});
+  EXPECT_EQ(erased["withdrawn"], 1);
+  EXPECT_TRUE(erased["finished"].empty());
+}
+
 TEST_F(StudyCommands, WithdrawCanBeDoneAgainAndNamesCopies) {
   fine({"study", "import", path("a.tactus"), path("tables")});
   fine({"study", "export", path("a.tactus"), path("out")});
