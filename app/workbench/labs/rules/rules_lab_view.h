@@ -5,6 +5,7 @@
 
 class QLabel;
 class QTabWidget;
+class QTableView;
 
 namespace tactus::workbench {
 
