@@ -17,6 +17,10 @@ target_compile_options(tactus_common INTERFACE -ffp-contract=off -Wall -Wextra -
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
   target_compile_options(tactus_common INTERFACE -Wno-restrict)  # false alarms on std::string in g++ 12 (GCC bug 105651)
 endif()
+if(TACTUS_UNITY AND CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # Several files at once fill the memory that the compiler takes at first; looking for what it could reuse takes a tenth of its time.
+  target_compile_options(tactus_common INTERFACE "SHELL:--param ggc-min-expand=300" "SHELL:--param ggc-min-heapsize=600000")
+endif()
 if(TACTUS_WERROR)
   target_compile_options(tactus_common INTERFACE -Werror)
 endif()
