@@ -1,13 +1,19 @@
 // The controllers with all their threads: the servo on the virtual device in real time, the lint in the background, and
 // edits all the while. Built with the thread sanitizer it shows every race of our own code.
 #include <QCoreApplication>
+#include <QSettings>
 #include <QTest>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/shell/panel.h"
 #include "app/workbench/tune/findings/findings_controller.h"
+#include "app/workbench/understand/map/force_map.h"
+#include "app/workbench/understand/map/map_panel.h"
+#include "app/workbench/workbench.h"
 
 #include "tests/gui/bench_gestures.h"
 #include "tests/gui/patience.h"
@@ -96,6 +102,25 @@ TEST(BenchThreads, EverythingEndsInTheMiddleOfItsWork) {
     feel.start(QStringLiteral("virtual"));
     if (i % 2 == 0) QCoreApplication::processEvents();
   }
+}
+
+// A view in sight keeps the map's worker going, and tells the map when it is hidden.
+TEST(BenchThreads, ViewsAreOutOfSightBeforeWhatTheyUseGoes) {
+  const tests::ModelFolder folder;
+  QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
+  auto bench = std::make_unique<Workbench>(settings, folder.path(QStringLiteral("autosave")));
+  bench->files.open(folder.write(support::s4AsPrinted()));
+  bench->window.show();
+  bench->window.enter(Stage::kUnderstand);
+  bench->map_parts.map().reveal();
+  const MapPanel& map = bench->map_parts.view();
+  ASSERT_TRUE(map.isVisible());
+  const auto* forces = bench->map_parts.findChild<ForceMapController*>();
+  ASSERT_NE(forces, nullptr);
+  bool was_seen = true;
+  QObject::connect(forces, &QObject::destroyed, [&] { was_seen = map.isVisible(); });
+  bench.reset();
+  EXPECT_FALSE(was_seen);
 }
 
 }  // namespace
