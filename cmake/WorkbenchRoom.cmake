@@ -1,7 +1,7 @@
-# tactus_room(NAME LOGIC ... VIEWS ... ROOMS ... LINK ...): one folder of the workbench as two libraries.
+# tactus_room(NAME [PLOTS] LOGIC ... VIEWS ... ROOMS ... LINK ...): one folder of the workbench as two libraries.
 #   tactus_workbench_NAME_logic: controllers and item models, with Qt6::Core alone: a widget in them does not compile;
 #   tactus_workbench_NAME: that, with widgets and plots.
-# ROOMS are the other rooms that it includes, LINK the libraries below the window.
+# ROOMS are the other rooms that it includes, LINK the libraries below the window. PLOTS: its views include QCustomPlot.
 
 # Headers that take seconds are compiled once for all rooms (TACTUS_PCH).
 function(tactus_room_headers name)
@@ -14,30 +14,48 @@ function(tactus_room_headers name)
   target_precompile_headers(${name} PRIVATE ${ARG_HEADERS})
 endfunction()
 
-set(TACTUS_ROOM_TOOLKIT Qt6::Widgets Qt6::PrintSupport Qt6::Svg QCustomPlotQt6::QCustomPlotQt6)
+set(TACTUS_ROOM_TOOLKIT Qt6::Widgets Qt6::PrintSupport Qt6::Svg)
+set(TACTUS_PLOT_TOOLKIT ${TACTUS_ROOM_TOOLKIT} QCustomPlotQt6::QCustomPlotQt6)
 if(TACTUS_PCH)
   tactus_room_headers(tactus_workbench_core_headers LINK Qt6::Core
     HEADERS <QObject> <QString> <QTimer> <functional> <memory> <optional> <string> <vector>)
-  tactus_room_headers(tactus_workbench_widget_headers LINK ${TACTUS_ROOM_TOOLKIT}
-    HEADERS <qcustomplot.h> <QAction> <QApplication> <QBoxLayout> <QComboBox> <QGridLayout> <QLabel> <QMenu> <QPainter>
-            <QPushButton> <QStyledItemDelegate> <QTimer> <QToolButton> <QWidget> <functional> <memory> <optional>
-            <string> <vector>)
+  set(widgets <QAction> <QApplication> <QBoxLayout> <QComboBox> <QGridLayout> <QLabel> <QMenu> <QPainter> <QPushButton>
+              <QStyledItemDelegate> <QTimer> <QToolButton> <QWidget> <functional> <memory> <optional> <string> <vector>)
+  tactus_room_headers(tactus_workbench_widget_headers LINK ${TACTUS_ROOM_TOOLKIT} HEADERS ${widgets})
+  # By themselves, because each file that begins with QCustomPlot's header compiles a second's worth of its templates.
+  tactus_room_headers(tactus_workbench_plot_headers LINK ${TACTUS_PLOT_TOOLKIT} HEADERS <qcustomplot.h> ${widgets})
 endif()
 
-# The code that moc writes for a library is compiled together with its sources instead of by itself (TACTUS_UNITY).
-function(tactus_moc_with_sources name)
-  if(TACTUS_UNITY)
-    set(written "${CMAKE_CURRENT_BINARY_DIR}/${name}_autogen/mocs_compilation.cpp")
-    set(carrier "${CMAKE_CURRENT_BINARY_DIR}/${name}_mocs.cpp")
-    file(CONFIGURE OUTPUT "${carrier}" CONTENT "#include \"${written}\"\n")
-    set_source_files_properties("${carrier}" PROPERTIES SKIP_AUTOMOC ON)
-    set_source_files_properties("${written}" PROPERTIES HEADER_FILE_ONLY ON)
-    target_sources(${name} PRIVATE "${carrier}")
+# tactus_moc(TARGET SOURCES ...): adds what moc writes for the headers of these sources, as one file. moc reads each header by
+# itself: with Qt's folders in its path, as CMake's AUTOMOC gives them, it writes the same and takes 220 ms instead of 3.
+function(tactus_moc target)
+  set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}_mocs")
+  file(MAKE_DIRECTORY "${folder}")
+  set(headers)
+  set(written)
+  set(commands)
+  set(includes "")
+  foreach(source ${ARGN})
+    cmake_path(GET source STEM LAST_ONLY stem)
+    set(header "${CMAKE_CURRENT_SOURCE_DIR}/${stem}.h")
+    if(EXISTS "${header}")
+      cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE included)
+      list(APPEND headers "${header}")
+      list(APPEND written "${folder}/moc_${stem}.cpp")
+      list(APPEND commands COMMAND Qt6::moc -nn -f ${included} -o "${folder}/moc_${stem}.cpp" "${header}")
+      string(APPEND includes "#include \"${folder}/moc_${stem}.cpp\"\n")
+    endif()
+  endforeach()
+  if(headers)
+    file(CONFIGURE OUTPUT "${folder}/${target}_mocs.cpp" CONTENT "${includes}" @ONLY)
+    add_custom_command(OUTPUT ${written} ${commands} DEPENDS ${headers} Qt6::moc COMMENT "Meta objects of ${target}" VERBATIM)
+    set_source_files_properties(${written} PROPERTIES HEADER_FILE_ONLY ON)
+    target_sources(${target} PRIVATE "${folder}/${target}_mocs.cpp" ${written})
   endif()
 endfunction()
 
 function(tactus_room room)
-  cmake_parse_arguments(ARG "" "" "LOGIC;VIEWS;ROOMS;LINK" ${ARGN})
+  cmake_parse_arguments(ARG "PLOTS" "" "LOGIC;VIEWS;ROOMS;LINK" ${ARGN})
   set(name tactus_workbench_${room})
   set(rooms ${ARG_ROOMS})
   list(TRANSFORM rooms PREPEND tactus_workbench_)
@@ -46,13 +64,13 @@ function(tactus_room room)
 
   if(ARG_LOGIC)
     add_library(${name}_logic STATIC ${ARG_LOGIC})
-    set_target_properties(${name}_logic PROPERTIES AUTOMOC ON AUTORCC ON POSITION_INDEPENDENT_CODE ON)
+    set_target_properties(${name}_logic PROPERTIES AUTORCC ON POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(${name}_logic PUBLIC tactus_common ${ARG_LINK} ${logic_of_rooms} Qt6::Core)
     target_compile_options(${name}_logic PRIVATE ${TACTUS_QUICK_OPTIONS})
     if(TACTUS_PCH)
       target_precompile_headers(${name}_logic REUSE_FROM tactus_workbench_core_headers)
     endif()
-    tactus_moc_with_sources(${name}_logic)
+    tactus_moc(${name}_logic ${ARG_LOGIC})
     tactus_unity(${name}_logic)
   else()
     add_library(${name}_logic INTERFACE)
@@ -60,14 +78,20 @@ function(tactus_room room)
   endif()
 
   if(ARG_VIEWS)
+    set(kind widget)
+    set(toolkit ${TACTUS_ROOM_TOOLKIT})
+    if(ARG_PLOTS)
+      set(kind plot)
+      set(toolkit ${TACTUS_PLOT_TOOLKIT})
+    endif()
     add_library(${name} STATIC ${ARG_VIEWS})
-    set_target_properties(${name} PROPERTIES AUTOMOC ON POSITION_INDEPENDENT_CODE ON)
-    target_link_libraries(${name} PUBLIC ${name}_logic ${rooms} Qt6::Widgets PRIVATE ${TACTUS_ROOM_TOOLKIT})
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${name} PUBLIC ${name}_logic ${rooms} Qt6::Widgets PRIVATE ${toolkit})
     target_compile_options(${name} PRIVATE ${TACTUS_QUICK_OPTIONS})
     if(TACTUS_PCH)
-      target_precompile_headers(${name} REUSE_FROM tactus_workbench_widget_headers)
+      target_precompile_headers(${name} REUSE_FROM tactus_workbench_${kind}_headers)
     endif()
-    tactus_moc_with_sources(${name})
+    tactus_moc(${name} ${ARG_VIEWS})
     tactus_unity(${name})
   else()
     add_library(${name} INTERFACE)
