@@ -148,6 +148,18 @@ TEST_F(ForceLabTest, AJudgementSaysHowFarItMovesTheAveragedForce) {
   EXPECT_TRUE(lab.influence().contains(QStringLiteral("is the same"))) << lab.influence().toStdString();
 }
 
+TEST_F(ForceLabTest, TheAnswerFollowsACorrection) {
+  ASSERT_TRUE(comesTrue([this] { return model.built() != nullptr; }));
+  // At .4 N two of four say small, one medium, one very large: without the last the winner is the same. With medium in
+  // its place it is a tie, which medium wins: without it small would win again.
+  const session::JudgedForce last = judgedAt(0.4, "very_large");
+  lab.askInfluence(last);
+  ASSERT_TRUE(comesTrue([this] { return lab.influence().contains(QStringLiteral("is the same")); }));
+  lab.correct(last, {Judged::kTerm, "medium"});
+  EXPECT_TRUE(comesTrue([this] { return lab.influence().contains(QStringLiteral("just-noticeable")); }))
+      << lab.influence().toStdString();
+}
+
 TEST_F(ForceLabTest, ChecksOfEachParticipant) {
   ASSERT_EQ(lab.checks().size(), 4U);
   CheckTable table;

@@ -26,9 +26,12 @@ ForceLab::ForceLab(LabData& data, LabModel& model, Corrections& corrections, QOb
         };
       }) {
   connect(&data_, &LabData::settingsChanged, this, &ForceLab::changed);
+  connect(&model_, &LabModel::builtChanged, this, &ForceLab::compareAsked);
   connect(&data_, &LabData::studyChanged, this, [this] {
     if (data_.study() != nullptr || found_.study == nullptr) return;
     found_ = {};
+    asked_.reset();
+    setInfluence({});
     emit changed();
   });
 }
@@ -45,6 +48,13 @@ void ForceLab::setWanted(bool wanted) {
 }
 
 void ForceLab::askInfluence(const session::JudgedForce& judged) {
+  asked_ = judged;
+  compareAsked();
+}
+
+void ForceLab::compareAsked() {
+  if (!asked_) return;
+  const session::JudgedForce& judged = *asked_;
   const auto built = model_.built();
   const auto study = model_.builtFrom();
   if (!judged.counts || built == nullptr) return setInfluence({});

@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/workbench/labs/data/corrections.h"
@@ -39,7 +40,8 @@ class ForceLab : public QObject {
   void setMethod(elicitation::ForceTermsFrom from);
   /// The series that votes.
   void setSeries(const std::string& series);
-  /// Asks how far the averaged force moves without `judged`; `influenceChanged` tells the answer.
+  /// Asks how far the averaged force moves without `judged`; `influenceChanged` tells the answer, and again when the
+  /// model has changed.
   void askInfluence(const session::JudgedForce& judged);
   /// The answer, one sentence; empty while there is none.
   const QString& influence() const { return influence_; }
@@ -59,12 +61,14 @@ class ForceLab : public QObject {
     std::vector<std::string> series;
   };
 
+  void compareAsked();
   void setInfluence(const QString& sentence);
 
   LabData& data_;
   LabModel& model_;
   Corrections& corrections_;
   Found found_;
+  std::optional<session::JudgedForce> asked_;
   QString influence_;
   Background influence_work_;
   LabWork work_;  ///< last: its end waits for the work, which answers to all above
