@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
@@ -145,9 +146,13 @@ QString cellSummary(const RulesLab& lab) {
   }
   if (conflict->rms_n > 0) {
     const fuzzy::Term* const middle = fuzzy::findTerm(output.terms, conflict->middle_word);
-    out << CellTable::tr("If all said %1, the mean would move by %2, and %3 % of the disagreement would vanish.")
-               .arg(middle == nullptr ? text(conflict->middle_word) : labelOf(*middle),
-                    quantityText(conflict->stake_n, output.unit, 3), numberText(conflict->share * 100, 0));
+    const double percent = std::round(conflict->share * 100);
+    const QString said =
+        percent < 0
+            ? CellTable::tr("If all said %1, the mean would move by %2, and the disagreement would grow by %3 %.")
+            : CellTable::tr("If all said %1, the mean would move by %2, and %3 % of the disagreement would vanish.");
+    out << said.arg(middle == nullptr ? text(conflict->middle_word) : labelOf(*middle),
+                    quantityText(conflict->stake_n, output.unit, 3), numberText(std::abs(percent), 0));
   }
   return out.join(QLatin1Char(' '));
 }
