@@ -88,8 +88,8 @@ std::vector<std::size_t> factorsByEffect(const MethodStudy& study) {
   std::vector<std::size_t> order(study.factors.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   const auto effect = [&](std::size_t index) {
-    const auto& worst = study.factors[index].worst;
-    return worst ? study.variants[*worst].rms_noticeable : -1;
+    const MethodFactor& factor = study.factors[index];
+    return std::pair(factor.matters, factor.worst ? study.variants[*factor.worst].rms_noticeable : -1.0);
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return effect(a) > effect(b); });
   return order;

@@ -19,7 +19,7 @@ std::string factorSentence(const MethodStudy& study, const MethodFactor& factor)
 /// The same in a few words, for a table that has the numbers beside it: `No: even "median" is felt nowhere.`
 std::string factorVerdict(const MethodStudy& study, const MethodFactor& factor);
 
-/// Indices of the factors, the largest effect first; factors that cannot be compared come last.
+/// Indices of the factors, those that matter first, of them the largest effect; what cannot be compared comes last.
 std::vector<std::size_t> factorsByEffect(const MethodStudy& study);
 
 }  // namespace tactus::elicitation

@@ -91,6 +91,16 @@ TEST(MethodStudy, ASmallChangeDoesNotMatter) {
   EXPECT_FALSE(factorOf(compared, "weights").matters);
 }
 
+TEST(MethodStudy, WhatMattersComesBeforeALargerEffectThatIsFeltSeldom) {
+  MethodStudy study;
+  for (const double rms_noticeable : {0.57, 0.53, 0.9}) {
+    study.variants.push_back(
+        {.factor = "f", .value = "v", .unavailable = {}, .rms_noticeable = rms_noticeable, .at = {}});
+  }
+  study.factors = {{"seldom", "a", 0, false}, {"felt", "a", 1, true}, {"none", "a", {}, false}, {"most", "a", 2, true}};
+  EXPECT_EQ(factorsByEffect(study), (std::vector<std::size_t>{3, 1, 0, 2}));
+}
+
 TEST(MethodStudy, InWordsTheLargestEffectComesFirst) {
   const auto study = smallAndMedium(9, 1);
   const auto built = buildModel(study, {}, {}).value();

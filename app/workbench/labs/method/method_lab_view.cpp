@@ -82,7 +82,9 @@ QWidget* MethodLabView::makeHead() {
   auto* head = new Card;
   setMuted(*state_);
   state_->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  // As high for one sentence as for two: what is below stays where it is while the comparison runs.
   state_->setMinimumHeight(2 * QFontMetrics(state_->font()).lineSpacing());
+  state_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   progress_->setRange(0, 100);
   progress_->setFixedWidth(20 * theme::kGrid);
   progress_->setAccessibleName(tr("How much of the comparison is done"));
