@@ -60,7 +60,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       findings_note_(new ElidedLabel),
       agreement_(new AgreementTable(this)),
       usability_(new UsabilityTable(this)),
-      usability_note_(new WrappedLabel),
+      usability_note_(new ElidedLabel),
       details_(new QTabWidget) {
   setObjectName(QStringLiteral("rules"));
   setWindowTitle(tr("Rules"));
@@ -150,7 +150,9 @@ QWidget* RulesLabView::makeUsability() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, theme::kGrid, 0, 0);
   column->setSpacing(theme::kGrid / 2);
-  column->addWidget(makeLabTable(*usability_, UsabilityTable::kStatement, tr("Usability scale"), page), 1);
+  auto* const table = makeLabTable(*usability_, UsabilityTable::kStatement, tr("Usability scale"), page);
+  table->verticalHeader()->setDefaultSectionSize(kExpertRow);
+  column->addWidget(table, 1);
   column->addWidget(usability_note_);
   return page;
 }
@@ -177,7 +179,7 @@ void RulesLabView::follow() {
   usability_->setRows(lab_.usability());
   const auto& rows = lab_.usability();
   const bool answered = std::any_of(rows.begin(), rows.end(), [](const UsabilityRow& row) { return row.here.n > 0; });
-  usability_note_->setText(
+  usability_note_->setFullText(
       (answered ? QString() : tr("This study has no usability forms yet. ")) +
       tr("Published: nine clinical teachers (Table 3); no nine answers give its third line as printed."));
   followCell();

@@ -50,7 +50,7 @@ class RulesLabView : public QWidget {
   ElidedLabel* findings_note_;
   AgreementTable* agreement_;
   UsabilityTable* usability_;
-  QLabel* usability_note_;
+  ElidedLabel* usability_note_;
   QTabWidget* details_;
 };
 
