@@ -44,8 +44,9 @@ QVariant FactorTable::cell(int row, int column, int role) const {
     case kNow:
       return text(factor.unchanged);
     case kSentence:
-      return text(role == Qt::DisplayRole ? elicitation::factorVerdict(study_, factor)
-                                          : elicitation::factorSentence(study_, factor));
+      if (role == Qt::ToolTipRole) return text(elicitation::factorSentence(study_, factor));
+      // A narrow column shall not break between a number and its sign.
+      return text(elicitation::factorVerdict(study_, factor)).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
     case kLargest:
       return worst == nullptr ? kNotCompared : quantityText(worst->largest_n, "N", 3);
     case kNoticeable:
