@@ -3,6 +3,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "app/cli/opened_model.h"
+#include "app/cli/output_file.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 
@@ -33,6 +34,7 @@ Result<std::vector<std::size_t>> inputColumns(const fuzzy::ForceModel& model, co
 }  // namespace
 
 Result<Output> eval(const EvalOptions& options) {
+  if (auto ok = requireOutput(options.out, {options.model, options.points}); !ok) return tl::unexpected(ok.error());
   const auto opened = openedModel(options.model);
   if (!opened) return tl::unexpected(opened.error());
   const auto expert = expertOption(opened->model, options.model, options.expert);

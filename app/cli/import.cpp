@@ -1,8 +1,8 @@
 #include <chrono>
-#include <filesystem>
 #include <system_error>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_file.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/json/json_writer.h"
@@ -47,11 +47,7 @@ std::string importAsJson(const ImportOptions& options, const exchange::ReadFile&
 }  // namespace
 
 base::Result<Output> import(const ImportOptions& options) {
-  std::error_code none;
-  if (std::filesystem::equivalent(options.file, options.out, none)) {
-    return base::inFile({base::ErrorCode::kValue, {}, "--out", "the file to import", "another file for the model"},
-                        options.out);
-  }
+  if (auto ok = requireOutput(options.out, {options.file}); !ok) return tl::unexpected(ok.error());
   const auto file = exchange::ReadFile::open(options.file, formatNamed(options.from));
   if (!file) return tl::unexpected(file.error());
   auto model = file->model(options.output);

@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <chrono>
-#include <filesystem>
 #include <memory>
 #include <sstream>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "app/cli/opened_model.h"
+#include "app/cli/output_file.h"
 #include "app/cli/pull_curve_text.h"
 #include "app/cli/pull_findings.h"
 #include "app/cli/pull_reference.h"
@@ -28,13 +27,6 @@ using base::ErrorCode;
 
 /// The word for all rules in `--lock`, unless a variable is called so.
 constexpr std::string_view kRules = "rules";
-
-base::Result<void> refuseTheSameFile(const PullOptions& options) {
-  std::error_code none;
-  if (options.out.empty() || !std::filesystem::equivalent(options.model, options.out, none)) return {};
-  return base::inFile({ErrorCode::kValue, {}, "--out", "the model to pull", "another file for the edited model"},
-                      options.out);
-}
 
 /// Writes the model after a candidate. The checks keep their points and get the new forces.
 base::Result<void> writeEdited(const PullOptions& options, const OpenedModel& opened,
@@ -181,7 +173,8 @@ std::optional<std::string> sharedNote(const Question& question, const Answer& an
 }  // namespace
 
 base::Result<Output> pull(const PullOptions& options) {
-  if (auto ok = refuseTheSameFile(options); !ok) return tl::unexpected(ok.error());
+  if (auto ok = requireOutput(options.out, {options.model, options.curve, options.study}); !ok)
+    return tl::unexpected(ok.error());
   auto question = questionOf(options);
   if (!question) return tl::unexpected(question.error());
   if (!options.study.empty()) {

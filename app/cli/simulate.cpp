@@ -1,6 +1,7 @@
 #include <filesystem>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_file.h"
 #include "app/cli/wrapped_text.h"
 #include "app/simulation/scenario_run.h"
 #include "app/simulation/trace_table.h"
@@ -89,17 +90,6 @@ std::string asJson(const SimulateOptions& options, const RunSummary& run) {
   return json.endArray().endObject().text();
 }
 
-/// A trace must not take the place of what it was made from.
-Result<void> keepInputs(const SimulateOptions& options) {
-  for (const auto& input : {options.model, options.scenario}) {
-    std::error_code unknown;
-    if (!std::filesystem::equivalent(options.out, input, unknown)) continue;
-    return base::fail(base::ErrorCode::kValue, "--out", base::quoted(options.out),
-                      "another file than the model and the scenario");
-  }
-  return {};
-}
-
 /// One sentence for each condition that the model clamps.
 std::vector<std::string> clamped(const simulation::Scenario& scenario, const fuzzy::ForceModel& model) {
   std::vector<std::string> warnings;
@@ -120,11 +110,12 @@ std::vector<std::string> clamped(const simulation::Scenario& scenario, const fuz
 }  // namespace
 
 Result<Output> simulate(const SimulateOptions& options) {
+  if (auto kept = requireOutput(options.out, {options.model, options.scenario}); !kept)
+    return tl::unexpected(kept.error());
   auto read = model_io::readModel(options.model);
   if (!read) return tl::unexpected(read.error());
   const auto scenario = simulation::readScenario(options.scenario);
   if (!scenario) return tl::unexpected(scenario.error());
-  if (auto kept = keepInputs(options); !kept) return tl::unexpected(kept.error());
 
   Output output{{}, std::move(read->warnings)};
   for (auto& warning : clamped(*scenario, read->model)) output.warnings.push_back(options.scenario + ": " + warning);

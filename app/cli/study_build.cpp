@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/cli/accepted_data.h"
+#include "app/cli/output_file.h"
 #include "app/session/data_checks.h"
 #include "app/session/known_forms.h"
 #include "app/session/study_aside.h"
@@ -63,6 +64,7 @@ std::vector<std::string> StudyBuild::warnings() const {
 }
 
 Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
+  if (auto ok = requireOutput(options.out, {options.study, options.weights}); !ok) return tl::unexpected(ok.error());
   auto weights = weightSettings(options.weights);
   if (!weights) return tl::unexpected(weights.error());
   auto accepted = acceptedKinds(options.accept);

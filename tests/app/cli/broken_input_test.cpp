@@ -139,6 +139,45 @@ TEST_F(BrokenInput, AStudyThatIsNeitherFileNorFolder) {
   }
 }
 
+/// Nothing that was recorded is replaced by a result.
+TEST_F(BrokenInput, AResultReplacesNoInputAndNoStudy) {
+  const std::string tables = folder_.file("tables");
+  std::filesystem::create_directory(tables);
+  writeText(tables + "/participants.csv", "participant\nN1\n");
+  writeText(tables + "/answers.csv", "participant,form,item,term,status\nN1,ngt-force-v1,1,small,answered\n");
+  const std::string study = folder_.file("a.tactus");
+  ASSERT_EQ(ProgramRun({"study", "import", study, tables}).status, 0);
+  const std::string other = folder_.file("b.tactus");
+  ASSERT_EQ(ProgramRun({"study", "new", other}).status, 0);
+  writeText(file_, good_);
+  writeText(points_, "lubrication,neck_flexion,depth,speed\n1,60,200,50\n");
+  const std::string read = "--out: found a file that the command reads, wanted another file";
+  const std::string base = "--out: found a study file or another database, wanted another file";
+  const auto expectKept = [&](const std::string& out, std::vector<std::string> line, const std::string& says) {
+    const std::string before = readText(out);
+    line.insert(line.end(), {"--out", out});
+    expectRefused(line, out + ": " + says);
+    EXPECT_EQ(readText(out), before) << line[0];
+  };
+  for (const char* command : {"build", "report"}) {
+    expectKept(study, {command, study}, read);
+    expectKept(other, {command, study}, base);
+    expectKept(tables + "/answers.csv", {command, tables}, read);
+    expectKept(tables + "/participants.csv", {command, tables}, read);
+  }
+  expectKept(points_, {"build", study, "--weights", points_}, read);
+  expectKept(file_, {"eval", file_, "--in", points_}, read);
+  expectKept(points_, {"eval", file_, "--in", points_}, read);
+  expectKept(study, {"eval", file_, "--in", points_}, base);
+  expectKept(study, {"import", points_}, base);
+  expectKept(points_, {"import", points_}, read);
+  expectKept(study, {"simulate", file_, "--scenario", points_}, base);
+  const std::vector<std::string> pull = {
+      "pull", file_, "--at", "lubrication=1,neck_flexion=60,depth=200,speed=50", "--force", "0.5", "--apply", "1"};
+  expectKept(study, pull, base);
+  expectKept(file_, pull, read);
+}
+
 TEST_F(BrokenInput, ABundleThatIsNoFolder) {
   writeText(folder_.file("file"), "{}");
   EXPECT_EQ(ProgramRun({"verify", folder_.file("file")}).err,

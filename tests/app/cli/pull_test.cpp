@@ -326,7 +326,7 @@ TEST_F(PullCommandTest, WrongQuestionsAreRefused) {
   expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--apply", "700", "--out", out_}, 1,
                 "--apply: found 700, wanted a number from 1 to ");
   expectRefused({s4_, "--at", kPulled, "--force", "0.5", "--apply", "1", "--out", s4_}, 1,
-                "--out: found the model to pull, wanted another file");
+                "--out: found a file that the command reads, wanted another file");
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 

@@ -124,7 +124,7 @@ TEST_F(Simulate, NeverWritesOverItsInputs) {
   const std::string before = readText(scenario_);
   const ProgramRun run({"simulate", model_, "--scenario", scenario_, "--out", scenario_});
   EXPECT_EQ(run.status, 1);
-  EXPECT_EQ(run.err, "tactus: --out: found '" + scenario_ + "', wanted another file than the model and the scenario\n");
+  EXPECT_EQ(run.err, "tactus: " + scenario_ + ": --out: found a file that the command reads, wanted another file\n");
   EXPECT_EQ(readText(scenario_), before);
 }
 
