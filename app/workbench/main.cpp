@@ -21,6 +21,8 @@ namespace {
 
 using namespace tactus::workbench;
 
+constexpr int kWrongUsage = 2;
+
 int fail(const tactus::base::Error& error) {
   std::fprintf(stderr, "tactus-workbench: %s\n", error.message().c_str());
   return 1;
@@ -102,7 +104,10 @@ int main(int argc, char** argv) {
   describeOptions(first_look);
   first_look.parse(argumentsOf(argc, argv));
   const auto read = readOptions(first_look);
-  if (!read) return fail(read.error());
+  if (!read) {
+    fail(read.error());
+    return kWrongUsage;
+  }
   const auto& pictures = read->pictures;
   if (pictures) prepareForPictures(*pictures);
 
@@ -113,6 +118,10 @@ int main(int argc, char** argv) {
   // In the language of the user: answers --help and --version, and refuses unknown options.
   QCommandLineParser arguments;
   describeOptions(arguments);
+  if (!arguments.parse(QApplication::arguments())) {
+    std::fprintf(stderr, "tactus-workbench: %s\n", qPrintable(arguments.errorText()));
+    return kWrongUsage;
+  }
   arguments.process(application);
   if (pictures) return takePictures(application, *pictures);
 

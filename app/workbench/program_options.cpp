@@ -5,6 +5,10 @@
 #include <QRegularExpression>
 #include <string>
 #include <utility>
+#include <vector>
+
+#include "app/workbench/participant/kit/language.h"
+#include "core/base/text.h"
 
 namespace tactus::workbench {
 namespace {
@@ -60,7 +64,11 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
       return refuse(kScale, text, "a number from 0.5 to 4");
     }
   }
-  if (parser.isSet(QLatin1String(kLanguage))) pictures.language = parser.value(QLatin1String(kLanguage));
+  if (parser.isSet(QLatin1String(kLanguage))) {
+    pictures.language = parser.value(QLatin1String(kLanguage));
+    if (!nurse::languageWithId(pictures.language))
+      return refuse(kLanguage, pictures.language, "en, zh-Hant or zh-Hans");
+  }
   pictures.study = parser.value(QLatin1String(kStudy));
   return pictures;
 }
@@ -76,6 +84,31 @@ base::Result<RehearseSettings> rehearseOf(const QCommandLineParser& parser) {
     return refuse(kSpeed, text, "a number from 0.1 to 1000");
   }
   return rehearse;
+}
+
+/// An option that would be ignored: of the rehearsal or the pictures without them, or the second of two modes.
+base::Result<void> requireTogether(const QCommandLineParser& parser) {
+  const auto set = [&parser](const char* name) { return parser.isSet(QLatin1String(name)); };
+  const auto alone = [](const char* option, const std::string& mode) {
+    return base::fail(base::ErrorCode::kValue, std::string("--") + option, "it alone", "--" + mode + " beside it");
+  };
+  if (set(kSpeed) && !set(kRehearse)) return alone(kSpeed, kRehearse);
+  for (const char* name : {kSize, kScale, kLanguage}) {
+    if (set(name) && !set(kScreens)) return alone(name, kScreens);
+  }
+  if (set(kStudy) && !set(kRehearse) && !set(kScreens)) {
+    return base::fail(base::ErrorCode::kValue, std::string("--") + kStudy, "it alone",
+                      "--rehearse or --screens beside it");
+  }
+  std::vector<std::string> modes;
+  for (const char* name : {kTakePart, kRehearse, kScreens}) {
+    if (set(name)) modes.push_back(std::string("--") + name);
+  }
+  const QStringList files = parser.positionalArguments();
+  for (const QString& file : files) modes.push_back(base::quoted(file.toStdString()));
+  if (modes.size() < 2) return {};
+  return base::fail(base::ErrorCode::kValue, {}, base::joined(modes, " and "),
+                    "one of them (the study of --rehearse and --screens is named by --study)");
 }
 
 }  // namespace
@@ -110,6 +143,7 @@ void describeOptions(QCommandLineParser& parser) {
 }
 
 base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser) {
+  if (auto ok = requireTogether(parser); !ok) return tl::unexpected(ok.error());
   ProgramOptions options;
   if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) options.file = files.first();
   options.take_part = parser.value(QLatin1String(kTakePart));

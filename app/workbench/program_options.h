@@ -21,7 +21,8 @@ struct ProgramOptions {
 
 /// Options, arguments and their help texts. Needs no QApplication.
 void describeOptions(QCommandLineParser& parser);
-/// Reads what `parser` has parsed.
+/// Reads what `parser` has parsed. Refuses a wrong value, and options that would be ignored beside others or without
+/// them.
 base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser);
 
 /// What Qt must know before there is a QApplication: that pictures need no display, and their scale.

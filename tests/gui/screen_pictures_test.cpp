@@ -119,5 +119,26 @@ TEST(ProgramOptions, ThatCannotBeMeantAreASentence) {
   }
 }
 
+TEST(ProgramOptions, ALanguageThatThePicturesLackIsRefused) {
+  const auto options = optionsOf({QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--language=xx")});
+  ASSERT_FALSE(options);
+  EXPECT_EQ(options.error().message(), "--language: found 'xx', wanted en, zh-Hant or zh-Hans");
+}
+
+TEST(ProgramOptions, WhatWouldBeIgnoredIsRefused) {
+  for (const char* alone : {"--speed=2", "--size=1280x720", "--scale=2", "--language=en", "--study=a.tactus"}) {
+    EXPECT_FALSE(optionsOf({QLatin1String(alone)})) << alone;
+  }
+  const auto two = optionsOf({QStringLiteral("a.tactus"), QStringLiteral("--rehearse")});
+  ASSERT_FALSE(two);
+  EXPECT_EQ(two.error().message(),
+            "found --rehearse and 'a.tactus', wanted one of them (the study of --rehearse and --screens is named by "
+            "--study)");
+  EXPECT_FALSE(optionsOf({QStringLiteral("a.tactus"), QStringLiteral("b.tactus")}));
+  EXPECT_FALSE(optionsOf({QStringLiteral("--screens=out"), QStringLiteral("--rehearse")}));
+  EXPECT_TRUE(
+      optionsOf({QStringLiteral("--rehearse"), QStringLiteral("--speed=2"), QStringLiteral("--study=a.tactus")}));
+}
+
 }  // namespace
 }  // namespace tactus::workbench
