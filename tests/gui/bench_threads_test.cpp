@@ -110,6 +110,7 @@ TEST(BenchThreads, ViewsAreOutOfSightBeforeWhatTheyUseGoes) {
   QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
   auto bench = std::make_unique<Workbench>(settings, folder.path(QStringLiteral("autosave")));
   bench->files.open(folder.write(support::s4AsPrinted()));
+  bench->window.resize(1280, 720);
   bench->window.show();
   bench->window.enter(Stage::kUnderstand);
   bench->map_parts.map().reveal();
