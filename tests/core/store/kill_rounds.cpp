@@ -15,8 +15,10 @@
 namespace tactus::store {
 namespace {
 
-/// Runs `child` on the study for `milliseconds`, kills it, and returns the last number that it acknowledged, or -1.
-int lastAcknowledged(const std::string& child, const std::string& path, const std::string& session, int milliseconds) {
+/// Runs `child` on the study until it has acknowledged `records` of them, and for `pause` more, within which it may
+/// write some others. Kills it, and returns the last number that it acknowledged, or -1.
+int lastAcknowledged(const std::string& child, const std::string& path, const std::string& session, int records,
+                     std::chrono::microseconds pause) {
   int ends[2] = {};
   TACTUS_CHECK(::pipe2(ends, O_CLOEXEC) == 0);
   const pid_t process = ::fork();
@@ -27,11 +29,13 @@ int lastAcknowledged(const std::string& child, const std::string& path, const st
     ::_exit(127);
   }
   ::close(ends[1]);
-  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-  ::kill(process, SIGKILL);
   int last = -1;
   // Each number is written in one go, so none is cut.
-  for (int number = 0; ::read(ends[0], &number, sizeof number) == sizeof number;) last = number;
+  int number = 0;
+  for (int k = 0; k < records && ::read(ends[0], &number, sizeof number) == sizeof number; ++k) last = number;
+  std::this_thread::sleep_for(pause);
+  ::kill(process, SIGKILL);
+  while (::read(ends[0], &number, sizeof number) == sizeof number) last = number;
   ::close(ends[0]);
   int status = 0;
   ::waitpid(process, &status, 0);
@@ -52,7 +56,9 @@ RoundsOutcome killRounds(const std::string& child, int rounds, std::uint64_t see
 
   int there = 0;
   for (; outcome.rounds < rounds && outcome.complaint.empty(); ++outcome.rounds) {
-    const int last = lastAcknowledged(child, path, study::toText(study.session.id), 1 + random.below(300));
+    const int records = random.below(8);  // 0: it may be killed while it opens the study
+    const std::chrono::microseconds pause(random.below(20'000));
+    const int last = lastAcknowledged(child, path, study::toText(study.session.id), records, pause);
     if (last == -2) outcome.complaint = "the child ended by itself";
     const int acknowledged = last < 0 ? there : last + 1;
     const auto start = std::chrono::steady_clock::now();
