@@ -1,11 +1,14 @@
 #include "app/workbench/labs/speed/speed_lab_view.h"
 
+#include <QLabel>
 #include <QSlider>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <semaphore>
+#include <stop_token>
 
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_model.h"
@@ -77,6 +80,37 @@ TEST_F(SpeedLabViewTest, OneClickOnAStrokeTellsWhatItMoves) {
   ASSERT_TRUE(comesTrue([&] { return influence.sentence().contains(QStringLiteral(" rms")); }));
   EXPECT_TRUE(influence.sentence().contains(QStringLiteral("S1")));
   EXPECT_FALSE(corrections.canUndo()) << "a click corrects nothing";
+}
+
+TEST_F(SpeedLabViewTest, ACancelIsSaidByTheLabWhoseWorkItEnded) {
+  auto* const work = new LabWork(
+      data,
+      [](const LabWork::Run& run) -> LabWork::Deliver {
+        std::binary_semaphore stopped{0};
+        const std::stop_callback on_stop(run.stop, [&stopped] { stopped.release(); });
+        stopped.acquire();
+        return {};
+      },
+      &screen);
+  auto* const other = new QWidget;
+  screen.addLab(QStringLiteral("Other"), other, nullptr);
+  screen.watch(*work, QStringLiteral("Working"));
+  const auto says = [this] {
+    const auto labels = screen.findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+      return label->isVisible() && label->text().startsWith(QStringLiteral("Canceled"));
+    });
+  };
+  work->setWanted(true);
+  screen.reveal(other);
+  work->cancel();
+  EXPECT_TRUE(says());
+  work->setWanted(false);
+  screen.reveal(view);
+  EXPECT_FALSE(says()) << "what is seen is complete";
+  work->setWanted(true);
+  screen.reveal(other);
+  EXPECT_TRUE(says());
 }
 
 // 20,000 samples at 10 mm/s on some hundred pixels, and one of them at 90 mm/s.

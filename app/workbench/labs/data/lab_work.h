@@ -51,6 +51,7 @@ class LabWork : public QObject {
   void setWanted(bool wanted);
   /// Changes of the settings alone start no run: for work that reads none of them, or hears of them in another way.
   void ignoreSettings();
+  bool isWanted() const { return wanted_; }
   bool isBusy() const { return background_.isBusy(); }
   /// Stopped by `cancel`; a change or `restart` starts again.
   bool isCanceled() const { return canceled_; }

@@ -68,6 +68,7 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
   connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
     pages_->setCurrentIndex(index);
     followUndo();
+    followWork();
   });
   connect(undo_, &QToolButton::clicked, this, [this] {
     if (UndoSource* const source = undo()) source->undo();
@@ -148,8 +149,9 @@ void LabScreen::followWork() {
   }
   said_ = said_ && busy_now;
   const bool works = busy != watched_.end() && said_;
-  const bool canceled =
-      std::any_of(watched_.begin(), watched_.end(), [](const Watched& one) { return one.work->isCanceled(); });
+  // What the lab in front shows: the others say it when they are in front.
+  const bool canceled = std::any_of(watched_.begin(), watched_.end(),
+                                    [](const Watched& one) { return one.work->isWanted() && one.work->isCanceled(); });
   cancel_->setVisible(works);
   if (works) {
     const double share = busy->work->progress();
