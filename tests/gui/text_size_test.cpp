@@ -1,12 +1,18 @@
 // At each size of the text, in a window of 1280 x 720 px, no label, button,
 // choice or tab is cut.
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTest>
 #include <gtest/gtest.h>
+#include <qcustomplot.h>
 
 #include "app/workbench/base/appearance.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
+#include "app/workbench/tune/terms/membership_editor_plot.h"
+#include "app/workbench/tune/terms/term_table.h"
+#include "app/workbench/understand/curves/curve_plot.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/cut_texts.h"
@@ -57,17 +63,45 @@ class TextSize : public testing::TestWithParam<int> {
     const QStringList cut = tests::cutTexts(bench.window);
     EXPECT_TRUE(cut.isEmpty()) << screen.toStdString() << ":\n  " << cut.join(QStringLiteral("\n  ")).toStdString();
   }
+  /// No plot on the screen is reached by scrolling, and no table of terms is wider than its place.
+  void expectNoPlotScrolls(const QString& screen) {
+    for (QScrollArea* area : bench.window.findChildren<QScrollArea*>()) {
+      const bool plots = !area->findChildren<QCustomPlot*>().isEmpty();
+      if (!area->isVisible() || (!plots && qobject_cast<TermTable*>(area) == nullptr)) continue;
+      const std::string where = (screen + QLatin1Char(' ') + area->accessibleName()).toStdString();
+      EXPECT_EQ(area->horizontalScrollBar()->maximum(), 0) << where;
+      EXPECT_TRUE(!plots || area->verticalScrollBar()->maximum() == 0) << where;
+    }
+  }
+  /// The height of the axes of the plot of the type `Plot`, px; nothing while it is not on the screen.
+  template <class Plot>
+  std::optional<int> heightOf() {
+    const auto* plot = bench.window.findChild<Plot*>();
+    if (plot == nullptr || !plot->isVisible()) return std::nullopt;
+    return plot->template findChild<QCustomPlot*>()->axisRect()->height();
+  }
+  void expectHighPlots(const QString& screen) {
+    constexpr int kLeast = 200;  // px
+    EXPECT_GE(heightOf<CurvePlot>().value_or(kLeast), kLeast) << screen.toStdString();
+    EXPECT_GE(heightOf<MembershipEditorPlot>().value_or(kLeast), kLeast) << screen.toStdString();
+  }
+
   /// The layout of `stage`, and each panel behind a tab.
   void expectStageWhole(Stage stage) {
     bench.window.enter(stage);
     expectWhole(stageId(stage));
+    expectNoPlotScrolls(stageId(stage));
+    expectHighPlots(stageId(stage));
     QList<Panel*> behind;
     for (Panel* panel : bench.window.panels().panels()) {
       if (bench.window.panels().isBehind(*panel)) behind << panel;
     }
     for (Panel* panel : behind) {
       panel->reveal();
-      expectWhole(stageId(stage) + QLatin1Char('-') + panel->objectName());
+      const QString screen = stageId(stage) + QLatin1Char('-') + panel->objectName();
+      expectWhole(screen);
+      expectNoPlotScrolls(screen);
+      expectHighPlots(screen);
     }
   }
 

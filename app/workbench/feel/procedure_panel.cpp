@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
@@ -13,7 +14,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kLines = 5;
+constexpr int kLines = 5;            // at most
+constexpr int kNarrowestText = 120;  // px: narrower before it has its place
 constexpr int kCompactLines = 3;
 
 }  // namespace
@@ -65,7 +67,20 @@ void ProcedurePanel::setRoom(Room room) {
 }
 
 // The longest text has its place, so that nothing moves from step to step.
-void ProcedurePanel::fitText() { text_->setMinimumHeight(lines_ * text_->fontMetrics().height()); }
+void ProcedurePanel::fitText() {
+  const QFontMetrics metrics = text_->fontMetrics();
+  int least = lines_ * metrics.height();
+  for (const ProcedureStep& step : steps_) {
+    const QRect room(0, 0, std::max(text_->width(), kNarrowestText), kLines * metrics.height());
+    least = std::max(least, std::min(room.height(), metrics.boundingRect(room, Qt::TextWordWrap, step.text).height()));
+  }
+  text_->setMinimumHeight(least);
+}
+
+void ProcedurePanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fitText();
+}
 
 void ProcedurePanel::setDepth(double depth_mm) {
   if (steps_.empty()) return;

@@ -28,6 +28,9 @@ class ProcedurePanel : public QWidget {
   };
   void setRoom(Room room);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   struct Row {
     QLabel* number;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/message_banner.h"
@@ -32,6 +33,7 @@ constexpr auto kGeometryKey = "window_geometry";
 constexpr auto kStageKey = "stage";
 constexpr int kRoomyWidth = 1500;  // px: below it the rail takes less room
 constexpr int kRoomyHeight = 800;  // px: below it the line of the model stands beside the menus
+constexpr int kTightHeight = 600;  // px at 100 %: below it panels share their places
 
 /// A size that fits the screen with the frame around the window.
 QSize firstSize(const QWidget& window) {
@@ -113,8 +115,8 @@ void MainWindow::setStudyOpen(bool open) {
   showStages();
 }
 
-void MainWindow::addScreen(Stage stage, std::vector<PanelPlace> layout) {
-  panels().setLayout(stageId(stage), std::move(layout));
+void MainWindow::addScreen(Stage stage, std::vector<PanelPlace> layout, std::vector<PanelPlace> tight) {
+  panels().setLayout(stageId(stage), std::move(layout), std::move(tight));
   addScreen(stage, bench_);
 }
 
@@ -236,6 +238,9 @@ std::optional<Stage> MainWindow::lastStage() const {
 
 // A field that refuses what was typed says so in a status tip.
 bool MainWindow::event(QEvent* event) {
+  // Later, because the panels get their fonts now.
+  if (event->type() == QEvent::FontChange)
+    QMetaObject::invokeMethod(this, &MainWindow::fitPanels, Qt::QueuedConnection);
   if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
   if (const QString tip = static_cast<QStatusTipEvent*>(event)->tip(); !tip.isEmpty()) say(tip);
   return true;
@@ -256,7 +261,10 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
   rail_->setCompact(width() < kRoomyWidth);
   header_place_->setLow(height() < kRoomyHeight);
+  fitPanels();
 }
+
+void MainWindow::fitPanels() { panels().setTight(height() < appearance::scaled(kTightHeight)); }
 
 bool MainWindow::focusNextPrevChild(bool next) { return focusNextAsRead(*this, next); }
 

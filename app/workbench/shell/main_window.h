@@ -43,8 +43,9 @@ class MainWindow : public QMainWindow, public MessagePlace {
   void addScreen(Stage stage, QWidget* screen, Needs needs = Needs::kModel);
   /// Adds a panel; `id` is its name in the settings and nowhere else.
   Panel& addPanel(const QString& id, const QString& title, QWidget* content);
-  /// Gives `stage` these panels as its screen.
-  void addScreen(Stage stage, std::vector<PanelPlace> layout);
+  /// Gives `stage` these panels as its screen. `tight`: their places where the text is large for the window; empty: the
+  /// same.
+  void addScreen(Stage stage, std::vector<PanelPlace> layout, std::vector<PanelPlace> tight = {});
   /// Adds a layout of panels beside those of the stages; `id` is its name in the settings.
   void addLayout(const QString& id, std::vector<PanelPlace> layout);
   /// Adds a line above the screen, below the messages.
@@ -97,6 +98,7 @@ class MainWindow : public QMainWindow, public MessagePlace {
 
  private:
   void showStages();
+  void fitPanels();
   void setLayoutBeside(const QString& id);
   QList<QWidget*> parts() const;
   std::optional<Stage> lastStage() const;

@@ -42,6 +42,7 @@ QWidget* holderOf(QWidget* panel) {
 
 void setSeen(const QDockWidget& dock, bool seen) { dock.widget()->layout()->itemAt(0)->widget()->setVisible(seen); }
 
+QString tightId(const QString& id) { return id + QLatin1String("-tight"); }
 QString layoutKey(const QString& id) { return QStringLiteral("layout/") + id; }
 QString panelsKey(const QString& id) { return QStringLiteral("layout_panels/") + id; }
 // A name may hold any character; a slash would begin a group of settings.
@@ -93,7 +94,22 @@ Panel& PanelArea::addPanel(const QString& id, const QString& title, QWidget* con
   return *dock;
 }
 
-void PanelArea::setLayout(const QString& id, std::vector<PanelPlace> places) { places_.insert(id, std::move(places)); }
+void PanelArea::setLayout(const QString& id, std::vector<PanelPlace> places, std::vector<PanelPlace> tight) {
+  places_.insert(id, std::move(places));
+  if (!tight.empty()) places_.insert(tightId(id), std::move(tight));
+}
+
+QString PanelArea::shownId() const {
+  const QString tight = tightId(layout_);
+  return tight_ && places_.contains(tight) ? tight : layout_;
+}
+
+void PanelArea::setTight(bool tight) {
+  if (tight == tight_) return;
+  storeLayout();
+  tight_ = tight;
+  if (places_.contains(tightId(layout_))) showLayout();
+}
 
 void PanelArea::enter(Stage stage) {
   stage_ = stage;
@@ -104,8 +120,12 @@ void PanelArea::enterLayout(const QString& id) {
   if (layout_ == id) return;
   storeLayout();
   layout_ = id;
+  showLayout();
+}
+
+void PanelArea::showLayout() {
   setUpdatesEnabled(false);
-  if (!restore(layoutKey(id), panelsKey(id))) resetLayout();
+  if (!restore(layoutKey(shownId()), panelsKey(shownId()))) resetLayout();
   setUpdatesEnabled(true);
 }
 
@@ -122,11 +142,11 @@ void PanelArea::store(const QString& key, const QString& panels_key) {
 }
 
 void PanelArea::resetLayout() {
-  if (!layout_.isEmpty()) layOut(places_.value(layout_));
+  if (!layout_.isEmpty()) layOut(places_.value(shownId()));
 }
 
 void PanelArea::storeLayout() {
-  if (!layout_.isEmpty()) store(layoutKey(layout_), panelsKey(layout_));
+  if (!layout_.isEmpty()) store(layoutKey(shownId()), panelsKey(shownId()));
 }
 
 QStringList PanelArea::namedLayouts() const {

@@ -27,8 +27,11 @@ class PanelArea : public QMainWindow {
   /// Adds a panel with this content. `id` is its name in the settings and nowhere else. Shown by the stages whose
   /// layout has a place for it.
   Panel& addPanel(const QString& id, const QString& title, QWidget* content);
-  /// Sets the default of the layout `id`, its name in the settings. That of a stage is called like the stage.
-  void setLayout(const QString& id, std::vector<PanelPlace> places);
+  /// Sets the default of the layout `id`, its name in the settings. That of a stage is called like the stage. `tight`:
+  /// the default where there is little room for the size of the text; the settings keep both. Empty: the same.
+  void setLayout(const QString& id, std::vector<PanelPlace> places, std::vector<PanelPlace> tight = {});
+  /// Whether there is little room. A layout with places of its own for that changes.
+  void setTight(bool tight);
 
   /// Shows the panels of `stage` in their last places.
   void enter(Stage stage);
@@ -57,6 +60,9 @@ class PanelArea : public QMainWindow {
   QList<QAction*> toggleActions() const;
 
  private:
+  /// The name in the settings of what `layoutId` shows in the present room.
+  QString shownId() const;
+  void showLayout();
   void layOut(const std::vector<PanelPlace>& places);
   void put(const PanelPlace& place);
   void shareRoom(const std::vector<PanelPlace>& places);
@@ -72,6 +78,7 @@ class PanelArea : public QMainWindow {
   QHash<QString, std::vector<PanelPlace>> places_;  ///< of each layout
   std::optional<Stage> stage_;
   QString layout_;
+  bool tight_ = false;
   QTimer titles_{this};  ///< one update after any number of moved panels
 };
 

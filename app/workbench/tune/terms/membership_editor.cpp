@@ -181,6 +181,7 @@ void MembershipEditor::showEvent(QShowEvent* event) {
 
 void MembershipEditor::resizeEvent(QResizeEvent* event) {
   Card::resizeEvent(event);
+  sliders_->fitInto(height());
   nameVariables();
 }
 

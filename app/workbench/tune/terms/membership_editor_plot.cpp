@@ -7,8 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/axis_zoom.h"
@@ -51,7 +53,9 @@ MembershipEditorPlot::MembershipEditorPlot(ShownRanges& ranges, QWidget* parent)
   marks_ = new GripMarks(*plot_, QStringLiteral("overlay"));
   plot_->xAxis->grid()->setVisible(false);
   plot_->axisRect()->setAutoMargins(QCP::msBottom);
-  plot_->axisRect()->setMargins(QMargins(kMargin, labels_->height() + 4, 3 * theme::kGrid, 0));
+  keepFitted(*this, [this] {
+    plot_->axisRect()->setMargins(QMargins(appearance::scaled(kMargin), labels_->height() + 4, 3 * theme::kGrid, 0));
+  });
 
   connect(zoom_, &AxisZoom::changed, this, [this] {
     fitAxis();

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/editing/edit_text.h"
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/elided_label.h"
@@ -17,6 +18,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kWidestTitle = 14 * theme::kGrid;  // px
+constexpr int kRoomyHeight = 480;                // px at 100 %, of the editor
 
 }  // namespace
 
@@ -43,6 +45,8 @@ void TermSliders::showEvent(QShowEvent* event) {
   follow();
   QWidget::showEvent(event);
 }
+
+void TermSliders::fitInto(int height) { setVisible(height >= appearance::scaled(kRoomyHeight)); }
 
 void TermSliders::follow() {
   if (!isVisible() || !terms_.isOpen() || terms_.terms().empty()) return;

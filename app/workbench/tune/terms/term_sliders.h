@@ -20,6 +20,9 @@ class TermSliders : public QWidget {
 
  public:
   explicit TermSliders(TermController& terms, QWidget* parent = nullptr);
+  /// Leaves its room to the plot in an editor of `height` px that is low for the size of the text: the plot, its keys
+  /// and the table move a vertex too.
+  void fitInto(int height);
 
  protected:
   void showEvent(QShowEvent* event) override;

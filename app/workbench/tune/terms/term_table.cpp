@@ -71,6 +71,12 @@ TermTable::TermTable(TermController& terms, QWidget* parent) : QScrollArea(paren
   connect(&terms_, &TermController::selectionChanged, this, &TermTable::showSelection);
 }
 
+// With large text the plot comes first.
+QSize TermTable::sizeHint() const {
+  const QSize all = QScrollArea::sizeHint();
+  return folded_ ? QSize(all.width(), minimumHeight()) : all;
+}
+
 void TermTable::showEvent(QShowEvent* event) {
   // Hidden, it followed nothing.
   build();
@@ -129,15 +135,19 @@ void TermTable::build() {
   // The old rows may be in the middle of a signal of theirs.
   if (QWidget* old = takeWidget()) old->deleteLater();
   setWidget(content);
-  // The numbers are never cut off; what is left of the width belongs to the names. With large text the table scrolls by
-  // itself, so that the plot above it keeps its place.
-  const int whole = content->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  // The numbers are never cut off; what is left of the width belongs to the names. With large text the shapes go into
+  // the menus of the rows. Where that is not enough the table scrolls by itself, so that the plot above it keeps its
+  // place.
+  const int beside = verticalScrollBar()->sizeHint().width();
+  folded_ = content->minimumSizeHint().width() + beside > kMostWidth;
+  if (folded_) foldShapes(*grid);
+  const int whole = content->minimumSizeHint().width() + beside;
   setMinimumWidth(std::min(whole, kMostWidth));
   // All rows where there is room for them, and never more room than rows: the rest belongs to the plot.
   const int row = content->sizeHint().height() / (static_cast<int>(rows_.size()) + 1);
   const int bar = whole > kMostWidth ? horizontalScrollBar()->sizeHint().height() : 0;
   setMaximumHeight(content->sizeHint().height() + 2 + bar);
-  setMinimumHeight(std::min(maximumHeight(), kFewestRows * row));
+  setMinimumHeight(std::min(maximumHeight(), (folded_ ? kFewestRows + 1 : kFewestRows) * row));
   updateGeometry();
   building_ = false;
   showValues();
@@ -199,7 +209,7 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   grid.addWidget(row.shapes, place, kShape);
 
   for (std::size_t p = 0; p < term.points.size(); ++p) row.points.push_back(buildPoint(grid, index, p));
-  row.more = buildMore(grid, index);
+  buildMore(grid, index, row);
   QList<QWidget*> parts{row.name, row.shapes};
   for (const Point& point : row.points) parts << point.number << point.lock;
   new RowStop(parts << row.more, row.band);
@@ -258,7 +268,16 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   return out;
 }
 
-QToolButton* TermTable::buildMore(QGridLayout& grid, std::size_t index) {
+void TermTable::foldShapes(QGridLayout& grid) {
+  grid.itemAtPosition(0, kShape)->widget()->hide();
+  for (const Row& row : rows_) {
+    row.shapes->hide();
+    row.shape_menu->menuAction()->setVisible(true);
+  }
+  grid.invalidate();
+}
+
+void TermTable::buildMore(QGridLayout& grid, std::size_t index, Row& row) {
   const Term& term = terms_.terms()[index];
   const std::string id = term.id;
   auto* more = new QToolButton;
@@ -279,7 +298,16 @@ QToolButton* TermTable::buildMore(QGridLayout& grid, std::size_t index) {
   grid.addWidget(more, static_cast<int>(index) + 1, kMore);
   connect(split, &QAction::triggered, this, [this, id, more] { askSplit(terms_, id, *more, this); });
   connect(remove, &QAction::triggered, this, [this, id, more] { askRemove(terms_, id, *more, this); });
-  return more;
+  row.more = more;
+  row.shape_menu = menu->addMenu(tr("S&hape"));
+  row.shape_menu->menuAction()->setVisible(false);
+  for (const fuzzy::Shape shape : fuzzy::kShapes) {
+    QAction* choice = row.shape_menu->addAction(shapeText(shape), this, [this, id, shape] {
+      terms_.convert(id, shape);
+      follow();
+    });
+    choice->setEnabled(term.shape != shape);
+  }
 }
 
 void TermTable::showValues() {

@@ -11,6 +11,7 @@
 class QComboBox;
 class QGridLayout;
 class QLineEdit;
+class QMenu;
 class QToolButton;
 
 namespace tactus::workbench {
@@ -24,6 +25,7 @@ class TermTable : public QScrollArea {
 
  public:
   explicit TermTable(TermController& terms, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -43,6 +45,7 @@ class TermTable : public QScrollArea {
     QComboBox* shapes = nullptr;
     std::vector<Point> points;
     QToolButton* more = nullptr;
+    QMenu* shape_menu = nullptr;  ///< in the menu of `more`; in the place of `shapes` where the table has no room
   };
 
   void follow();
@@ -50,7 +53,8 @@ class TermTable : public QScrollArea {
   void buildHeads(QGridLayout& grid);
   void buildRow(QGridLayout& grid, std::size_t index);
   Point buildPoint(QGridLayout& grid, std::size_t index, std::size_t point);
-  QToolButton* buildMore(QGridLayout& grid, std::size_t index);
+  void buildMore(QGridLayout& grid, std::size_t index, Row& row);
+  void foldShapes(QGridLayout& grid);
   static void nameRow(const Row& row, const fuzzy::Term& term);
   bool sameRows() const;
   void showValues();
@@ -60,6 +64,7 @@ class TermTable : public QScrollArea {
   TermController& terms_;
   std::vector<Row> rows_;
   bool building_ = false;
+  bool folded_ = false;  ///< the shapes are in the menus of the rows, for want of room
 };
 
 }  // namespace tactus::workbench

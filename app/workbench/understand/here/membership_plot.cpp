@@ -10,6 +10,7 @@
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/universe_ticks.h"
 #include "app/workbench/plot/value_marker.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
@@ -53,7 +54,6 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
   ticker->setTickStep(1);
   plot_->yAxis->setTicker(ticker);
   plot_->xAxis->grid()->setVisible(false);
-  plot_->xAxis->ticker()->setTickCount(4);
   plot_->xAxis->setTickLabelPadding(2);
   plot_->xAxis->setLabelPadding(0);
   // A ratio has no unit to write, but its axis stands as high as the others.
@@ -90,6 +90,19 @@ void MembershipPlot::setValue(std::optional<double> value) {
   value_ = value;
   updateMarker();
   redraw(*plot_);
+}
+
+// As many numbers as stand apart.
+void MembershipPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr double kRoom = 1.35;  // of the widest number, with the gap to the next
+  const double each = kRoom * QFontMetrics(plot_->xAxis->tickLabelFont()).horizontalAdvance(numberText(variable_.max));
+  int count = 4;
+  while (count > 1 && static_cast<double>(universeTicks(variable_.min, variable_.max, count).size()) * each >
+                          width() - kLeftMargin - kRightMargin) {
+    --count;
+  }
+  plot_->xAxis->ticker()->setTickCount(count);
 }
 
 void MembershipPlot::onMouse(QMouseEvent* event) {

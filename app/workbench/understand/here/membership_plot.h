@@ -42,6 +42,9 @@ class MembershipPlot : public QWidget, public PlotSource {
   /// The mouse was pressed or dragged at `value`, in the unit of the variable.
   void picked(double value);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void onMouse(QMouseEvent* event);
   void updateMarker();

@@ -15,7 +15,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kNarrowestCard = 158;  // px; five of them fit beside the forces in a window of 1280 px
+constexpr int kNarrowestCard = 158;  // px; five of them fit beside the forces in a window of 1280 px, and large ones
+                                     // below the curves alone
 constexpr int kHeight = 224;         // px
 
 // Cards with many terms get more room for their names, but not in proportion.
@@ -24,7 +25,7 @@ int stretchOf(const fuzzy::Variable& variable) {
 }
 
 void keepReadable(QWidget& card) {
-  keepFitted(card, [&card] { card.setMinimumWidth(appearance::scaled(kNarrowestCard)); });
+  keepFitted(card, [&card] { card.setMinimumWidth(std::max(kNarrowestCard, card.minimumSizeHint().width())); });
 }
 
 }  // namespace
