@@ -48,8 +48,11 @@ void FeelParts::buildMenu() {
       window_.leaveLayout();
     }
   });
-  connect(&window_, &MainWindow::layoutChanged, layout_,
-          [this] { layout_->setChecked(window_.layoutBeside() == layoutId()); });
+  connect(&window_, &MainWindow::layoutChanged, layout_, [this] {
+    const bool feels = window_.layoutBeside() == layoutId();
+    layout_->setChecked(feels);
+    if (feels) feel_.raiseHeadAtFirst();
+  });
   connect(start_, &QAction::triggered, view_, &FeelPanel::toggle);
   connect(stop_, &QAction::triggered, &feel_, &FeelController::stop);
   connect(flex_, &QAction::triggered, &feel_, [this] { feel_.setNeckFlexed(!feel_.isNeckFlexed()); });

@@ -34,6 +34,7 @@ class AnatomyView : public QWidget {
  public:
   explicit AnatomyView(QWidget* parent = nullptr);
 
+  Posture posture() const { return posture_; }
   /// The neck takes `posture` at once, or within a second if `gently`.
   void setPosture(Posture posture, bool gently = false);
   void setFraming(Framing framing);

@@ -67,7 +67,7 @@ FeelController::~FeelController() {
 }
 
 bool FeelController::isNeckFlexed() const {
-  if (!scene_.model() || !neck_set_) return false;
+  if (!scene_.model()) return false;
   const auto& inputs = scene_.model()->model.inputs;
   const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
   const auto postures = input ? neckPostures(inputs[*input]) : std::nullopt;
@@ -75,7 +75,7 @@ bool FeelController::isNeckFlexed() const {
 }
 
 void FeelController::start(const QString& id) {
-  if (!neck_set_) setNeckFlexed(false);
+  raiseHeadAtFirst();
   if (!prepare()) return;
   recorded_ = {};
   session_.start(id, force_, this);
@@ -141,6 +141,10 @@ void FeelController::setNeckFlexed(bool flexed) {
   flexing_ = true;
   scene_.setValue(*input, flexed ? postures->flexed : postures->upright);
   flexing_ = false;
+}
+
+void FeelController::raiseHeadAtFirst() {
+  if (!neck_set_) setNeckFlexed(false);
 }
 
 void FeelController::setFollowsHand(bool follows) { follows_hand_ = follows; }

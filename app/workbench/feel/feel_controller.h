@@ -63,10 +63,8 @@ class FeelController : public QObject {
   /// How often the cost of the model was measured: once for each shape of a model that is felt.
   int costMeasurements() const { return cost_.measurements(); }
   bool followsHand() const { return follows_hand_; }
-  /// False as well while nothing has set the neck yet: the patient sits upright when the first run begins.
+  /// Nearer to chin on chest than to upright.
   bool isNeckFlexed() const;
-  /// Whether the neck has a flexion of its own; before that, the one of the first operating point is for the curves.
-  bool isNeckSet() const { return neck_set_; }
   /// The orders that began the current placement. Samples with older orders belong to the previous one.
   std::uint64_t placementOrders() const { return placement_orders_; }
 
@@ -76,8 +74,8 @@ class FeelController : public QObject {
 
  public slots:
   /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
-  /// first. Raises the head, unless the neck was set before. Refused: no model is open, the servo refuses it, a start
-  /// or a stop is in progress, or another feature uses the device.
+  /// first. Raises the head at first (`raiseHeadAtFirst`). Refused: no model is open, the servo refuses it, a start or
+  /// a stop is in progress, or another feature uses the device.
   void start(const QString& id);
   /// In any state: zero force from the next tick on. Then the servo and the placement end.
   void stop();
@@ -85,6 +83,9 @@ class FeelController : public QObject {
   void newPlacement();
   /// Flexes the patient's neck or holds the head upright. The force follows within one second.
   void setNeckFlexed(bool flexed);
+  /// The patient sits upright when the procedure begins. Does nothing once the neck was set here or anywhere else: the
+  /// flexion of the first operating point is for the curves.
+  void raiseHeadAtFirst();
   /// Sets whether the operating point of the scene follows the hand.
   void setFollowsHand(bool follows);
 

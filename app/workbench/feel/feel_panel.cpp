@@ -272,8 +272,7 @@ void FeelPanel::showRegions() {
 void FeelPanel::showNeck() {
   const auto& inputs = scene_.model()->model.inputs;
   const auto neck = inputNamed(scene_.model()->model, kNeckFlexionId);
-  const bool drawn = neck && feel_.isNeckSet();
-  tube_->setNeck(drawn ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
+  tube_->setNeck(neck ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
 }
 
 void FeelPanel::adoptModel() {

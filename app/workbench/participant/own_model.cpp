@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numeric>
 
 #include "app/session/known_forms.h"
 #include "app/session/session_notes.h"
@@ -18,6 +19,7 @@ namespace {
 using base::Result;
 
 constexpr auto kDepthInput = "depth";
+constexpr auto kNeckInput = "neck_flexion";
 constexpr int kCurvePoints = 200;  // one a few pixels
 
 template <class Row>
@@ -35,11 +37,14 @@ study::Study dataOf(study::Study all, const std::string& code) {
   return all;
 }
 
-// The values at which the model is felt: of the term in the middle, in the middle of what belongs to it wholly.
-double middleOf(const fuzzy::Variable& input) {
-  if (input.terms.empty()) return (input.min + input.max) / 2;
-  const std::vector<double>& points = input.terms[input.terms.size() / 2].points;
-  const double middle = points.size() == 4 ? (points[1] + points[2]) / 2 : points.size() == 3 ? points[1] : points[0];
+// The values at which the model is felt: of the term in the middle, of neck flexion of the first (upright), in the
+// middle of what belongs to it wholly.
+double feltAt(const fuzzy::Variable& input) {
+  if (input.terms.empty()) return std::midpoint(input.min, input.max);
+  const std::vector<double>& points = input.terms[input.id == kNeckInput ? 0 : input.terms.size() / 2].points;
+  const double middle = points.size() == 4   ? std::midpoint(points[1], points[2])
+                        : points.size() == 3 ? points[1]
+                                             : points[0];
   return std::clamp(middle, input.min, input.max);
 }
 
@@ -87,16 +92,15 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   if (!compiled) return tl::unexpected(compiled.error());
 
   OwnModel out;
-  haptics::Conditions conditions;
   std::vector<double> inputs;
   std::optional<std::size_t> depth;
   for (const fuzzy::Variable& input : model.inputs) {
     if (input.id == kDepthInput) depth = inputs.size();
-    inputs.push_back(middleOf(input));
-    if (input.id != kDepthInput && input.id != haptics::MovedInputs().speed) conditions[input.id] = inputs.back();
+    inputs.push_back(feltAt(input));
+    if (input.id != kDepthInput && input.id != haptics::MovedInputs().speed) out.conditions[input.id] = inputs.back();
   }
   if (!depth) return base::fail(base::ErrorCode::kReference, "her model", "no input 'depth'", "a model along the tube");
-  auto scene = haptics::ServoScene::make(model, *compiled, conditions);
+  auto scene = haptics::ServoScene::make(model, *compiled, out.conditions);
   if (!scene) return tl::unexpected(scene.error());
   out.scene = std::move(*scene);
   out.version.utc_ms = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();

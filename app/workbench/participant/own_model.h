@@ -23,6 +23,7 @@ struct OwnRegion {
 /// Immutable.
 struct OwnModel {
   std::shared_ptr<const haptics::ServoScene> scene;
+  haptics::Conditions conditions;  ///< at which it is felt
   std::vector<OwnRegion> regions;  ///< along the way
   /// What a sample's depth lacks to the depth of the model, mm.
   double depthOffsetMm() const { return scene->renderer().depth_offset_mm; }
@@ -32,8 +33,9 @@ struct OwnModel {
   std::vector<QPointF> curve;  ///< depth in mm, share of the largest force; at the scene's conditions
 };
 
-/// Builds the model of the participant `code` from the study, at the middle of each condition (medium lubrication, …).
-/// Refused: no rules follow from her answers, or the servo refuses the model. Thread: that of `file`.
+/// Builds the model of the participant `code` from the study, at the middle of each condition (medium lubrication, …)
+/// and with the head up, as the picture on her screen shows it. Refused: no rules follow from her answers, or the servo
+/// refuses the model. Thread: that of `file`.
 base::Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code);
 
 }  // namespace tactus::workbench

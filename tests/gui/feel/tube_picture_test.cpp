@@ -1,11 +1,14 @@
 #include "app/workbench/feel/tube_picture.h"
 
+#include <QSettings>
 #include <gtest/gtest.h>
 
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/model/patient.h"
+#include "app/workbench/workbench.h"
 
 #include "tests/gui/feel/feel_test.h"
+#include "tests/gui/shown_bench.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
@@ -31,11 +34,10 @@ using TubePictureTest = FeelTest;
 
 TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
   models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
-  EXPECT_TRUE(ngtProcedure().front().text.contains(QStringLiteral("The patient sits upright")));
+  EXPECT_TRUE(ngtProcedure().front().text.contains(QStringLiteral("Sit the patient upright")));
   // The curves begin as in Fig. 11 of the paper.
   EXPECT_EQ(scene.value(kNeck), 60);
-  EXPECT_FALSE(feel.isNeckSet());
-  EXPECT_FALSE(feel.isNeckFlexed());
+  EXPECT_TRUE(feel.isNeckFlexed());
   // What is felt is what the picture shows.
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(scene.value(kNeck), 7.5);  // the middle of what is fully small: 0 to 15
@@ -51,9 +53,34 @@ TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
 TEST_F(TubePictureTest, ANeckThatWasSetIsFeltAsItIs) {
   models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   scene.setValue(kNeck, 45);
-  EXPECT_TRUE(feel.isNeckSet());
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(scene.value(kNeck), 45);
+}
+
+// The strip, the picture and the first step of the procedure, before anything was started.
+TEST(HeadAtFirst, IsInThePictureAsInTheStripAndUpInTheFeelLayout) {
+  const tests::ModelFolder folder;
+  QSettings settings(folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat);
+  Workbench bench(settings, folder.path(QStringLiteral("autosave")));
+  bench.window.resize(1280, 720);
+  bench.window.show();
+  bench.models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
+  bench.window.enter(Stage::kTune);
+  tests::settle(bench.window);
+  const auto* picture = bench.feel_parts.view().findChild<TubePicture*>();
+  EXPECT_EQ(bench.scene.value(kNeck), 60);
+  EXPECT_EQ(picture->posture(), Posture::kHalfFlexed);
+
+  bench.window.enterLayout(FeelParts::layoutId());
+  tests::settle(bench.window);
+  EXPECT_EQ(bench.scene.value(kNeck), 7.5);
+  EXPECT_EQ(picture->posture(), Posture::kUpright);
+  // A neck that the user flexed stays so.
+  bench.scene.setValue(kNeck, 90);
+  EXPECT_EQ(picture->posture(), Posture::kChinOnChest);
+  bench.window.leaveLayout();
+  bench.window.enterLayout(FeelParts::layoutId());
+  EXPECT_EQ(bench.scene.value(kNeck), 90);
 }
 
 }  // namespace

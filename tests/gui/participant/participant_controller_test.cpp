@@ -107,6 +107,11 @@ TEST_F(ParticipantControllerTest, AWholeSessionIsInTheFile) {
   }
   EXPECT_EQ(verdicts, regions);
   EXPECT_EQ(marks, 2);
+  // Felt with the head up, as the picture beside it shows: the middle of what is fully small, 0 to 15. Medium
+  // lubrication is fully so from 0.4 to 0.6.
+  const auto own = ownModel(file, versions[0].author);
+  ASSERT_TRUE(own.has_value());
+  EXPECT_EQ(own->conditions, (haptics::Conditions{{"lubrication", 0.5}, {"neck_flexion", 7.5}}));
 }
 
 TEST_F(ParticipantControllerTest, StoppedForTodayShePicksUpWhereSheWas) {
