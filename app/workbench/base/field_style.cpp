@@ -3,13 +3,15 @@
 #include <QPainter>
 #include <QStyleOption>
 #include <QTabWidget>
+#include <algorithm>
 
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench::theme {
 namespace {
 
-constexpr double kRound = 2;  // px, as in Fusion
+constexpr double kRound = 2;         // px, as in Fusion
+constexpr int kBesideWords = kGrid;  // px, of a button
 
 // Focus has a frame of its own, and what is disabled may be pale.
 bool wantsEdge(const QStyleOption& option) {
@@ -87,6 +89,16 @@ void FieldStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
     // Fusion leaves a line above and below.
     if (box != nullptr && box->frame) drawEdge(*painter, QRectF(option->rect).adjusted(0, 1, 0, -1), kRound);
   }
+}
+
+QSize FieldStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                                   const QWidget* widget) const {
+  QSize out = QProxyStyle::sizeFromContents(type, option, size, widget);
+  const auto* button = qstyleoption_cast<const QStyleOptionButton*>(option);
+  if (type == CT_PushButton && button != nullptr && !button->text.isEmpty()) {
+    out.setWidth(std::max(out.width(), size.width() + 2 * kBesideWords));
+  }
+  return out;
 }
 
 }  // namespace tactus::workbench::theme

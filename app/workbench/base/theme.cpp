@@ -40,9 +40,21 @@ constexpr Pair kErrorInk{0xFF9B1C1C, 0xFFFF9A94};
 constexpr Pair kErrorFill{0xFFFDECEA, 0xFF4A1F1E};
 constexpr Pair kMean{0xFF2B3540, 0xFFF2F5F8};
 constexpr Pair kFriction{0xFF7B3FA0, 0xFFC79BEA};
+// The card with the band of a region and the range of the experts on it (plot/term_bands.cpp, curve_looks.cpp), where a
+// line of an expert stands out least.
+constexpr Pair kCurveGround{0xFFE2DADF, 0xFF3D4443};
 
 QColor pick(const Pair& pair) { return QColor::fromRgb(isDark() ? pair.dark : pair.light); }
 QColor pick(QRgb light, QRgb dark) { return QColor::fromRgb(isDark() ? dark : light); }
+
+/// The color of an expert where its line is seen on the curves of each look.
+Pair expertPair(std::size_t number) {
+  const figures::Rgb color = figures::expertColor(number);
+  const auto seen = [&color](QRgb ground, QRgb ink) {
+    return of(figures::readable(color, of(QColor::fromRgb(ground)), of(QColor::fromRgb(ink)), 3)).rgb();
+  };
+  return {seen(kCurveGround.light, kInk.light), seen(kCurveGround.dark, kInk.dark)};
+}
 
 void setPalette(QApplication& application, Look look) {
   // The colors below are those of the look that the palette of the application has.
@@ -119,8 +131,9 @@ QColor friction() { return pick(kFriction); }
 
 QColor inLook(const QColor& color) {
   const bool dark = isDark();
-  for (const Pair& pair : {kWindow, kBorder, kGridLine, kInk, kMutedInk, kAccent, kWarningInk, kWarningFill, kErrorInk,
-                           kErrorFill, kMean, kFriction}) {
+  for (const Pair& pair :
+       {kWindow, kBorder, kGridLine, kInk, kMutedInk, kAccent, kWarningInk, kWarningFill, kErrorInk, kErrorFill, kMean,
+        kFriction, expertPair(0), expertPair(1), expertPair(2), expertPair(3), expertPair(4), expertPair(5)}) {
     if ((color.rgb() | 0xFF000000U) != (dark ? pair.light : pair.dark)) continue;
     QColor now = QColor::fromRgb(dark ? pair.dark : pair.light);
     now.setAlphaF(color.alphaF());
@@ -131,7 +144,7 @@ QColor inLook(const QColor& color) {
 
 QColor onCard(const QColor& color) { return of(figures::mixed(of(card()), of(color), color.alphaF())); }
 
-QColor expert(std::size_t number) { return of(figures::expertColor(number)); }
+QColor expert(std::size_t number) { return pick(expertPair(number)); }
 
 QColor force(std::size_t index, std::size_t count) {
   return of(figures::forceRamp(count < 2 ? 0 : static_cast<double>(index) / static_cast<double>(count - 1)));

@@ -19,4 +19,6 @@ QColor mixedColor(const QColor& from, const QColor& to, double share) {
   return {mix.red, mix.green, mix.blue};
 }
 
+double contrastOf(const QColor& one, const QColor& other) { return figures::contrast(rgbOf(one), rgbOf(other)); }
+
 }  // namespace tactus::workbench

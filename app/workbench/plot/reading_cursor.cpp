@@ -42,6 +42,10 @@ ReadingCursor::ReadingCursor(QCustomPlot& plot)
   new Dots(*this);
 }
 
+void ReadingCursor::takeLook() {
+  for (Dot& dot : dots_) dot.color = theme::inLook(dot.color);
+}
+
 void ReadingCursor::set(double x, QString tag, std::vector<Dot> dots) {
   x_ = x;
   tag_ = std::move(tag);

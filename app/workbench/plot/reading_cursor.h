@@ -21,6 +21,8 @@ class ReadingCursor : public QCPLayerable {
   explicit ReadingCursor(QCustomPlot& plot);
 
   void set(double x, QString tag, std::vector<Dot> dots);
+  /// Gives the dots their colors in another look.
+  void takeLook();
   /// The other place from which differences are counted: a dashed line; nothing: none.
   void setFrom(std::optional<double> x) { from_ = x; }
 

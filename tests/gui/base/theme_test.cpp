@@ -8,6 +8,9 @@
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/field_style.h"
+#include "app/workbench/plot/expert_pen.h"
+#include "app/workbench/plot/mixed_color.h"
+#include "app/workbench/understand/curves/curve_looks.h"
 
 namespace tactus::workbench {
 namespace {
@@ -92,6 +95,33 @@ TEST_P(Theme, AFieldIsSeenOnItsCard) {
     }
     EXPECT_GE(most, 2.9);
   }
+}
+
+// An expert's line is thin, and lies on the band of a region (13 % of its color) and on the range of the experts.
+TEST_P(Theme, TheLineOfAnExpertIsSeenWhereverItRuns) {
+  const QColor range = rangeLook({}).fill.color();
+  // Nasal cavity to stomach: app/figures/colors.cpp.
+  for (const QRgb region : {0x8C6D46, 0x6B7F3F, 0x3E8273, 0x4A78A6, 0x7C6BAA, 0xA3617F}) {
+    const QColor band = mixedColor(theme::card(), QColor::fromRgb(region), 0.13);
+    const QColor ground = mixedColor(band, range, range.alphaF());
+    for (std::size_t expert = 0; expert < 6; ++expert) {
+      EXPECT_GE(contrast(expertPen(expert, 6).color(), ground), 2.95)
+          << expert << " on " << ground.name().toStdString();
+    }
+  }
+  // Of hundreds each alone is pale, and seen on the card.
+  for (std::size_t expert = 0; expert < 6; ++expert) {
+    EXPECT_GE(contrast(expertPen(expert, 256).color(), theme::card()), 2.95) << expert;
+  }
+}
+
+// A plot keeps its pens when the look changes.
+TEST_P(Theme, TheColorOfAnExpertFollowsTheLook) {
+  const QColor here = theme::expert(0);
+  const bool dark = GetParam() == theme::Look::kDark;
+  theme::changeLook(*qApp, dark ? theme::Look::kLight : theme::Look::kDark);
+  EXPECT_EQ(theme::inLook(here), theme::expert(0));
+  EXPECT_NE(here, theme::expert(dark ? 1 : 0));
 }
 
 INSTANTIATE_TEST_SUITE_P(Looks, Theme, testing::Values(theme::Look::kLight, theme::Look::kDark));

@@ -28,7 +28,7 @@ LegendEntry ghostLook(const QString& name) { return {name, ghostPen(theme::mean(
 
 LegendEntry rangeLook(const QString& name) {
   QColor fill = theme::mean();
-  fill.setAlpha(theme::isDark() ? 44 : 30);
+  fill.setAlpha(theme::isDark() ? 26 : 22);
   return {name, Qt::NoPen, fill};
 }
 

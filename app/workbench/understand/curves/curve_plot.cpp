@@ -320,6 +320,8 @@ void CurvePlot::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() != QEvent::PaletteChange || plot_->graphCount() == 0) return;
   styleLines();
+  cursor_->takeLook();
+  updateSilence();
   overlays_->takeLook();
   redraw(*plot_);
 }
