@@ -8,6 +8,7 @@ namespace tactus::workbench {
 class MainWindow;
 class Panel;
 class RuleController;
+class RuleEditor;
 
 class RuleParts {
   Q_DECLARE_TR_FUNCTIONS(RuleParts)
@@ -18,6 +19,7 @@ class RuleParts {
   Panel& panel() { return panel_; }
 
  private:
+  RuleEditor* editor_;
   Panel& panel_;
 };
 

@@ -27,8 +27,8 @@ SelectionParts::SelectionParts(MainWindow& window, Selection& selection, TermCon
   connect(&selection_, &Selection::editAsked, this, [this, &rule_editor] {
     window_.enter(Stage::kTune);
     rule_editor.reveal();
-    rule_editor.setFocus();
     selection_.pointAtRules(selection_.expert(), selection_.rules());
+    rule_editor.setFocus();
   });
   connect(&findings, &FindingsController::rulePointed, this,
           [this](const QString& expert, std::size_t rule) { selection_.pointAtRules(expert.toStdString(), {rule}); });

@@ -8,6 +8,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/tune/history/history_panel.h"
 #include "app/workbench/tune/rules/rule_editor.h"
+#include "app/workbench/tune/rules/rule_grids.h"
 #include "app/workbench/understand/here/rule_flow.h"
 #include "app/workbench/understand/here/rule_panel.h"
 
@@ -53,6 +54,9 @@ TEST_F(SelectionPartsTest, FromARuleHereToEditingItIsOneDoubleClick) {
   EXPECT_EQ(bench.selection.expert(), "A");
   EXPECT_TRUE(bench.selection.rule().has_value());
   EXPECT_GT(bench.rules.strength(*bench.selection.rule()), 0);
+  // The next key is the answer.
+  const QWidget* focus = bench.window.focusWidget();
+  EXPECT_EQ(focus, &only<RuleGrids>()) << (focus != nullptr ? focus->metaObject()->className() : "none");
 }
 
 TEST_F(SelectionPartsTest, AClickSelectsAndTheButtonOpensTheEditor) {

@@ -178,11 +178,12 @@ void FindingsController::onModel() {
 }
 
 void FindingsController::refresh() {
-  if (!edits_.isOpen() || edits_.inGesture() || begun_) return;
+  if (!edits_.isOpen() || edits_.inGesture()) return;
   if (isCurrent()) {
     if (watched_ && chosen_ && fixes_.empty() && !isLookingForFixes()) findFixes();
     return;
   }
+  if (begun_) return;
   if (report_ && editing::sameBits(report_->model(), edits_.model())) {
     take(report_, revision_);
     return;

@@ -81,7 +81,10 @@ RuleEditor::RuleEditor(RuleController& rules, QWidget* parent)
   connect(columns_, &QComboBox::activated, this,
           [this](int index) { rules_.setRegion(columns_->itemData(index).toString().toStdString()); });
   connect(&rules_, &RuleController::rulesChanged, refresh_, &Refresh::request);
-  setEnabled(false);
+  // At once: what is disabled until it was painted refuses the keyboard that a click on a rule elsewhere hands to it.
+  connect(&rules_, &RuleController::rulesChanged, this, [this] { setEnabled(rules_.isOpen()); });
+  setEnabled(rules_.isOpen());
+  arrange();
   refresh_->request();
 }
 
@@ -100,10 +103,11 @@ void RuleEditor::arrange() {
   columns_->setVisible(tall_ || !list);
   panes_->widget(0)->setVisible(tall_ || !list);
   panes_->widget(1)->setVisible(tall_ || list);
+  // The keys that answer are those of the rules.
+  setFocusProxy(panes_->widget(list && !tall_ ? 1 : 0));
 }
 
 void RuleEditor::showHead() {
-  setEnabled(rules_.isOpen());
   if (!rules_.isOpen()) return;
   const fuzzy::ForceModel& model = rules_.model();
   QStringList texts;

@@ -24,6 +24,7 @@ RuleGridPane::RuleGridPane(RuleController& rules, QWidget* parent)
   area_->setFrameShape(QFrame::NoFrame);
   area_->setWidgetResizable(true);
   area_->setWidget(grids_);
+  setFocusProxy(grids_);
   area_->setFocusPolicy(Qt::NoFocus);
   area_->viewport()->setAutoFillBackground(false);
   grids_->setAutoFillBackground(false);

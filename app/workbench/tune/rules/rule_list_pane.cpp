@@ -59,6 +59,7 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
       flash_(new Flash(table_->viewport())),
       form_(new RuleForm(rules, this)),
       refresh_(new Refresh(this, [this] { refresh(); })) {
+  setFocusProxy(table_);
   text_->setPlaceholderText(tr("Filter: well stomach, or if … and … then …"));
   text_->setClearButtonEnabled(true);
   text_->setAccessibleName(tr("Filter by words of the rule"));

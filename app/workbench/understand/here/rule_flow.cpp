@@ -267,9 +267,8 @@ void RuleFlow::paintOutput(QPainter& painter, const QRectF& cell, const analysis
   if (rule.wins) sketch.implied(terms[term], rule.strength, open_->model.implication, color);
   sketch.term(terms[term], color);
   painter.setPen(rule.wins ? theme::ink() : theme::mutedInk());
-  drawElided(
-      painter, cell.adjusted(kPad, 2, -kPad, 0), Qt::AlignLeft | Qt::AlignTop,
-      rule.wins ? labelOf(terms[term]) : tr("%1, also the consequent of a stronger rule").arg(labelOf(terms[term])));
+  drawElided(painter, cell.adjusted(kPad, 2, -kPad, 0), Qt::AlignLeft | Qt::AlignTop,
+             rule.wins ? labelOf(terms[term]) : tr("%1, as above").arg(labelOf(terms[term])));
 }
 
 }  // namespace tactus::workbench

@@ -69,6 +69,7 @@ TEST_F(FindingsControllerTest, FixesAreComputedOnlyWhileThePanelIsVisible) {
   EXPECT_FALSE(findings.isLookingForFixes());
   EXPECT_TRUE(findings.fixes().empty());
   findings.setWatched(true);
+  EXPECT_TRUE(findings.isLookingForFixes());
   ASSERT_TRUE(waitForFixes());
 }
 
