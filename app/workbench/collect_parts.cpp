@@ -38,22 +38,44 @@ void CollectParts::connectAll() {
     window_.banner().showRemedy(tr("The session did not begin. %1").arg(sentence),
                                 {tr("Try again"), [this] { run_.startAgain(); }});
   });
-  connect(&protocol_, &ProtocolController::refused, this, [this](const QString& sentence) {
-    window_.banner().showError(tr("The protocol stays as it was. %1").arg(sentence));
-  });
+  connectErrors();
   connect(&protocol_, &ProtocolController::stored, this, [this](int version) {
     window_.say(tr("Version %1 of the protocol is stored in %2.").arg(version).arg(study_.fileName()));
   });
   connect(&protocol_, &ProtocolController::keyStored, this, [this](bool is_set) {
     window_.say(is_set ? tr("The research key is set.") : tr("The research key is removed."));
   });
-  connect(&collect_, &CollectController::refused, this,
-          [this](const QString& sentence) { window_.banner().showError(sentence); });
   connect(&collect_, &CollectController::withdrawn, this, [this](const QString& code) {
     window_.banner().showNote(
         tr("Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.")
             .arg(code, study_.fileName()));
   });
+}
+
+void CollectParts::connectErrors() {
+  const auto show = [this](const QString& sentence, const MessageAct& act) {
+    window_.banner().showRemedy(sentence, act);
+  };
+  connect(&protocol_, &ProtocolController::refused, this, [this, show](const QString& sentence) {
+    show(sentence, {tr("Edit the protocol"), [this] {
+                      window_.enter(Stage::kCollect);
+                      view_->showProtocol();
+                    }});
+  });
+  connect(&protocol_, &ProtocolController::notRead, this, [this, show](const QString& sentence) {
+    show(sentence, {tr("Read it again"), [this] { protocol_.read(); }});
+  });
+  connect(&protocol_, &ProtocolController::keyRefused, this, [this, show](const QString& sentence) {
+    show(sentence, {tr("Enter the key again"), [this] {
+                      window_.enter(Stage::kCollect);
+                      view_->showKey();
+                    }});
+  });
+  connect(&collect_, &CollectController::refused, this, show);
+  connect(&collect_, &CollectController::withdrawalRefused, this,
+          [this, show](const study::RecordId& person, const QString& sentence) {
+            show(sentence, {tr("Withdraw again…"), [this, person] { view_->askWithdrawal(person); }});
+          });
 }
 
 void CollectParts::makeStudy() { study_parts_.chooseNew(); }

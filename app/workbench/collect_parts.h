@@ -35,6 +35,7 @@ class CollectParts : public QObject {
 
  private:
   void connectAll();
+  void connectErrors();
   void onOpened();
 
   MainWindow& window_;

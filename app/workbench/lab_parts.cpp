@@ -73,7 +73,7 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
     window.say(tr("Stored as a new record; the old one stays: %1").arg(what));
   });
   connect(&corrections_, &Corrections::refused, this,
-          [&window](const QString& sentence) { window.banner().showError(sentence); });
+          [&window](const QString& sentence, const MessageAct& act) { window.banner().showRemedy(sentence, act); });
 }
 
 LabParts::~LabParts() { delete screen_; }

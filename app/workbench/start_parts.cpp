@@ -48,10 +48,13 @@ void StartParts::connectAll() {
   connect(&demo_, &DemoMaker::ready, this, &StartParts::onDemoReady);
   connect(&study_, &StudyConnection::opened, this, &StartParts::onStudyOpened);
   connect(&models_, &ModelController::opened, this, &StartParts::onModelOpened);
-  const auto fail = [this](const QString& sentence) { window_.banner().showError(sentence); };
-  connect(&demo_, &DemoMaker::failed, this, fail);
-  connect(&tables_, &TableImport::failed, this,
-          [fail](const QString& sentence) { fail(tr("The tables were not imported. %1").arg(sentence)); });
+  connect(&demo_, &DemoMaker::failed, this, [this](const QString& sentence) {
+    window_.banner().showRemedy(sentence, {tr("Choose another folder…"), [this] { chooseDemoFolder(); }});
+  });
+  connect(&tables_, &TableImport::failed, this, [this](const QString& sentence) {
+    window_.banner().showRemedy(tr("The tables were not imported. %1").arg(sentence),
+                                {tr("Choose another folder…"), [this] { chooseTables(); }});
+  });
   connect(&tables_, &TableImport::doubted, this,
           [this](const QString& folder, const QString& path, const QString& sentence) {
             window_.banner().showRemedy(tr("The tables were not imported. %1").arg(sentence),
@@ -64,6 +67,14 @@ void StartParts::connectAll() {
 }
 
 void StartParts::exploreDemo() { demo_.explore(); }
+
+void StartParts::chooseDemoFolder() {
+  const QString folder =
+      QFileDialog::getExistingDirectory(&window_, tr("Folder for the demo study"), documentsFolder());
+  if (folder.isEmpty()) return;
+  demo_.setDocuments(folder);
+  demo_.explore();
+}
 
 void StartParts::onDemoReady(const QString& study) {
   demo_study_ = study;

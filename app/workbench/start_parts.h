@@ -44,6 +44,7 @@ class StartParts : public QObject {
   void connectAll();
   void makeModel();
   void chooseTables();
+  void chooseDemoFolder();
   void onDemoReady(const QString& study);
   void onStudyOpened();
   void onModelOpened();

@@ -99,7 +99,8 @@ void StudyParts::connectAll() {
   connect(&study_, &StudyConnection::contentsChanged, this, &StudyParts::showState);
   connect(&study_, &StudyConnection::closed, this, &StudyParts::showState);
   connect(&study_, &StudyConnection::opened, this, &StudyParts::onOpened);
-  connect(&study_, &StudyConnection::failed, this, &StudyParts::onFailed);
+  connect(&study_, &StudyConnection::failed, this,
+          [this](const QString& path, const QString& sentence) { onFailed(path, sentence); });
   const auto note = [this](const QString& sentence) { window_.banner().showNote(sentence); };
   connect(&study_, &StudyConnection::said, this, note);
   connect(&study_models_, &StudyModels::failed, this, &StudyParts::onFailed);
@@ -199,14 +200,15 @@ void StudyParts::buildModel() {
   if (files_.mayLoseChanges()) study_models_.buildModel();
 }
 
-void StudyParts::onFailed(const QString& path, const QString& sentence) {
+void StudyParts::onFailed(const QString& path, const QString& sentence, const MessageAct& act) {
   if (path == recorded_path_) recorded_path_.clear();
   if (!study_.failure().isEmpty()) {
     window_.banner().showRemedy(sentence, {tr("Try again"), [this] { study_.storeNow(); }});
   } else if (!study_.isOpen()) {
     window_.banner().showRemedy(sentence, {tr("Open another file…"), [this] { files_.choose(); }});
   } else {
-    window_.banner().showError(sentence);
+    const MessageAct look{tr("Look at the study"), [this] { window_.enter(Stage::kCollect); }};
+    window_.banner().showRemedy(sentence, act.text.isEmpty() ? look : act);
   }
   if (!QFileInfo::exists(path)) recent_.remove(path);
   showState();

@@ -50,7 +50,8 @@ class StudyParts : public QObject {
   void showReadOnly(Beside beside);
   void chooseCopy();
   void buildModel();
-  void onFailed(const QString& path, const QString& sentence);
+  /// `act`: what helps; without text there is a way out by what is open.
+  void onFailed(const QString& path, const QString& sentence, const MessageAct& act = {});
   /// Keeps the window open until everything is written, or until the user gives it up.
   bool mayEnd();
 

@@ -49,7 +49,9 @@ void CollectController::refresh() {
         if (*read) {
           take(std::move(**read));
         } else {
-          emit refused(text(read->error().message()));
+          emit refused(
+              tr("The participants of %1 were not read. %2").arg(study_.fileName(), text(read->error().message())),
+              {tr("Read them again"), [this] { refresh(); }});
         }
       }
       if (stale_) refresh();
@@ -77,7 +79,9 @@ void CollectController::addParticipant() {
         study_.refresh();
         emit added(person->id, text(person->code));
       },
-      [this](const QString& sentence) { emit refused(sentence); });
+      [this](const QString& sentence) {
+        emit refused(tr("No participant was added. %1").arg(sentence), {tr("Try again"), [this] { addParticipant(); }});
+      });
 }
 
 void CollectController::previewWithdrawal(const study::RecordId& person) {
@@ -87,7 +91,8 @@ void CollectController::previewWithdrawal(const study::RecordId& person) {
       if (preview) {
         emit previewed(person, *preview);
       } else {
-        emit refused(text(preview.error().message()));
+        emit withdrawalRefused(person,
+                               tr("What would be deleted was not counted. %1").arg(text(preview.error().message())));
       }
     };
   });
@@ -108,9 +113,9 @@ void CollectController::withdraw(const study::RecordId& person) {
         end();
         emit withdrawn(code);
       },
-      [this, end](const QString& sentence) {
+      [this, end, person, code = found->code](const QString& sentence) {
         end();
-        emit refused(sentence);
+        emit withdrawalRefused(person, tr("%1 was not withdrawn. %2").arg(code, sentence));
       });
 }
 

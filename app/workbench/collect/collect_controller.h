@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/workbench/base/message_act.h"
 #include "app/workbench/collect/study_overview.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/store/withdrawal_preview.h"
@@ -53,7 +54,9 @@ class CollectController : public QObject {
   /// Everything of the participant who had `code` is deleted.
   void withdrawn(const QString& code);
   /// One sentence: what could not be done, and why.
-  void refused(const QString& sentence);
+  void refused(const QString& sentence, const tactus::workbench::MessageAct& act);
+  /// One sentence: who was not withdrawn, and why.
+  void withdrawalRefused(const tactus::study::RecordId& person, const QString& sentence);
 
  private:
   void take(StudyOverview overview);

@@ -18,10 +18,7 @@ CollectView::CollectView(CollectController& collect, ProtocolController& protoco
   addWidget(home_);
   addWidget(protocol_);
   connect(home_, &StudyHome::protocolAsked, this, &CollectView::showProtocol);
-  connect(home_, &StudyHome::keyAsked, this, [this] {
-    showProtocol();
-    protocol_->showKey();
-  });
+  connect(home_, &StudyHome::keyAsked, this, &CollectView::showKey);
   connect(protocol_, &ProtocolView::left, this, &CollectView::showHome);
   connect(home_, &StudyHome::withdrawAsked, this, &CollectView::askWithdrawal);
   connect(&collect_.study(), &StudyConnection::closed, this, &CollectView::showHome);
@@ -32,6 +29,11 @@ void CollectView::showHome() { setCurrentWidget(home_); }
 void CollectView::showProtocol() {
   setCurrentWidget(protocol_);
   protocol_->showSection(0);
+}
+
+void CollectView::showKey() {
+  showProtocol();
+  protocol_->showKey();
 }
 
 void CollectView::askWithdrawal(const study::RecordId& person) {

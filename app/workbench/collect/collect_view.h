@@ -26,10 +26,12 @@ class CollectView : public QStackedWidget {
  public slots:
   void showHome();
   void showProtocol();
+  /// The part of the protocol's page with the research key.
+  void showKey();
+  /// Asks in a dialog whether `person` is withdrawn.
+  void askWithdrawal(const tactus::study::RecordId& person);
 
  private:
-  void askWithdrawal(const study::RecordId& person);
-
   CollectController& collect_;
   StudyHome* home_;
   ProtocolView* protocol_;

@@ -88,7 +88,7 @@ void ProtocolController::read() {
     return [this, path, read] {
       if (path != study_.path()) return;
       if (!*read) {
-        emit refused(text(read->error().message()));
+        emit notRead(tr("The protocol of %1 was not read. %2").arg(study_.fileName(), text(read->error().message())));
         return;
       }
       ready_ = true;
@@ -173,22 +173,24 @@ void ProtocolController::store(const QString& reason, const QString& author) {
       },
       [this](const QString& sentence) {
         storing_ = false;
-        emit refused(sentence);
+        emit refused(tr("The protocol stays as it was. %1").arg(sentence));
         look();
       });
 }
 
 void ProtocolController::setKey(const QString& passphrase) {
   if (!ready_ || !study_.takesOrders()) return;
-  study_.order([key = passphrase.toStdString()](
-                   store::StudyFile& file, study::RecordIds&) { return store::setResearchKey(file, key, utcNowMs()); },
-               [this, is_set = !passphrase.isEmpty()] {
-                 has_key_ = is_set;
-                 emit keyStored(is_set);
-                 look();
-                 study_.refresh();
-               },
-               [this](const QString& sentence) { emit refused(sentence); });
+  study_.order(
+      [key = passphrase.toStdString()](store::StudyFile& file, study::RecordIds&) {
+        return store::setResearchKey(file, key, utcNowMs());
+      },
+      [this, is_set = !passphrase.isEmpty()] {
+        has_key_ = is_set;
+        emit keyStored(is_set);
+        look();
+        study_.refresh();
+      },
+      [this](const QString& sentence) { emit keyRefused(tr("The research key stays as it was. %1").arg(sentence)); });
 }
 
 }  // namespace tactus::workbench

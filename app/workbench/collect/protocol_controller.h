@@ -70,8 +70,10 @@ class ProtocolController : public QObject {
   void changed();
   void stored(int version);
   void keyStored(bool is_set);
-  /// One sentence: what was not stored, and why.
+  /// One sentence: what was not stored or read, and why.
   void refused(const QString& sentence);
+  void notRead(const QString& sentence);
+  void keyRefused(const QString& sentence);
 
  private:
   using Values = std::map<std::string, QString>;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
@@ -16,7 +17,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kWidth = 64 * theme::kGrid;  // px
+constexpr int kWidth = 64 * theme::kGrid;  // px at 100 %
 constexpr int kPairs = 2;                  // counts beside each other
 
 QLabel* plain(QWidget* parent) {
@@ -49,12 +50,14 @@ WithdrawalDialog::WithdrawalDialog(CollectController& collect, const study::Reco
           [this](const study::RecordId& of, const store::WithdrawalPreview& preview) {
             if (of == person_) showPreview(preview);
           });
-  connect(&collect_, &CollectController::refused, this, [this](const QString& sentence) {
-    trouble_->setText(harmless(sentence));
-    trouble_->show();
-    showState();
-    fit();
-  });
+  connect(&collect_, &CollectController::withdrawalRefused, this,
+          [this](const study::RecordId& of, const QString& sentence) {
+            if (of != person_) return;
+            trouble_->setText(harmless(sentence));
+            trouble_->show();
+            showState();
+            fit();
+          });
   connect(&collect_, &CollectController::withdrawn, this, [this](const QString& code) {
     if (code == code_) accept();
   });
@@ -158,7 +161,8 @@ void WithdrawalDialog::showPreview(const store::WithdrawalPreview& preview) {
 // As high as its sentences need.
 void WithdrawalDialog::fit() {
   layout()->activate();
-  setFixedSize(kWidth, layout()->totalHeightForWidth(kWidth));
+  const int width = appearance::scaled(kWidth);
+  setFixedSize(width, layout()->totalHeightForWidth(width));
 }
 
 // However it is written: `Velvet Otter` is `velvet-otter`.

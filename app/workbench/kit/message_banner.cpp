@@ -43,8 +43,6 @@ MessageBanner::MessageBanner(QWidget* parent)
   }
 }
 
-void MessageBanner::showError(const QString& sentence) { show(sentence, theme::errorInk(), theme::errorFill()); }
-
 void MessageBanner::showRemedy(const QString& sentence, MessageAct act, const QObject* from) {
   show(sentence, theme::errorInk(), theme::errorFill(), std::move(act));
   from_ = from;

@@ -17,8 +17,7 @@ class MessageBanner : public Card {
  public:
   explicit MessageBanner(QWidget* parent = nullptr);
 
-  void showError(const QString& sentence);
-  /// An error with a button for what helps, which ends the message. `from` can take it back.
+  /// An error with a button for what helps, which ends the message: no error is without one. `from` can take it back.
   void showRemedy(const QString& sentence, MessageAct act, const QObject* from = nullptr);
   /// Closes the error of `from`, if it is still shown.
   void takeBack(const QObject& from);

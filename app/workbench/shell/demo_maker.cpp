@@ -93,7 +93,7 @@ void DemoMaker::tell(int done) {
 void DemoMaker::end(const QString& failure) {
   making_ = false;
   tell(0);
-  if (!failure.isEmpty()) emit failed(tr("The demo study could not be made. %1").arg(failure));
+  if (!failure.isEmpty()) emit failed(tr("The demo study was not made. %1").arg(failure));
 }
 
 }  // namespace tactus::workbench

@@ -76,7 +76,8 @@ bool ModelFiles::makeFromTemplate() {
   if (!mayLoseChanges()) return false;
   auto model = ngtTemplateModel(tr("New NGT model"), folder());
   if (!model) {
-    window_.banner().showError(tr("The new model could not be made. %1").arg(text(model.error().message())));
+    window_.banner().showRemedy(tr("No new model was made. %1").arg(text(model.error().message())),
+                                {tr("Open a file…"), [this] { choose(); }});
     return false;
   }
   unnamed_ = model->path;

@@ -95,7 +95,8 @@ void StudyModels::openModel() {
       const auto model = read ? std::make_shared<ModelInStudy>(std::move(*read)) : nullptr;
       return [this, known, model, sentence] {
         if (!model) {
-          emit failed(study_.path(), sentence);
+          emit failed(study_.path(), tr("The model in %1 was not opened. %2").arg(study_.fileName(), sentence),
+                      {tr("Build the averaged model"), [this] { buildModel(); }});
         } else if (keepsModel() && edits_.history().events().size() != known) {
           openModel();  // what was edited meanwhile has to be read too
         } else {
@@ -118,7 +119,7 @@ void StudyModels::buildModelWith(const elicitation::BuildSettings& settings) {
           emit said((*made)->sentence);
         } else {
           review_.begin(modelVersion());  // what is in the way stands there too
-          emit failed(study_.path(), text(made->error().message()));
+          emit failed(study_.path(), tr("No model was built. %1").arg(text(made->error().message())), {});
         }
       };
     };
@@ -217,7 +218,7 @@ void StudyModels::storeEvents() {
                  [this, id = event.id] { edits_.markStored(id); },
                  [this](const QString& sentence) {
                    refused_ = sentence;
-                   emit failed(study_.path(), sentence);
+                   emit failed(study_.path(), sentence, {});
                  });
   }
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "app/workbench/base/build_note.h"
+#include "app/workbench/base/message_act.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/study/connection/study_connection.h"
@@ -56,7 +57,7 @@ class StudyModels : public QObject, private StudyKeeper {
 
  signals:
   /// One sentence: what failed for which file, and why.
-  void failed(const QString& path, const QString& sentence);
+  void failed(const QString& path, const QString& sentence, const tactus::workbench::MessageAct& act);
   /// One or two sentences about a completed action.
   void said(const QString& sentence);
   /// The study has no model, but answers: one sentence, beside which `buildModel` is offered.

@@ -21,7 +21,9 @@ class ProtocolControllerTest : public testing::Test {
   void SetUp() override {
     tests::makeStudyFile(path);
     openStudy();
-    QObject::connect(&protocol, &ProtocolController::refused, [this](const QString& sentence) { refused = sentence; });
+    const auto refuse = [this](const QString& sentence) { refused = sentence; };
+    QObject::connect(&protocol, &ProtocolController::refused, refuse);
+    QObject::connect(&protocol, &ProtocolController::keyRefused, refuse);
   }
   void openStudy() {
     study.open(path);

@@ -116,6 +116,12 @@ TEST_F(CorrectionsTest, WithoutAChangeNothingIsWrittenAndWhatTheFileRefusesIsSai
   corrections.correct(stroke, wrong, QStringLiteral("level"));
   ASSERT_TRUE(comesTrue([&] { return refused.size() == 1; }));
   EXPECT_FALSE(corrections.canUndo());
+  // What is offered does the same again.
+  EXPECT_TRUE(refused.at(0).at(0).toString().startsWith(QStringLiteral("Not stored: level. ")));
+  const auto act = refused.at(0).at(1).value<MessageAct>();
+  EXPECT_EQ(act.text, QStringLiteral("Try again"));
+  act.run();
+  ASSERT_TRUE(comesTrue([&] { return refused.size() == 2; }));
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST_F(StartViewTest, ADemoThatCannotBeMadeIsASentence) {
   file.close();
   bench.start_parts.exploreDemo();
   ASSERT_TRUE(comesTrue([this] { return !bench.start_parts.demo().isMaking(); }));
-  EXPECT_TRUE(bench.window.banner().message().startsWith(QStringLiteral("The demo study could not be made.")))
+  EXPECT_TRUE(bench.window.banner().message().startsWith(QStringLiteral("The demo study was not made.")))
       << bench.window.banner().message().toStdString();
 }
 

@@ -55,24 +55,28 @@ void Corrections::correct(Record before, Record wanted, const QString& what, con
   }
   newest_[chain] = current;
   steps_.resize(done_);
-  steps_.push_back({chain, std::move(before), wanted, what, reason});
-  write(chain, std::move(wanted), what, reason, done_ + 1);
+  steps_.push_back({chain, before, wanted, what, reason});
+  write(chain, wanted, what, reason, done_ + 1, [=, this] { correct(before, wanted, what, reason); });
 }
 
 void Corrections::undo() {
   if (!canUndo() || !data_.connection().takesOrders()) return;
   const Step& step = steps_[done_ - 1];
-  write(step.chain, step.before, tr("Undone: %1").arg(step.what), QStringLiteral("undo"), done_ - 1);
+  write(step.chain, step.before, tr("Undone: %1").arg(step.what), QStringLiteral("undo"), done_ - 1,
+        [this] { undo(); });
 }
 
 void Corrections::redo() {
   if (!canRedo() || !data_.connection().takesOrders()) return;
-  const Step& step = steps_[done_];
-  write(step.chain, step.after, tr("Redone: %1").arg(step.what), step.reason, done_ + 1);
+  const Step step = steps_[done_];
+  write(step.chain, step.after, tr("Redone: %1").arg(step.what), step.reason, done_ + 1, [this, step] {
+    if (steps_.size() == done_) steps_.push_back(step);
+    redo();
+  });
 }
 
 void Corrections::write(const study::RecordId& chain, Record record, const QString& what, const QString& reason,
-                        std::size_t done_after) {
+                        std::size_t done_after, std::function<void()> again) {
   study::Entry& entry = entryOf(record);
   entry.id = {};
   entry.when = {
@@ -100,11 +104,11 @@ void Corrections::write(const study::RecordId& chain, Record record, const QStri
         emit stored(what);
         emit changed();
       },
-      [this, path](const QString& sentence) {
+      [this, path, what, again = std::move(again)](const QString& sentence) {
         if (path != data_.connection().path()) return;
         busy_ = false;
         steps_.resize(done_);
-        emit refused(sentence);
+        emit refused(tr("Not stored: %1. %2").arg(what, sentence), {tr("Try again"), again});
         emit changed();
       });
   emit changed();

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <map>
 #include <variant>
 #include <vector>
 
+#include "app/workbench/base/message_act.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/undo_source.h"
 #include "core/study/session_records.h"
@@ -43,8 +45,8 @@ class Corrections : public UndoSource {
  signals:
   /// A correction, an undo or a redo is written.
   void stored(const QString& what);
-  /// One sentence: what could not be written, and why.
-  void refused(const QString& sentence);
+  /// One sentence: what was not written, and why.
+  void refused(const QString& sentence, const tactus::workbench::MessageAct& act);
 
  private:
   struct Step {
@@ -57,8 +59,9 @@ class Corrections : public UndoSource {
   /// The current record of each chain.
   using Newest = std::map<study::RecordId, study::RecordId>;
 
+  /// `again`: does the same once more, where it failed.
   void write(const study::RecordId& chain, Record record, const QString& what, const QString& reason,
-             std::size_t done_after);
+             std::size_t done_after, std::function<void()> again);
   void forget();
 
   LabData& data_;

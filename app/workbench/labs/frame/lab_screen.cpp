@@ -35,6 +35,7 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
       failure_(new QLabel(this)),
+      read_again_(new QPushButton(tr("Read it again"), this)),
       pages_(new PageStack(this)) {
   setFocusPolicy(Qt::ClickFocus);
   new TabLook(*tabs_);
@@ -62,7 +63,11 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
   layout->addLayout(head);
-  layout->addWidget(failure_);
+  auto* failed = new QHBoxLayout;
+  failed->setSpacing(theme::kGrid);
+  failed->addWidget(failure_, 1);
+  failed->addWidget(read_again_);
+  layout->addLayout(failed);
   layout->addWidget(pages_, 1);
 
   connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
@@ -76,6 +81,7 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
   connect(redo_, &QToolButton::clicked, this, [this] {
     if (UndoSource* const source = undo()) source->redo();
   });
+  connect(read_again_, &QPushButton::clicked, &data_, &LabData::refresh);
   connect(cancel_, &QPushButton::clicked, this, [this] {
     for (const Watched& one : watched_) one.work->cancel();
   });
@@ -134,8 +140,8 @@ void LabScreen::followUndo() {
   if (source == nullptr) return;
   const QString back = source->undoText();
   const QString again = source->redoText();
-  undo_->setToolTip(back.isEmpty() ? tr("Nothing to undo here") : tr("Undo: %1 (Ctrl+Z)").arg(back));
-  redo_->setToolTip(again.isEmpty() ? tr("Nothing to redo here") : tr("Redo: %1 (Ctrl+Shift+Z)").arg(again));
+  undo_->setToolTip(back.isEmpty() ? tr("Undo: nothing was changed here") : tr("Undo: %1 (Ctrl+Z)").arg(back));
+  redo_->setToolTip(again.isEmpty() ? tr("Redo: nothing was undone here") : tr("Redo: %1 (Ctrl+Shift+Z)").arg(again));
 }
 
 void LabScreen::followWork() {
@@ -166,8 +172,10 @@ void LabScreen::followWork() {
 }
 
 void LabScreen::followStudy() {
-  failure_->setText(data_.failure());
-  failure_->setVisible(!data_.failure().isEmpty());
+  const bool failed = !data_.failure().isEmpty();
+  failure_->setText(failed ? tr("The labs show nothing of this study. %1").arg(data_.failure()) : QString());
+  failure_->setVisible(failed);
+  read_again_->setVisible(failed);
 }
 
 // So that keys are for the lab, not for the model, from the beginning.

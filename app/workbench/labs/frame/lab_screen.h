@@ -60,6 +60,7 @@ class LabScreen : public QWidget {
   QToolButton* undo_;
   QToolButton* redo_;
   QLabel* failure_;
+  QPushButton* read_again_;
   QStackedWidget* pages_;
   QHash<QWidget*, UndoSource*> undo_of_;
   std::vector<Watched> watched_;
