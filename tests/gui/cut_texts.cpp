@@ -81,6 +81,15 @@ void addMisplaced(QWidget& window, QStringList& out) {
   }
 }
 
+/// What wrote the text that is seen at `seen`. The last px of a row of a table may lie on the edge of its viewport.
+const QWidget* paintedBy(const QWidget& window, const QRectF& seen) {
+  for (const QPointF& place : {seen.center(), seen.topLeft()}) {
+    const QWidget* widget = window.childAt(place.toPoint());
+    if (widget != nullptr && qobject_cast<const QAbstractScrollArea*>(widget->parentWidget()) != nullptr) return widget;
+  }
+  return window.childAt(seen.center().toPoint());
+}
+
 bool mustBeWhole(const QWidget& widget) {
   return qobject_cast<const QAbstractButton*>(&widget) != nullptr || qobject_cast<const QTabBar*>(&widget) != nullptr;
 }
@@ -102,7 +111,7 @@ QStringList cutTexts(QWidget& window) {
     if (written.text.trimmed().isEmpty()) continue;
     const QRectF seen = written.box & written.clip;
     if (seen.isEmpty()) continue;  // scrolled away, or a widget whose place is beyond an edge
-    const QWidget* widget = window.childAt(seen.center().toPoint());
+    const QWidget* widget = paintedBy(window, seen);
     if (widget == nullptr) widget = &window;
     const QString where = beyond(written.box, written.clip, *widget, kSlack + kBearing * written.box.height());
     if (!where.isEmpty()) {

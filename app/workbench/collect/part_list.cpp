@@ -76,8 +76,8 @@ void PartList::follow() {
     row.box->setChecked(in);
     row.earlier->setEnabled(in && i > 0);
     row.later->setEnabled(in && i + 1 < in_.size());
-    row.earlier->setAccessibleName(tr("Earlier: %1").arg(name));
-    row.later->setAccessibleName(tr("Later: %1").arg(name));
+    row.earlier->setAccessibleName(tr("Move earlier: %1").arg(name));
+    row.later->setAccessibleName(tr("Move later: %1").arg(name));
     row.earlier->setToolTip(row.earlier->accessibleName());
     row.later->setToolTip(row.later->accessibleName());
   }

@@ -142,7 +142,7 @@ void ProtocolField::follow() {
   const bool changed = protocol_.version() > 0 && (protocol_.isChanged(spec_.name) || refused);
   const QString before = protocol_.storedValue(spec_.name);
   undo_->setVisible(changed && !protocol_.isStoring());
-  undo_->setToolTip(spec_.kind == Kind::kNumber && !before.isEmpty() ? tr("Back to %1").arg(before)
+  undo_->setToolTip(spec_.kind == Kind::kNumber && !before.isEmpty() ? tr("Set back to %1").arg(before)
                                                                      : tr("Undo this change"));
   note_->setText(refused ? harmless(trouble()) : spec_.help);
   setInk(*note_, refused ? theme::errorInk() : theme::mutedInk());

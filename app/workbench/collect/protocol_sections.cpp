@@ -156,7 +156,7 @@ void ProtocolView::addKey() {
   key_->setAccessibleName(tr("New research key"));
   key_again_->setAccessibleName(tr("The same key again"));
   key_->setPlaceholderText(tr("New key, at least %1 letters").arg(kKeyLetters));
-  key_again_->setPlaceholderText(tr("The same again"));
+  key_again_->setPlaceholderText(tr("Type it again"));
   setInk(*key_trouble_, theme::mutedInk());
   auto* row = new QHBoxLayout;
   row->setSpacing(theme::kGrid);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
@@ -16,6 +17,7 @@
 #include "app/workbench/collect/step_words.h"
 #include "app/workbench/kit/card.h"
 #include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_button.h"
 #include "app/workbench/kit/primary_button.h"
@@ -25,7 +27,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kInvitationWidth = 60 * theme::kGrid;  // px
-constexpr int kStepWidth = 9 * theme::kGrid;
+constexpr int kStepWidth = 9 * theme::kGrid;         // px at 100 %
 constexpr int kRowHeight = 7 * theme::kGrid;
 
 // The participants' table: quiet lines, one selected row.
@@ -36,15 +38,17 @@ QTableView* makeTable(ParticipantTable& model, QWidget* parent) {
   QHeaderView* const head = view->horizontalHeader();
   head->setDefaultAlignment(Qt::AlignCenter);
   head->setMinimumHeight(4 * theme::kGrid);
-  const QFontMetrics metrics(theme::smallFont());
-  for (int column = 0; column < ParticipantTable::kColumns; ++column) {
-    const QString title = model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    const int width = std::max(metrics.horizontalAdvance(title) + theme::kGrid, kStepWidth);
-    view->setColumnWidth(column, ParticipantTable::stepOf(column) ? width : width + 2 * theme::kGrid);
-  }
-  // The longest words that stand there.
-  const int next = QFontMetrics(theme::headingFont()).horizontalAdvance(stepName(CollectStep::kDeviceCheck));
-  view->setColumnWidth(ParticipantTable::kNext, next + 3 * theme::kGrid);
+  keepFitted(*view, [view, &model] {
+    const QFontMetrics metrics(theme::smallFont());
+    for (int column = 0; column < ParticipantTable::kColumns; ++column) {
+      const QString title = model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+      const int width = std::max(metrics.horizontalAdvance(title) + theme::kGrid, appearance::scaled(kStepWidth));
+      view->setColumnWidth(column, ParticipantTable::stepOf(column) ? width : width + 2 * theme::kGrid);
+    }
+    // The longest words that stand there.
+    const int next = QFontMetrics(theme::headingFont()).horizontalAdvance(stepName(CollectStep::kDeviceCheck));
+    view->setColumnWidth(ParticipantTable::kNext, next + 3 * theme::kGrid);
+  });
   head->setSectionResizeMode(ParticipantTable::kCode, QHeaderView::Stretch);
   head->setMinimumSectionSize(6 * theme::kGrid);
   return view;
@@ -239,7 +243,7 @@ void StudyHome::follow() {
   for (QPushButton* button : {add_, static_cast<QPushButton*>(start_), withdraw_}) button->setToolTip(locked);
   usability_->setToolTip(
       !locked.isEmpty() ? locked
-                        : tr("Six questions for a clinical teacher who tried the model, with a code of their own"));
+                        : tr("Ask a clinical teacher who tried the model six questions, with a code of their own"));
   if (newest_ && collect_.row(*newest_) != nullptr && selected() != newest_) select(*newest_);
   showSelection();
   showHints();

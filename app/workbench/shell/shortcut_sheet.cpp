@@ -97,7 +97,9 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
 
   qsizetype height = 0;
   for (const Section& section : sections) height += heightOf(section);
-  auto* columns = new QHBoxLayout;
+  auto* sheet = new QWidget;
+  auto* columns = new QHBoxLayout(sheet);
+  columns->setContentsMargins(0, 0, 0, 0);
   columns->setSpacing(4 * theme::kGrid);
   QVBoxLayout* column = nullptr;
   qsizetype filled = 0;
@@ -119,8 +121,17 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid, 2 * theme::kGrid);
   layout->setSpacing(3 * theme::kGrid);
-  layout->addLayout(columns);
+  // With large text it is larger than a small screen.
+  auto* area = new QScrollArea(this);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setWidgetResizable(true);
+  area->setAccessibleName(windowTitle());
+  area->setWidget(sheet);
+  layout->addWidget(area);
   layout->addWidget(close);
+  const QSize bar(area->verticalScrollBar()->sizeHint().width(), area->horizontalScrollBar()->sizeHint().height());
+  const QSize around = layout->sizeHint() - area->sizeHint();
+  resize((sheet->sizeHint() + around + bar).boundedTo(screen()->availableSize() * 9 / 10));
 }
 
 }  // namespace tactus::workbench

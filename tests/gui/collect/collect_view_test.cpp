@@ -181,10 +181,10 @@ TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) 
     }
     return static_cast<QToolButton*>(nullptr);
   };
-  ASSERT_NE(arrow("Earlier: Questions: the force in 45 situations"), nullptr);
-  EXPECT_FALSE(arrow("Earlier: Speed: insertions at a named speed")->isEnabled());
-  EXPECT_FALSE(arrow("Later: Questions: the force in 45 situations")->isEnabled());
-  arrow("Earlier: Questions: the force in 45 situations")->setFocus();
+  ASSERT_NE(arrow("Move earlier: Questions: the force in 45 situations"), nullptr);
+  EXPECT_FALSE(arrow("Move earlier: Speed: insertions at a named speed")->isEnabled());
+  EXPECT_FALSE(arrow("Move later: Questions: the force in 45 situations")->isEnabled());
+  arrow("Move earlier: Questions: the force in 45 situations")->setFocus();
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,form,force"));
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);

@@ -7,15 +7,20 @@
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/say.h"
 #include "app/workbench/kit/tab_look.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
@@ -30,7 +35,8 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSettingsWidth = 40 * theme::kGrid;  // px
+constexpr int kSettingsWidth = 40 * theme::kGrid;  // px at 100 %
+constexpr int kWidestSettings = 400;               // px: the rest is for image and pages
 
 }  // namespace
 
@@ -39,10 +45,18 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   setObjectName(QStringLiteral("depth"));
   setWindowTitle(tr("Depth"));
   auto* settings = new DepthSettingsPanel(lab, this);
-  settings->setFixedWidth(kSettingsWidth);
+  auto* beside = new QScrollArea(this);
+  beside->setFrameShape(QFrame::NoFrame);
+  beside->setWidgetResizable(true);
+  beside->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  beside->setAccessibleName(tr("Settings of the depth"));
+  beside->setWidget(settings);
+  keepFitted(*beside,
+             [beside] { beside->setFixedWidth(std::min(appearance::scaled(kSettingsWidth), kWidestSettings)); });
   auto* image = new Card(this);
   auto* fit = new QPushButton(tr("Show &all"), image);
-  auto* hint = new QLabel(tr("Wheel: zoom · right button: move the image"), image);
+  auto* hint = new ElidedLabel(image);
+  hint->setFullText(tr("Wheel: zoom · right button: move the image"));
   setMuted(*hint);
   auto* foot = new QHBoxLayout;
   foot->addWidget(hint, 1);
@@ -54,7 +68,7 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
-  layout->addWidget(settings);
+  layout->addWidget(beside);
   layout->addWidget(image, 5);
   layout->addWidget(makePages(), 4);
   connect(fit, &QPushButton::clicked, canvas_, &DepthCanvas::zoomToAll);
@@ -79,8 +93,15 @@ QWidget* DepthLabView::makePages() {
   auto* pages = new QTabWidget(card);
   new TabLook(*pages->tabBar());
   pages->setDocumentMode(true);
-  pages->addTab(new DepthTermPage(lab_), tr("Terms of the depth"));
-  pages->addTab(new LengthPage(lab_), tr("Insertion length"));
+  pages->addTab(new DepthTermPage(lab_), tr("Terms"));
+  // With large text the table of the formulas is wider than the page.
+  auto* length = new QScrollArea;
+  length->setObjectName(QStringLiteral("length"));
+  length->setFrameShape(QFrame::NoFrame);
+  length->setWidgetResizable(true);
+  length->setAccessibleName(tr("Insertion length"));
+  length->setWidget(new LengthPage(lab_));
+  pages->addTab(length, tr("Insertion length"));
   auto* inside = new QVBoxLayout(card);
   inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid);
   inside->addWidget(pages);

@@ -39,7 +39,7 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
       lab_(lab),
       name_(new QLabel(this)),
       mm_per_px_(new NumberBox(range(tr("Millimeters per pixel"), "mm", 0.001, 10), 0.01, this)),
-      length_(new QPushButton(tr("&Known length…"), this)),
+      length_(new QPushButton(tr("Mark a &known length…"), this)),
       scale_(new SettingRow(tr("Anatomical scale"),
                             tr("All depths of the terms times this factor: 0.93 for a small adult, 1.05 for a large "
                                "one. The measurement stays."),
@@ -47,7 +47,7 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
       way_(new QLabel(this)),
       problem_(new QLabel(this)) {
   auto* load = new QPushButton(tr("&Load an image…"), this);
-  auto* example = new QPushButton(tr("&Example"), this);
+  auto* example = new QPushButton(tr("&Show the example"), this);
   name_->setTextFormat(Qt::PlainText);
   for (QLabel* label : {name_, way_}) setMuted(*label);
   for (QLabel* label : {name_, way_, problem_}) label->setWordWrap(true);
@@ -58,8 +58,8 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
   layout->setVerticalSpacing(theme::kGrid);
   int row = 0;
   layout->addWidget(heading(tr("Image"), this), row++, 0, 1, 2);
-  layout->addWidget(load, row, 0);
-  layout->addWidget(example, row++, 1);
+  layout->addWidget(load, row++, 0, 1, 2);
+  layout->addWidget(example, row++, 0, 1, 2);
   layout->addWidget(name_, row++, 0, 1, 2);
   layout->addWidget(new QLabel(tr("One pixel is"), this), row, 0);
   layout->addWidget(mm_per_px_, row++, 1, Qt::AlignRight);

@@ -46,7 +46,7 @@ DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
   numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   choice_->addItem(tr("Template"));
   choice_->addItem(tr("Measured here"));
-  choice_->setToolTip(tr("Which depths the study's model has, here, in the report and in the bench."));
+  choice_->setToolTip(tr("Choose which depths the study's model has, here, in the report and in the bench."));
   auto* menu = new PlotMenu(
       *plot_, [this] { return termTable(lab_); }, this);
   auto* layout = new QVBoxLayout(this);

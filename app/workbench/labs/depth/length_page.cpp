@@ -64,9 +64,9 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
       example_(mutedWords({}, this)),
       plot_(new LengthPlot(this)),
       target_(mutedWords({}, this)) {
-  setObjectName(QStringLiteral("length"));
   length_->setToolTip(
-      tr("From the tip of the nose over the lobe of the ear to the end of the breastbone, along the tube."));
+      tr("Type the length from the tip of the nose over the lobe of the ear to the end of the breastbone, along the "
+         "tube."));
   auto* menu = new PlotMenu(
       *plot_, [this] { return lengthTable(lab_, lab_.measurement().nose_ear_xiphoid_mm.value_or(kExampleMm)); }, this);
   auto* layout = new QVBoxLayout(this);

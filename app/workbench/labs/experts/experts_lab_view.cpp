@@ -106,7 +106,7 @@ QWidget* ExpertsLabView::makeLeft() {
   pairs->verticalHeader()->show();
   pairs->verticalHeader()->setFont(theme::smallFont());
   pairs->horizontalHeader()->setStretchLastSection(false);
-  details->addTab(policies, tr("Does the choice of weights matter?"));
+  details->addTab(policies, tr("Choice of weights"));
   details->addTab(pairs, tr("Between experts"));
   auto* below = new Card;
   auto* inside = new QVBoxLayout(below);
@@ -129,7 +129,7 @@ QWidget* ExpertsLabView::makeRight() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(theme::kGrid);
   band_->setAccessibleName(tr("Band around the averaged force"));
-  band_->setToolTip(tr("How far the averaged force can be trusted."));
+  band_->setToolTip(tr("Choose the band that says how far the averaged force can be trusted."));
   band_->addItem(tr("Band: the experts"));
   for (const elicitation::BandKind kind : kBands) {
     band_->addItem(tr("Band: %1").arg(bandName(kind)));
@@ -142,7 +142,7 @@ QWidget* ExpertsLabView::makeRight() {
   column->addWidget(plot_, 1);
   column->addWidget(band_text_);
   column->addWidget(settings_);
-  open_->setToolTip(tr("Adds the averaged model to the study as another model, and leads to tuning."));
+  open_->setToolTip(tr("Add the averaged model to the study as another model, and go on to tuning."));
   connect(open_, &QPushButton::clicked, this, &ExpertsLabView::benchAsked);
   auto* card = new LabCard(tr("Who pulls where"), page);
   card->addTool(new PlotMenu(

@@ -53,7 +53,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   delivered_->setObjectName(QStringLiteral("delivered"));
   series_->setAccessibleName(tr("Series that votes"));
   series_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-  series_->setToolTip(tr("The series that votes for the words of the force."));
+  series_->setToolTip(tr("Choose the series that votes for the words of the force."));
   auto* table = new LabCard(tr("Votes for each force (Table 2)"), votes_);
   table->addTool(series_);
   auto* words = new LabCard(tr("Words of the force (Fig. 3e), four ways"), terms_);

@@ -71,7 +71,7 @@ QWidget* ForceTermsView::makeColumn(std::size_t index) {
   auto* column = new QWidget(this);
   made.choice = new QRadioButton(methodName(kForceMethods[index]), column);
   made.choice->setFont(theme::headingFont());
-  made.choice->setToolTip(tr("The model takes its words of the force from here."));
+  made.choice->setToolTip(tr("Take the words of the force in the model from here."));
   made.rule = new WrappedLabel(column);
   made.rule->setText(methodRule(kForceMethods[index]));
   made.rule->setAlignment(Qt::AlignLeft | Qt::AlignTop);

@@ -5,8 +5,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kNarrowest = 26;  // px: two small letters and a frame
-constexpr int kWidest = 78;
+constexpr int kWidest = 78;  // px
 constexpr int kLowest = 26;
 constexpr int kHighest = 40;
 constexpr int kRowGap = 8;
@@ -14,7 +13,7 @@ constexpr int kRowGap = 8;
 }  // namespace
 
 GridPlaces::GridPlaces(std::size_t rows, std::size_t columns, std::size_t blocks, std::vector<std::size_t> breaks,
-                       int names_px, int heads_px, const QSize& room_px)
+                       int names_px, int heads_px, const QSize& room_px, int narrowest_px)
     : rows_(rows),
       columns_(columns),
       blocks_(blocks),
@@ -24,7 +23,7 @@ GridPlaces::GridPlaces(std::size_t rows, std::size_t columns, std::size_t blocks
       cell_height_(kLowest) {
   const int count = static_cast<int>(blocks_) + 1;
   const int room = room_px.width() - names_px_ - count * kBlockGap;
-  if (columns_ > 0) cell_width_ = std::clamp(room / (count * static_cast<int>(columns_)), kNarrowest, kWidest);
+  if (columns_ > 0) cell_width_ = std::clamp(room / (count * static_cast<int>(columns_)), narrowest_px, kWidest);
   if (rows_ > 0) {
     cell_height_ = std::clamp(kLowest + (room_px.height() - height()) / static_cast<int>(rows_), kLowest, kHighest);
   }

@@ -15,11 +15,12 @@ namespace tactus::workbench {
 
 class GridPlaces {
  public:
+  static constexpr int kNarrowest = 26;  ///< px of a cell: two small letters and a frame
   /// `rows`, `columns`: of each block. `blocks`: besides the one that stands still. `breaks`: rows before which a gap
   /// parts the inputs. `names_px`: width of the names of the rows; `heads_px`: height of the heads of the columns.
   /// `room_px`: what the cells fill, as far as it keeps them readable.
   GridPlaces(std::size_t rows, std::size_t columns, std::size_t blocks, std::vector<std::size_t> breaks, int names_px,
-             int heads_px, const QSize& room_px);
+             int heads_px, const QSize& room_px, int narrowest_px = kNarrowest);
   GridPlaces() = default;
 
   int width() const;

@@ -81,7 +81,8 @@ void GridsView::layOut() {
   const QFontMetrics metrics(font());
   places_ = GridPlaces(grids.rows.size(), grids.columns.size(), grids.experts.size(), breaksOf(grids.rows),
                        inputsWidth(grids, metrics) + namesWidth(grids, metrics) + kNamesPad,
-                       headsHeight(grids, metrics), viewport()->size());
+                       headsHeight(grids, metrics), viewport()->size(),
+                       std::max(GridPlaces::kNarrowest, metrics.horizontalAdvance(QStringLiteral("0.00")) + 4));
   horizontalScrollBar()->setRange(0, std::max(0, places_.width() - viewport()->width()));
   horizontalScrollBar()->setPageStep(std::max(1, viewport()->width() - places_.scrollEdge()));
   verticalScrollBar()->setRange(0, 0);

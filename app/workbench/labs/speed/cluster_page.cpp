@@ -10,6 +10,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
+#include "app/workbench/kit/elided_label.h"
 #include "app/workbench/kit/statistic_help.h"
 #include "app/workbench/labs/speed/cluster_plot.h"
 #include "app/workbench/labs/speed/speed_lab.h"
@@ -22,12 +23,12 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
       terms_(nullptr),
-      key_(new QLabel(this)),
+      key_(new ElidedLabel(this)),
       said_(new QLabel(this)),
       waiting_(new QLabel(this)) {
   auto* clusters = new Card(this);
   setMuted(*key_);
-  key_->setText(
+  key_->setFullText(
       tr("gray: samples · lines: membership in each cluster · dotted: its center, 95 % interval at the foot"));
   auto* head = new QHBoxLayout;
   auto* title = new QLabel(tr("Clusters of each participant"), clusters);

@@ -12,6 +12,7 @@ class QLabel;
 namespace tactus::workbench {
 
 class ClusterPlot;
+class ElidedLabel;
 class SpeedLab;
 class SpeedTermPlot;
 
@@ -37,7 +38,7 @@ class ClusterPage : public QWidget, public PlotSource {
   SpeedLab& lab_;
   std::vector<ClusterPlot*> plots_;
   SpeedTermPlot* terms_;
-  QLabel* key_;
+  ElidedLabel* key_;
   QLabel* said_;
   QLabel* waiting_;
 };

@@ -41,7 +41,7 @@ void ObjectivePlot::show(const SpeedResult& result, const std::vector<ObjectiveT
   }
   styleAxis(*plot_->xAxis, iterations);
   styleAxis(*plot_->yAxis, iterations);
-  plot_->xAxis->setLabel(tr("Iteration of the textbook's algorithm"));
+  plot_->xAxis->setLabel(tr("Iteration of the textbook"));
   plot_->yAxis->setLabel(tr("J / its minimum"));
   plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
   plot_->yAxis->setRange(1 - 0.05 * (highest - 1 + 0.01), 1 + 1.08 * (highest - 1 + 0.01));

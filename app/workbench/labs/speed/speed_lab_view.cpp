@@ -6,8 +6,10 @@
 #include <QTabWidget>
 #include <QToolButton>
 
+#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/tab_look.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/speed/cluster_page.h"
@@ -19,7 +21,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kSettingsWidth = 29 * theme::kGrid;  // px
+constexpr int kSettingsWidth = 29 * theme::kGrid;  // px at 100 %
 
 }  // namespace
 
@@ -36,7 +38,7 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& correcti
   setObjectName(QStringLiteral("speed"));
   setWindowTitle(tr("Speed"));
   auto* settings = new SpeedSettingsPanel(lab, this);
-  settings->setFixedWidth(kSettingsWidth);
+  keepFitted(*settings, [settings] { settings->setFixedWidth(appearance::scaled(kSettingsWidth)); });
   new TabLook(*pages_->tabBar());
   pages_->setDocumentMode(true);
   auto* const numbers = new NumberPage(lab, this);

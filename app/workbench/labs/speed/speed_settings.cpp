@@ -57,7 +57,7 @@ SpeedSettingsPanel::SpeedSettingsPanel(SpeedLab& lab, QWidget* parent)
   note_->setWordWrap(true);
   auto* title = new QLabel(tr("Settings"), this);
   title->setFont(theme::headingFont());
-  auto* defaults = new QPushButton(tr("&Defaults"), this);
+  auto* defaults = new QPushButton(tr("Reset to &defaults"), this);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(2 * theme::kGrid, theme::kGrid + 4, 2 * theme::kGrid, 2 * theme::kGrid);
   layout->setSpacing(theme::kGrid);
