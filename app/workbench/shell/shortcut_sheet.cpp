@@ -132,7 +132,8 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   layout->addWidget(close);
   const QSize bar(area->verticalScrollBar()->sizeHint().width(), area->horizontalScrollBar()->sizeHint().height());
   const QSize around = layout->sizeHint() - area->sizeHint();
-  resize((sheet->sizeHint() + around + bar).boundedTo(screen()->availableSize() * 9 / 10));
+  resize((sheet->sizeHint() + around + bar)
+             .boundedTo(parent != nullptr ? parent->window()->size() : screen()->availableSize()));
 }
 
 }  // namespace tactus::workbench

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -37,6 +38,7 @@ namespace {
 
 constexpr int kSettingsWidth = 40 * theme::kGrid;  // px at 100 %
 constexpr int kWidestSettings = 400;               // px: the rest is for image and pages
+constexpr int kWidestLength = 400;                 // px of the page of the formulas, which scrolls if it needs more
 
 }  // namespace
 
@@ -100,7 +102,12 @@ QWidget* DepthLabView::makePages() {
   length->setFrameShape(QFrame::NoFrame);
   length->setWidgetResizable(true);
   length->setAccessibleName(tr("Insertion length"));
-  length->setWidget(new LengthPage(lab_));
+  auto* length_page = new LengthPage(lab_);
+  length->setWidget(length_page);
+  keepFitted(*length, [length, length_page] {
+    const int whole = length_page->minimumSizeHint().width() + length->verticalScrollBar()->sizeHint().width();
+    length->setMinimumWidth(std::min(whole, kWidestLength));
+  });
   pages->addTab(length, tr("Insertion length"));
   auto* inside = new QVBoxLayout(card);
   inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid);
