@@ -3,7 +3,6 @@
 #include <QHeaderView>
 #include <QProxyStyle>
 
-#include "app/workbench/kit/font_fit.h"
 #include "app/workbench/kit/quiet_table.h"
 
 namespace tactus::workbench {
@@ -30,14 +29,10 @@ QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString
   roomy->setParent(view);
   for (QWidget* widget : {static_cast<QWidget*>(view), static_cast<QWidget*>(head)}) widget->setStyle(roomy);
   head->setResizeContentsPrecision(kMeasuredRows);
+  head->setTextElideMode(Qt::ElideRight);
   head->setSectionResizeMode(QHeaderView::ResizeToContents);
   if (stretched >= 0) {
     head->setSectionResizeMode(stretched, QHeaderView::Stretch);
-    // Its head stays whole; what is beside the table then is scrolled to.
-    const QString title = model.headerData(stretched, Qt::Horizontal, Qt::DisplayRole).toString();
-    keepFitted(*head, [head, title] {
-      head->setMinimumSectionSize(head->fontMetrics().horizontalAdvance(title) + 3 * kCellPad);
-    });
   } else {
     head->setStretchLastSection(true);
   }
