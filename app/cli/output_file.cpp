@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/text.h"
+#include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
 
 namespace tactus::cli {
@@ -25,9 +26,12 @@ bool isDatabase(const fs::path& path) {
 bool isTableOf(const fs::path& folder, const fs::path& out) {
   std::error_code ignored;
   const fs::path parent = out.parent_path().empty() ? fs::path(".") : out.parent_path();
-  if (!fs::equivalent(folder, parent, ignored)) return false;
+  const bool is_inside = fs::equivalent(folder, parent, ignored);
   const std::string stem = base::lowered(out.stem().string());
-  const auto is_it = [&](std::string_view table) { return fs::path(table).stem() == stem; };
+  const auto is_it = [&](std::string_view table) {
+    return (is_inside && fs::path(table).stem() == stem) ||
+           fs::equivalent(folder / study::publishedTable(table), out, ignored);
+  };
   return std::ranges::any_of(std::array{study::kParticipantsTable, study::kSpeedsTable, study::kJudgementsTable,
                                         study::kAnswersTable, study::kRulesTable},
                              is_it);

@@ -18,32 +18,19 @@ namespace {
 namespace fs = std::filesystem;
 using base::Result;
 
-/// A table of the study, and the word for it in the name of its file.
-struct NamedTable {
-  std::string_view table;
-  std::string_view word;
-};
-
-constexpr std::array<NamedTable, 5> kTables = {{{study::kParticipantsTable, "participants"},
-                                                {study::kSpeedsTable, "strokes"},
-                                                {study::kJudgementsTable, "judgements"},
-                                                {study::kAnswersTable, "answers"},
-                                                {study::kRulesTable, "rules"}}};
+constexpr std::array<std::string_view, 5> kTables = {study::kParticipantsTable, study::kSpeedsTable,
+                                                     study::kJudgementsTable, study::kAnswersTable, study::kRulesTable};
 
 constexpr std::string_view kAbout = "dataset_description.json";
 constexpr std::string_view kAboutFolder =
     "The layout is Psych-DS. The tables are below data; codebook.md and dataset_description.json say what each column "
-    "holds. `tactus build` reads them under the names participants.csv, speeds.csv (here: strokes), judgements.csv, "
-    "answers.csv and rules.csv.";
-
-/// `study` and `description` are keys that Psych-DS knows.
-std::string dataFile(std::string_view word) { return "data/study-ngt_description-" + std::string(word) + "_data.csv"; }
+    "holds. `tactus build` and `tactus study import` read this folder.";
 
 bool isOfPsychDs(const fs::path& below) {
   const std::string path = below.generic_string();
   if (path == kAbout || path == "README.md" || path == "codebook.json" || path == "codebook.md") return true;
   return std::any_of(kTables.begin(), kTables.end(),
-                     [&](const NamedTable& table) { return path == dataFile(table.word); });
+                     [&](std::string_view table) { return path == study::publishedTable(table); });
 }
 
 /// Columns of participants.csv that are always empty in what is shared.
@@ -103,12 +90,12 @@ Result<void> writePsychDs(const PublishedStudy& published, const std::string& fo
   session::Codebook codebook;
   codebook.shareable = true;
   if (!published.simulated.empty()) codebook.notes.push_back(published.simulated);
-  for (const auto& [name, word] : kTables) {
+  for (const std::string_view name : kTables) {
     const auto table = base::CsvTable::read((fs::path(work) / name).string());
     if (!table) return tl::unexpected(table.error());
     const bool is_participants = name == study::kParticipantsTable;
     if (table->rowCount() == 0 && !is_participants) continue;
-    const std::string path = dataFile(word);
+    const std::string path = study::publishedTable(name);
     const auto text = is_participants ? participantsText(*table, published.shared.bands)
                                       : base::readFile(table->file(), std::size_t{1} << 31U);
     if (!text) return tl::unexpected(text.error());

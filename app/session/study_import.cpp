@@ -312,9 +312,13 @@ Result<StudyImport> importTables(const study::Study& study, store::StudyFile& fi
 }
 
 Result<ImportSource> tablesSource(const std::string& folder, const std::string& name, std::int64_t utc_ms) {
-  auto hash = base::listingSha256(folder, {std::string(study::kParticipantsTable), std::string(study::kSpeedsTable),
-                                           std::string(study::kJudgementsTable), std::string(study::kAnswersTable),
-                                           std::string(study::kRulesTable)});
+  std::vector<std::string> names;
+  for (const auto table : {study::kParticipantsTable, study::kSpeedsTable, study::kJudgementsTable,
+                           study::kAnswersTable, study::kRulesTable}) {
+    names.emplace_back(table);
+    names.push_back(study::publishedTable(table));  // only one of the two is there
+  }
+  auto hash = base::listingSha256(folder, names);
   if (!hash) return tl::unexpected(hash.error());
   return ImportSource{name, std::move(*hash), utc_ms};
 }

@@ -18,10 +18,14 @@ struct StudyTables {
   std::vector<std::string> notices = {};  ///< of the opening of a study file (store::StudyFile); none of a folder
 };
 
+/// Where a table lies below the folder of a data set for publication in the layout of Psych-DS (app/dataset):
+/// `data/study-ngt_description-strokes_data.csv` for speeds.csv.
+std::string publishedTable(std::string_view table);
+
 /// Reads the tables of `folder`. The study gets the folder's name; each record keeps its line number.
 /// `participants.csv` must exist; each other table may be absent. A table may also be called `Speeds.CSV`, `speeds.txt`
-/// or `speeds.tsv` if it is the only one of that name. Column names may vary in spelling (base::columnKey). Optional
-/// columns may be absent (csv_columns.h), each with a note.
+/// or `speeds.tsv` if it is the only one of that name, or lie at its `publishedTable`. Column names may vary in
+/// spelling (base::columnKey). Optional columns may be absent (csv_columns.h), each with a note.
 /// Returns an error for: a missing column, a value of the wrong kind (with file, line and column), a step or stroke
 /// below 1, a force below 0, a duplicate participant, answer, judgement or rule, a row of an unknown participant. Terms
 /// and levels stay text, because only elicitation knows the valid ones.

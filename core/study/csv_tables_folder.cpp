@@ -87,7 +87,10 @@ class FolderReader {
       const bool is_table = ending == ".csv" || ending == ".txt" || ending == ".tsv";
       if (is_table && base::lowered(entry.path().stem().string()) == stem) like.push_back(entry.path());
     }
-    if (like.empty()) return fs::path();
+    if (like.empty()) {
+      const fs::path published = folder_ / publishedTable(name);
+      return fs::exists(published, ignored) ? published : fs::path();
+    }
     if (like.size() == 1) return like.front();
     std::sort(like.begin(), like.end());
     return tl::unexpected(
@@ -172,6 +175,7 @@ Result<void> checkFolder(const std::string& folder) {
     if (name == "participants.csv" || name == "participants.txt" || name == "participants.tsv") return {};
     if (name.ends_with(".xlsx") || name.ends_with(".xls") || name.ends_with(".ods")) spreadsheet = name;
   }
+  if (fs::exists(fs::path(folder) / publishedTable(kParticipantsTable), ignored)) return {};
   if (!spreadsheet.empty()) {
     return tl::unexpected(base::Error{ErrorCode::kIo,
                                       folder,
@@ -200,6 +204,12 @@ std::vector<std::string_view> knownRuleColumns(const std::vector<std::string>& i
 }
 
 }  // namespace
+
+std::string publishedTable(std::string_view table) {
+  // `study` and `description` are keys that Psych-DS knows.
+  const std::string word = table == kSpeedsTable ? "strokes" : fs::path(table).stem().string();
+  return "data/study-ngt_description-" + word + "_data.csv";
+}
 
 Result<StudyTables> readStudyFolder(const std::string& folder, const std::vector<std::string>& input_ids) {
   if (const auto there = checkFolder(folder); !there) return tl::unexpected(there.error());

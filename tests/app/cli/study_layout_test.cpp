@@ -55,6 +55,21 @@ TEST_F(StudyLayoutTest, APersonWhoWithdrewIsNotInIt) {
             "participant_id\thandedness\tcategory\tyears_experience_band\tsimulated\nsub-P1\tn/a\tn/a\tn/a\t1\n");
 }
 
+TEST_F(StudyLayoutTest, ThePsychDsFolderIsAStudyAgain) {
+  ASSERT_EQ(ProgramRun({"study", "export", study_, out_, "--layout", "psych-ds"}).status, 0);
+  const std::string again = folder_.file("again.tactus");
+  const ProgramRun imported({"study", "import", again, out_, "--json"});
+  ASSERT_EQ(imported.status, 0) << imported.err;
+  EXPECT_EQ(LayoutJson::parse(imported.out)["persons"], 2);
+  EXPECT_EQ(ProgramRun({"study", "import", again, out_, "--json"}).status, 0);  // nothing is added twice
+  ASSERT_EQ(ProgramRun({"study", "export", again, folder_.file("all")}).status, 0);
+  const std::string participants = readText(folder_.file("all") + "/participants.csv");
+  EXPECT_NE(participants.find("P1,,,,,"), std::string::npos) << participants;
+  const std::string judgements = readText(folder_.file("all") + "/judgements.csv");
+  EXPECT_NE(judgements.find("P1,ascending,1,0.1,small\n"), std::string::npos) << judgements;
+  EXPECT_NE(judgements.find("P2,ascending,1,0.1,small\n"), std::string::npos) << judgements;
+}
+
 TEST_F(StudyLayoutTest, WrongRequestsAreRefused) {
   EXPECT_EQ(ProgramRun({"study", "export", study_, out_, "--layout", "bid"}).status, 2);
   EXPECT_EQ(ProgramRun({"study", "export", study_, out_, "--layout", "bids", "--bom"}).status, 2);

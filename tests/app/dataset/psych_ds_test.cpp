@@ -95,16 +95,8 @@ TEST_F(PsychDs, ATableWithoutRowsIsLeftOut) {
   EXPECT_EQ(files.at("dataset_description.json").find("\"status\""), std::string::npos);
 }
 
-TEST_F(PsychDs, TheTablesUnderTheirUsualNamesAreTheStudy) {
-  const std::map<std::string, std::string> names = {{"participants", "participants"},
-                                                    {"strokes", "speeds"},
-                                                    {"judgements", "judgements"},
-                                                    {"answers", "answers"},
-                                                    {"rules", "rules"}};
-  for (const auto& [word, table] : names) {
-    std::ofstream(folder_.file(table + ".csv")) << files_.at("data/study-ngt_description-" + word + "_data.csv");
-  }
-  const auto read = study::readStudyFolder(folder_.file(""), elicitation::ngtInputIds());
+TEST_F(PsychDs, IsReadAsAStudy) {
+  const auto read = study::readStudyFolder(out_, elicitation::ngtInputIds());
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->study.participants.size(), 3U);
   EXPECT_EQ(read->study.speeds.size(), 8U);
