@@ -109,9 +109,9 @@ TEST(BenchThreads, ViewsAreOutOfSightBeforeWhatTheyUseGoes) {
   const tests::ModelFolder folder;
   QSettings settings{folder.path(QStringLiteral("settings.ini")), QSettings::IniFormat};
   auto bench = std::make_unique<Workbench>(settings, folder.path(QStringLiteral("autosave")));
-  bench->files.open(folder.write(support::s4AsPrinted()));
   bench->window.resize(1280, 720);
   bench->window.show();
+  bench->models.open(folder.write(support::s4AsPrinted()));
   bench->window.enter(Stage::kUnderstand);
   bench->map_parts.map().reveal();
   const MapPanel& map = bench->map_parts.view();

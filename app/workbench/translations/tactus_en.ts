@@ -1331,10 +1331,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Explain what will happen. The patient sits upright. Measure the length from nose to ear to xiphoid, and lubricate the tip.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Enter the nostril</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1388,6 +1384,10 @@
     </message>
     <message>
         <source>Stop. Fix the tube, and check where the tip lies before anything goes through it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Explain what will happen. Sit the patient upright. Measure the length from nose to ear to xiphoid, and lubricate the tip.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2375,6 +2375,10 @@
         <source>given directly</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>If all said %1, the mean would move by %2, and the disagreement would grow by %3 %.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::CheckTable</name>
@@ -2520,6 +2524,33 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::CollectController</name>
+    <message>
+        <source>The participants of %1 were not read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read them again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No participant was added. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What would be deleted was not counted. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not withdrawn. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::CollectParts</name>
     <message>
         <source>Version %1 of the protocol is stored in %2.</source>
@@ -2546,7 +2577,19 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The protocol stays as it was. %1</source>
+        <source>Edit the protocol</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Enter the key again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Withdraw again…</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2722,6 +2765,14 @@
     </message>
     <message>
         <source>Redone: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not stored: %1. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Try again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3025,7 +3076,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The demo study could not be made. %1</source>
+        <source>The demo study was not made. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3102,10 +3153,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Terms of the depth</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Load a sagittal image</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3169,15 +3216,19 @@
         <source>The stored image is not shown. %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Settings of the depth</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Terms</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DepthSettingsPanel</name>
     <message>
         <source>Millimeters per pixel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Known length…</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3190,10 +3241,6 @@
     </message>
     <message>
         <source>&amp;Load an image…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Example</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3255,6 +3302,14 @@
         <source>Click along the way on the image, from the nostril on. Drag a point to move it, Del removes it; drag a red circle to the boundary of two regions.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Mark a &amp;known length…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Show the example</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::DepthTermPage</name>
@@ -3275,10 +3330,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Which depths the study&apos;s model has, here, in the report and in the bench.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>De&amp;pths of the model</source>
         <translation type="unfinished"></translation>
     </message>
@@ -3292,6 +3343,10 @@
     </message>
     <message>
         <source>Nothing is measured yet: load an image, or set a boundary.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose which depths the study&apos;s model has, here, in the report and in the bench.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3596,15 +3651,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Does the choice of weights matter?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Between experts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Adds the averaged model to the study as another model, and leads to tuning.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -3620,15 +3667,23 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>How far the averaged force can be trusted.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Band: the experts</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Band: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choice of weights</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the band that says how far the averaged force can be trusted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Add the averaged model to the study as another model, and go on to tuning.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4071,10 +4126,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The series that votes for the words of the force.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Votes for each force (Table 2)</source>
         <translation type="unfinished"></translation>
     </message>
@@ -4092,6 +4143,10 @@
     </message>
     <message>
         <source>Words of the force (Fig. 3e), four ways</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose the series that votes for the words of the force.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4153,7 +4208,7 @@
 <context>
     <name>tactus::workbench::ForceTermsView</name>
     <message>
-        <source>The model takes its words of the force from here.</source>
+        <source>Take the words of the force in the model from here.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4688,15 +4743,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Nothing to undo here</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Undo: %1 (Ctrl+Z)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Nothing to redo here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4717,6 +4764,22 @@
     </message>
     <message>
         <source>Canceled: what you see is not complete. The next change computes again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Read it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Undo: nothing was changed here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Redo: nothing was undone here</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The labs show nothing of this study. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4762,10 +4825,6 @@
     </message>
     <message>
         <source>Nose – ear – xiphoid</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>From the tip of the nose over the lobe of the ear to the end of the breastbone, along the tube.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
@@ -4818,6 +4877,10 @@
     </message>
     <message>
         <source>In target</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the length from the tip of the nose over the lobe of the ear to the end of the breastbone, along the tube.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5399,10 +5462,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The new model could not be made. %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Reop&amp;en</source>
         <translation type="unfinished"></translation>
     </message>
@@ -5432,6 +5491,14 @@
             <numerusform>File, Show the notes of the file, lists %n more.</numerusform>
             <numerusform>File, Show the notes of the file, lists %n more.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>No new model was made. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5770,11 +5837,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Iteration of the textbook&apos;s algorithm</source>
+        <source>J / its minimum</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>J / its minimum</source>
+        <source>Iteration of the textbook</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -5976,11 +6043,11 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Earlier: %1</source>
+        <source>Move earlier: %1</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Later: %1</source>
+        <source>Move later: %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6203,6 +6270,18 @@
         <source>Found %1, wanted %2.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The protocol of %1 was not read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The protocol stays as it was. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The research key stays as it was. %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::ProtocolField</name>
@@ -6215,7 +6294,7 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Back to %1</source>
+        <source>Set back to %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -6462,10 +6541,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The same again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>A key is set.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6584,6 +6659,10 @@
     </message>
     <message>
         <source>What a session consists of, in this order. The practice before each part is not counted.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type it again</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7030,15 +7109,15 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1, also the consequent of a stronger rule</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Rules that act here</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Click to select it, double-click to edit it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, as above</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7826,10 +7905,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>&amp;Defaults</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Centers</source>
         <translation type="unfinished"></translation>
     </message>
@@ -7843,6 +7918,10 @@ felt on the model %2</source>
     </message>
     <message>
         <source>These settings make the model of all labs, and are stored in it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Reset to &amp;defaults</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -7972,6 +8051,14 @@ mean (SD)</source>
     </message>
     <message>
         <source>Studies (*.tactus)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Choose another folder…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Folder for the demo study</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8260,10 +8347,6 @@ mean (SD)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>Six questions for a clinical teacher who tried the model, with a code of their own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Choose a participant to continue, or start a session for a new one.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8281,6 +8364,10 @@ mean (SD)</source>
     </message>
     <message>
         <source>Fill in the &amp;usability form</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Ask a clinical teacher who tried the model six questions, with a code of their own</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8320,6 +8407,18 @@ mean (SD)</source>
     </message>
     <message>
         <source>%1 holds neither a model nor answers of experts. Sessions begin in Collect; or open a model and put it into the study with Study, or read tables into it with tactus study import.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The model in %1 was not opened. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Build the averaged model</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No model was built. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8453,6 +8552,10 @@ mean (SD)</source>
     </message>
     <message>
         <source>Armed: Start (F9), and what you feel is recorded into %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Look at the study</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8590,6 +8693,10 @@ mean (SD)</source>
     </message>
     <message>
         <source>Move the %1: type a value, or use the arrow keys</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>S&amp;hape</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
