@@ -18,6 +18,7 @@
 #include "tests/gui/bench_gestures.h"
 #include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
+#include "tests/gui/shown_bench.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
@@ -113,7 +114,9 @@ TEST(BenchThreads, ViewsAreOutOfSightBeforeWhatTheyUseGoes) {
   bench->window.show();
   bench->models.open(folder.write(support::s4AsPrinted()));
   bench->window.enter(Stage::kUnderstand);
+  tests::settle(bench->window);
   bench->map_parts.map().reveal();
+  tests::settle(bench->window);
   const MapPanel& map = bench->map_parts.view();
   ASSERT_TRUE(map.isVisible());
   const auto* forces = bench->map_parts.findChild<ForceMapController*>();

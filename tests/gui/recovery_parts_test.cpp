@@ -3,6 +3,7 @@
 #include <QFile>
 #include <QPushButton>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTest>
 #include <gtest/gtest.h>
 
@@ -34,10 +35,9 @@ struct HistoryWindow {
     ASSERT_TRUE(bench->edits.apply(editing::moveVertex(bench->edits.model(), tests::kNearShoulder, to)));
   }
   void openAndLook(const QString& path) const {
-    bool looked = false;
-    QObject::connect(&bench->autosave, &AutosaveController::lookedUp, &bench->window, [&] { looked = true; });
+    const QSignalSpy looked(&bench->autosave, &AutosaveController::lookedUp);
     bench->files.open(path);
-    ASSERT_TRUE(comesTrue([&] { return looked; }));
+    ASSERT_TRUE(comesTrue([&] { return !looked.isEmpty(); }));
   }
 
   QSettings settings;
