@@ -10,9 +10,11 @@
 #include <semaphore>
 #include <stop_token>
 
+#include "app/workbench/base/theme.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/speed/cluster_plot.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/stroke_page.h"
 #include "app/workbench/labs/speed/trace_row.h"
@@ -80,6 +82,29 @@ TEST_F(SpeedLabViewTest, OneClickOnAStrokeTellsWhatItMoves) {
   ASSERT_TRUE(comesTrue([&] { return influence.sentence().contains(QStringLiteral(" rms")); }));
   EXPECT_TRUE(influence.sentence().contains(QStringLiteral("S1")));
   EXPECT_FALSE(corrections.canUndo()) << "a click corrects nothing";
+}
+
+// Two heads side by side must not touch at 1280 px, whatever the codes of the participants are.
+TEST_F(SpeedLabViewTest, ALongCodeMakesRoomForTheWarningsBesideIt) {
+  SpeedSubject subject = *lab.result()->subjects.front();
+  subject.speeds.participant = "earnest-sailboat-of-the-surgical-ward";
+  subject.speeds.diagnostics.warnings = {"The levels are hardly apart."};
+  ClusterPlot plot;
+  plot.show(subject, lab.result()->speed, 0, {});
+  EXPECT_LE(plot.minimumSizeHint().width(), 200);
+}
+
+TEST_F(SpeedLabViewTest, PlotsSideBySideHaveARoomBetweenThem) {
+  std::vector<QRect> places;
+  ASSERT_TRUE(comesTrue([&] {
+    places.clear();
+    for (const ClusterPlot* plot : view->findChildren<ClusterPlot*>()) {
+      if (plot->isVisible()) places.push_back(plot->geometry());
+    }
+    return places.size() == 4;
+  }));
+  EXPECT_GE(places[1].left() - places[0].right(), theme::kGrid);
+  EXPECT_GE(places[2].top() - places[0].bottom(), theme::kGrid / 2);
 }
 
 TEST_F(SpeedLabViewTest, ACancelIsSaidByTheLabWhoseWorkItEnded) {

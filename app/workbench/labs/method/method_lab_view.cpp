@@ -32,6 +32,7 @@ namespace {
 
 constexpr int kFactorWidth = 24 * theme::kGrid;  // px; longer names wrap
 constexpr int kNowWidth = 11 * theme::kGrid;
+constexpr int kValueRow = 22;  // px: three values are seen at once in a window of 720 px
 constexpr int kLeftShare = 600;
 constexpr int kRightShare = 480;
 constexpr int kUpperShare = 500;
@@ -106,6 +107,7 @@ QWidget* MethodLabView::makeLeft() {
   }
   factor_view_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   variant_view_ = makeLabTable(*variants_, VariantTable::kWhere, tr("Values of the choice"), nullptr);
+  variant_view_->verticalHeader()->setDefaultSectionSize(kValueRow);
   auto* column = new QSplitter(Qt::Vertical);
   column->setChildrenCollapsible(false);
   column->setHandleWidth(theme::kGrid);

@@ -50,12 +50,12 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
   setMuted(*waiting_);
   waiting_->setText(tr("The strokes of the study are being read and clustered…"));
   waiting_->setAlignment(Qt::AlignCenter);
-  grid->addWidget(waiting_, 0, 0, 2, 2);
   auto* inside = new QVBoxLayout(clusters);
   inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
   inside->setSpacing(theme::kGrid / 2);
   inside->addLayout(head);
   inside->addLayout(grid, 1);
+  inside->addWidget(waiting_, 1);  // not over the cells of the grid, which would have no space between them then
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);

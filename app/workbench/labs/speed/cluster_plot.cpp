@@ -8,6 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/elided_label.h"
 #include "app/workbench/labs/speed/subject_title.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
@@ -26,16 +27,14 @@ QColor lineOf(const fuzzy::Variable& speed, std::size_t cluster) {
 }  // namespace
 
 ClusterPlot::ClusterPlot(QWidget* parent)
-    : QWidget(parent), title_(new QLabel(this)), warnings_(new QLabel(this)), plot_(makePlot(this)) {
-  title_->setTextFormat(Qt::PlainText);
+    : QWidget(parent), title_(new ElidedLabel(this)), warnings_(new QLabel(this)), plot_(makePlot(this)) {
   title_->setFont(theme::headingFont());
   warnings_->setTextFormat(Qt::PlainText);
   warnings_->setFont(theme::smallFont());
   setInk(*warnings_, theme::warningInk());
   auto* head = new QHBoxLayout;
   head->setSpacing(theme::kGrid);
-  head->addWidget(title_);
-  head->addStretch(1);
+  head->addWidget(title_, 1);
   head->addWidget(warnings_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -59,7 +58,8 @@ ClusterPlot::ClusterPlot(QWidget* parent)
 void ClusterPlot::show(const SpeedSubject& subject, const fuzzy::Variable& speed, std::size_t number,
                        const std::vector<elicitation::Interval>& intervals) {
   const elicitation::ParticipantSpeeds& speeds = subject.speeds;
-  title_->setText(subjectTitle(subject));
+  heading_ = subjectTitle(subject);
+  title_->setFullText(heading_, subjectName(subject));
   setInk(*title_, theme::readableText(theme::expert(number)));
   const int warnings = static_cast<int>(speeds.diagnostics.warnings.size());
   warnings_->setVisible(warnings > 0 || !subject.failure.empty());
@@ -132,7 +132,7 @@ void ClusterPlot::paint(QCPPainter& painter, const QSize& size) {
   painter.setFont(theme::headingFont());
   painter.setPen(theme::ink());
   const int head = painter.fontMetrics().height() + 4;
-  painter.drawText(QRect(theme::kGrid, 0, size.width(), head), Qt::AlignLeft | Qt::AlignVCenter, title_->text());
+  painter.drawText(QRect(theme::kGrid, 0, size.width(), head), Qt::AlignLeft | Qt::AlignVCenter, heading_);
   painter.translate(0, head);
   paintPlot(*plot_, painter, size - QSize(0, head), {});
   painter.translate(0, -head);

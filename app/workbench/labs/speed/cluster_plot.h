@@ -2,6 +2,7 @@
 // centers with their 95 % intervals. The report draws the same.
 #pragma once
 
+#include <QString>
 #include <QWidget>
 #include <memory>
 #include <vector>
@@ -14,6 +15,8 @@ class QCustomPlot;
 class QLabel;
 
 namespace tactus::workbench {
+
+class ElidedLabel;
 
 class ClusterPlot : public QWidget {
   Q_OBJECT
@@ -32,7 +35,8 @@ class ClusterPlot : public QWidget {
   void addCentres(const SpeedSubject& subject, const fuzzy::Variable& speed,
                   const std::vector<elicitation::Interval>& intervals);
 
-  QLabel* title_;
+  ElidedLabel* title_;
+  QString heading_;
   QLabel* warnings_;
   QCustomPlot* plot_;
 };

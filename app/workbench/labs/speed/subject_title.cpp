@@ -13,10 +13,13 @@ struct SubjectTitle {
 
 }  // namespace
 
+QString subjectName(const SpeedSubject& subject) {
+  const QString who = text(subject.speeds.participant);
+  return subject.speeds.simulated ? SubjectTitle::tr("%1 (simulated)").arg(who) : who;
+}
+
 QString subjectTitle(const SpeedSubject& subject) {
-  const QString who = subject.speeds.simulated
-                          ? SubjectTitle::tr("%1 (simulated)").arg(text(subject.speeds.participant))
-                          : text(subject.speeds.participant);
+  const QString who = subjectName(subject);
   if (subject.speeds.kept == subject.speeds.samples) {
     return SubjectTitle::tr("%1 · %2 samples").arg(who).arg(subject.speeds.samples);
   }

@@ -9,7 +9,9 @@
 
 namespace tactus::workbench {
 
-/// `S1 · 5 312 of 6 004 samples`; says `simulated` where the data are.
+/// `S1`; says `simulated` where the data are.
+QString subjectName(const SpeedSubject& subject);
+/// `S1 · 5 312 of 6 004 samples`, with the same.
 QString subjectTitle(const SpeedSubject& subject);
 
 }  // namespace tactus::workbench
