@@ -8,7 +8,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -37,8 +36,8 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kSettingsWidth = 40 * theme::kGrid;  // px at 100 %
-constexpr int kWidestSettings = 400;               // px: the rest is for image and pages
-constexpr int kWidestLength = 400;                 // px of the page of the formulas, which scrolls if it needs more
+constexpr int kWidestSettings = 352;               // px: the rest is for image and pages
+constexpr int kWidestLength = 366;                 // px of the page of the formulas, which scrolls if it needs more
 
 }  // namespace
 
@@ -105,8 +104,7 @@ QWidget* DepthLabView::makePages() {
   auto* length_page = new LengthPage(lab_);
   length->setWidget(length_page);
   keepFitted(*length, [length, length_page] {
-    const int whole = length_page->minimumSizeHint().width() + length->verticalScrollBar()->sizeHint().width();
-    length->setMinimumWidth(std::min(whole, kWidestLength));
+    length->setMinimumWidth(std::min(length_page->minimumSizeHint().width(), kWidestLength));
   });
   pages->addTab(length, tr("Insertion length"));
   auto* inside = new QVBoxLayout(card);

@@ -99,7 +99,7 @@ QWidget* ExpertsLabView::makeLeft() {
   auto* details = new QTabWidget;
   new TabLook(*details->tabBar());
   details->setDocumentMode(true);
-  auto* policies = makeLabTable(*policies_, PolicyTable::kWhere, tr("Weight policies beside equal weights"), nullptr);
+  auto* policies = makeLabTable(*policies_, -1, tr("Weight policies beside equal weights"), nullptr);
   policies->setObjectName(QStringLiteral("policies"));
   auto* pairs = makeLabTable(*pairs_, -1, tr("Distances between experts"), nullptr);
   pairs->setObjectName(QStringLiteral("pairs"));
