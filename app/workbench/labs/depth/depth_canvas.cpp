@@ -6,7 +6,9 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
@@ -261,6 +263,7 @@ void DepthCanvas::paintBoundaries(QPainter& painter) const {
   const auto& terms = lab_.depth().terms;
   painter.setFont(theme::smallFont());
   const QFontMetrics metrics(painter.font());
+  std::vector<QRectF> names;
   for (std::size_t k = 0; k < measurement.boundaries.size(); ++k) {
     const double depth_mm = measurement.boundaries[k].depth_mm;
     if (depth_mm > lab_.path()->lengthMm() || k + 1 >= terms.size()) continue;
@@ -271,13 +274,21 @@ void DepthCanvas::paintBoundaries(QPainter& painter) const {
     painter.setPen(QPen(QColor(0xC0, 0x2B, 0x1D), 2.4));
     painter.drawEllipse(place, 7, 7);
     const QString name = tr("%1 | %2  %3 mm").arg(labelOf(terms[k]), labelOf(terms[k + 1]), numberText(depth_mm, 1));
-    QRectF box(place + QPointF(14, -metrics.height() / 2.0 - 2),
-               QSizeF(metrics.horizontalAdvance(name) + 10, metrics.height() + 4));
-    if (box.right() > width()) box.moveRight(place.x() - 14);
-    if (box.left() < 0) {  // no room on either side: above the circle
-      box.moveLeft(std::clamp(place.x() - box.width() / 2, 0.0, std::max(0.0, width() - box.width())));
-      box.moveBottom(place.y() - 10);
-    }
+    const QSizeF size(metrics.horizontalAdvance(name) + 10, metrics.height() + 4);
+    const double middle = place.y() - size.height() / 2;
+    const double around = std::clamp(place.x() - size.width() / 2, 0.0, std::max(0.0, width() - size.width()));
+    // At the right of the circle, at its left, above or below: the first where it hides no other name.
+    const std::array<QPointF, 4> corners = {
+        QPointF(place.x() + 14, middle), QPointF(place.x() - 14 - size.width(), middle),
+        QPointF(around, place.y() - 10 - size.height()), QPointF(around, place.y() + 10)};
+    const auto fits = [&](const QPointF& corner) {
+      const QRectF box(corner, size);
+      return box.left() >= 0 && box.right() <= width() &&
+             std::none_of(names.begin(), names.end(), [&box](const QRectF& one) { return one.intersects(box); });
+    };
+    const auto corner = std::find_if(corners.begin(), corners.end(), fits);
+    const QRectF box(corner != corners.end() ? *corner : corners[2], size);
+    names.push_back(box);
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme::card());
     painter.drawRoundedRect(box, 3, 3);
