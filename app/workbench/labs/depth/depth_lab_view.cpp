@@ -103,6 +103,8 @@ QWidget* DepthLabView::makePages() {
   length->setAccessibleName(tr("Insertion length"));
   auto* length_page = new LengthPage(lab_);
   length->setWidget(length_page);
+  // The card around them is seen.
+  for (QWidget* part : {static_cast<QWidget*>(length_page), length->viewport()}) part->setAutoFillBackground(false);
   keepFitted(*length, [length, length_page] {
     length->setMinimumWidth(std::min(length_page->minimumSizeHint().width(), kWidestLength));
   });
