@@ -27,7 +27,8 @@ if(TACTUS_PCH)
 endif()
 
 # tactus_moc(TARGET SOURCES ...): adds what moc writes for the headers of these sources, as one file. moc reads each header by
-# itself: with Qt's folders in its path, as CMake's AUTOMOC gives them, it writes the same and takes 220 ms instead of 3.
+# itself. With Qt's folders in its path, as CMake's AUTOMOC gives them, it takes 220 ms instead of 3, and only adds includes of
+# Qt's types and the registration of those that are arguments, which Qt 6 finds in the types of the methods.
 function(tactus_moc target)
   set(folder "${CMAKE_CURRENT_BINARY_DIR}/${target}_mocs")
   file(MAKE_DIRECTORY "${folder}")

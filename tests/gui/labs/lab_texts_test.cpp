@@ -1,5 +1,5 @@
-// Stages Agree and Collect and the dialogs of the window, with the demo's study: at no size of the text (in the labs: up
-// to 110 %) is anything cut in a window of 1280 x 720 px, and what can be pressed says what it does.
+// Stages Agree and Collect and the dialogs of the window, with the demo's study: at no size of the text (in the labs:
+// up to 110 %) is anything cut in a window of 1280 x 720 px, and what can be pressed says what it does.
 #include <QSettings>
 #include <QTabWidget>
 #include <QTemporaryDir>
