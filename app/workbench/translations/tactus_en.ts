@@ -2500,6 +2500,10 @@
         <source>The strokes of the study are being read and clustered…</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Terms</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::ClusterPlot</name>

@@ -23,6 +23,7 @@ constexpr double kOnPath = 7;  // px: a click nearer to the way adds a point bet
 constexpr double kLargestZoom = 20;
 constexpr double kStepMm = 2;  // of the drawn line
 constexpr double kBorder = 6;  // px around the whole image
+constexpr int kNamePad = 10;   // px beside a name, on both sides together
 
 }  // namespace
 
@@ -273,8 +274,10 @@ void DepthCanvas::paintBoundaries(QPainter& painter) const {
     painter.drawEllipse(place, 7, 7);
     painter.setPen(QPen(QColor(0xC0, 0x2B, 0x1D), 2.4));
     painter.drawEllipse(place, 7, 7);
-    const QString name = tr("%1 | %2  %3 mm").arg(labelOf(terms[k]), labelOf(terms[k + 1]), numberText(depth_mm, 1));
-    const QSizeF size(metrics.horizontalAdvance(name) + 10, metrics.height() + 4);
+    QString name = tr("%1 | %2  %3 mm").arg(labelOf(terms[k]), labelOf(terms[k + 1]), numberText(depth_mm, 1));
+    if (metrics.horizontalAdvance(name) + kNamePad > width())
+      name.replace(QStringLiteral(" | "), QStringLiteral(" |\n"));
+    const QSizeF size = QSizeF(metrics.size(0, name)) + QSizeF(kNamePad, 4);
     const double middle = place.y() - size.height() / 2;
     const double around = std::clamp(place.x() - size.width() / 2, 0.0, std::max(0.0, width() - size.width()));
     // At the right of the circle, at its left, above or below: the first where it hides no other name.

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -36,7 +37,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kSettingsWidth = 40 * theme::kGrid;  // px at 100 %
-constexpr int kWidestSettings = 352;               // px: the rest is for image and pages
+constexpr int kWidestSettings = 352;               // px, or what they need: the rest is for image and pages
 constexpr int kWidestLength = 366;                 // px of the page of the formulas, which scrolls if it needs more
 
 }  // namespace
@@ -52,8 +53,11 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   beside->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   beside->setAccessibleName(tr("Settings of the depth"));
   beside->setWidget(settings);
-  keepFitted(*beside,
-             [beside] { beside->setFixedWidth(std::min(appearance::scaled(kSettingsWidth), kWidestSettings)); });
+  keepFitted(*beside, [beside, settings] {
+    const int wanted = std::min(appearance::scaled(kSettingsWidth), kWidestSettings);
+    const int needed = settings->minimumSizeHint().width() + beside->verticalScrollBar()->sizeHint().width();
+    beside->setFixedWidth(std::max(wanted, needed));
+  });
   auto* image = new Card(this);
   auto* fit = new QPushButton(tr("Show &all"), image);
   auto* hint = new ElidedLabel(image);

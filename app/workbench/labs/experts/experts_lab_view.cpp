@@ -91,9 +91,9 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
 QWidget* ExpertsLabView::makeLeft() {
   for (const WeightPolicy policy : kPolicies) policy_->addItem(policyName(policy));
   policy_->setAccessibleName(tr("Weights of the experts"));
-  auto* weights = new LabCard(
-      tr("Weights, and leaving one expert out"),
-      makeLabTable(*weights_, WeightTable::kWhere, tr("Weights and what leaving one expert out changes"), nullptr));
+  auto* weights =
+      new LabCard(tr("Weights, and leaving one expert out"),
+                  makeLabTable(*weights_, -1, tr("Weights and what leaving one expert out changes"), nullptr));
   weights->addTool(policy_);
   weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
   auto* details = new QTabWidget;

@@ -1,5 +1,6 @@
 #include "app/workbench/labs/force/force_terms_plot.h"
 
+#include <QFontMetrics>
 #include <QVBoxLayout>
 #include <numeric>
 
@@ -42,8 +43,9 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
   fuzzy::Variable axis = words;
   axis.max = end_n;
   styleAxis(*plot_->xAxis, axis);
-  fitTicks();
-  plot_->xAxis->setLabel(axisText(axis));
+  axis_text_ = axisText(axis);
+  axis_unit_ = QString::fromStdString(axis.unit);
+  fitAxis();
   plot_->xAxis->grid()->setVisible(false);
   fuzzy::Variable membership;
   membership.max = 1;
@@ -82,11 +84,17 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
   redraw(*plot_);
 }
 
-void ForceTermsPlot::fitTicks() { plot_->xAxis->ticker()->setTickCount(width() < kNarrow ? kFewTicks : kUsualTicks); }
+void ForceTermsPlot::fitAxis() {
+  plot_->xAxis->ticker()->setTickCount(width() < kNarrow ? kFewTicks : kUsualTicks);
+  // The text stands in the middle of the axis, which begins beside the numbers of the other one.
+  const QFontMetrics metrics(plot_->xAxis->labelFont());
+  const int beside = metrics.horizontalAdvance(QStringLiteral("0.5")) + 4 * theme::kGrid;
+  plot_->xAxis->setLabel(metrics.horizontalAdvance(axis_text_) + beside <= width() ? axis_text_ : axis_unit_);
+}
 
 void ForceTermsPlot::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  fitTicks();
+  fitAxis();
 }
 
 std::vector<LegendEntry> ForceTermsPlot::legend() const {

@@ -36,11 +36,14 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void fitTicks();
+  /// As many ticks, and as much of the text, as there is room for.
+  void fitAxis();
 
   QCustomPlot* plot_;
   VertexPick* corners_;
   fuzzy::Variable words_;
+  QString axis_text_;
+  QString axis_unit_;
 };
 
 }  // namespace tactus::workbench

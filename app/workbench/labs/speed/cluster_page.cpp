@@ -71,7 +71,8 @@ QWidget* ClusterPage::makeTerms() {
   auto* card = new Card(this);
   terms_ = new SpeedTermPlot(card);
   setMuted(*said_);
-  auto* title = new QLabel(tr("Terms: each participant’s and the average"), card);
+  auto* title = new ElidedLabel(card);
+  title->setFullText(tr("Terms: each participant’s and the average"), tr("Terms"));
   title->setFont(theme::headingFont());
   auto* head = new QHBoxLayout;
   head->addWidget(title);
