@@ -31,7 +31,7 @@ ForceTermsPlot::ForceTermsPlot(QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(plot_);
-  setMinimumSize(120, 120);
+  setMinimumSize(120, 96);
   plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, theme::kGrid + 4, 0));
   setAccessibleName(tr("Words of the force"));
 }

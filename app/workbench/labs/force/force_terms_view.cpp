@@ -71,7 +71,8 @@ QWidget* ForceTermsView::makeColumn(std::size_t index) {
   auto* column = new QWidget(this);
   made.choice = new QRadioButton(methodName(kForceMethods[index]), column);
   made.choice->setFont(theme::headingFont());
-  made.choice->setToolTip(tr("Take the words of the force in the model from here."));
+  made.choice->setToolTip(tr("Take the words of the force in the model from here.") + QLatin1Char('\n') +
+                          methodRule(kForceMethods[index]));
   made.rule = new WrappedLabel(column);
   made.rule->setText(methodRule(kForceMethods[index]));
   made.rule->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -126,9 +127,8 @@ void ForceTermsView::setVotes(const ForceVotes& votes) {
       column.corners->setText(method.refusal);
       column.corners->setToolTip({});
     }
-    column.corners->setMinimumHeight(QFontMetrics(column.corners->font()).lineSpacing() *
-                                     static_cast<int>(votes.words.terms.size()));
   }
+  fitTexts();
 }
 
 // On one line each, however narrow the column is.
@@ -139,29 +139,40 @@ void ForceTermsView::tellCorners(const Column& column) {
   column.corners->setText(fits ? whole : narrowCorners(column.terms));
 }
 
-// The rules take the lines of the longest one, so that the pictures stand side by side.
-void ForceTermsView::levelRules() {
-  int height = 0;
+// The rules take the lines of the longest one, so that the pictures stand side by side. Where the view is too low for
+// rules, pictures and corners, the rules are hints of the names alone.
+void ForceTermsView::fitTexts() {
+  int rule = 0;
+  int corners = 0;
   for (const Column& column : columns_) {
+    tellCorners(column);
     const QRect room(0, 0, column.plot->width(), QWIDGETSIZE_MAX);
-    const QFontMetrics metrics(column.rule->font());
-    height = std::max(height, metrics.boundingRect(room, Qt::TextWordWrap, column.rule->text()).height());
+    const auto heightOf = [&room](const QLabel& label) {
+      return QFontMetrics(label.font()).boundingRect(room, Qt::TextWordWrap, label.text()).height();
+    };
+    rule = std::max(rule, heightOf(*column.rule));
+    corners = std::max(corners, heightOf(*column.corners));
   }
-  for (const Column& column : columns_) column.rule->setFixedHeight(height);
+  const Column& first = columns_.front();
+  const int others = first.choice->sizeHint().height() + first.plot->minimumHeight() + corners + 4 * theme::kGrid;
+  for (const Column& column : columns_) {
+    column.rule->setFixedHeight(rule);
+    column.rule->setVisible(rule + others <= height());
+    column.corners->setMinimumHeight(corners);
+  }
 }
 
 void ForceTermsView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   // The layout gives the columns their width at once.
   layout()->activate();
-  levelRules();
-  for (const Column& column : columns_) tellCorners(column);
+  fitTexts();
 }
 
 // The labels take their new font after this.
 void ForceTermsView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::FontChange) QTimer::singleShot(0, this, &ForceTermsView::levelRules);
+  if (event->type() == QEvent::FontChange) QTimer::singleShot(0, this, &ForceTermsView::fitTexts);
 }
 
 void ForceTermsView::setChosen(elicitation::ForceTermsFrom from) {

@@ -50,7 +50,7 @@ class ForceTermsView : public QWidget {
   QWidget* makeColumn(std::size_t index);
   Column& columnOf(elicitation::ForceTermsFrom from);
   void tellCorners(const Column& column);
-  void levelRules();
+  void fitTexts();
 
   std::array<Column, kForceMethods.size()> columns_;
 };
