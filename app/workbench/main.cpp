@@ -10,6 +10,7 @@
 #include "app/version.h"
 #include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/base/utf8_locale.h"
 #include "app/workbench/desktop/system_look.h"
 #include "app/workbench/program_options.h"
 #include "app/workbench/rehearse_start.h"
@@ -100,6 +101,7 @@ QStringList argumentsOf(int argc, char** argv) {
 int main(int argc, char** argv) {
   // A limit on the size of files is then an error that is told, as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
+  useUtf8Locale();
   QCommandLineParser first_look;
   describeOptions(first_look);
   first_look.parse(argumentsOf(argc, argv));

@@ -24,9 +24,9 @@ endif()
 string(REPLACE "[" "<" said "${said}")  # a list of CMake keeps what stands in brackets together
 string(REPLACE "]" ">" said "${said}")
 string(REGEX REPLACE "^.*<Ordinal/Name Pointer> Table" "" said "${said}")
-string(REGEX REPLACE "\n\n.*$" "" said "${said}")
-string(REGEX MATCHALL "> [A-Za-z_0-9]+" exported "${said}")
-list(TRANSFORM exported REPLACE "> " "")
+string(REGEX REPLACE "\n\n.*$" "\n" said "${said}")
+string(REGEX MATCHALL " [A-Za-z_][A-Za-z_0-9]*\n" exported "${said}")  # the last word of a line, whatever stands before it
+list(TRANSFORM exported STRIP)
 file(STRINGS "${WORK}/prefix/include/tactus/tactus.h" declared REGEX "^TACTUS_API")
 list(TRANSFORM declared REPLACE "^.*[ *](tactus_[a-z_]+)\\(.*$" "\\1")
 list(SORT exported)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/base/utf8_locale.h"
 #include "app/workbench/translation.h"
 
 #include "tests/gui/stop_on_warning.h"
@@ -16,6 +17,7 @@ int main(int argc, char** argv) {
   qputenv("XDG_DATA_HOME", runtime_folder.path().toUtf8());
   qputenv("QT_QPA_PLATFORM", "offscreen");
   tactus::tests::stopOnWarnings();
+  tactus::workbench::useUtf8Locale();
   QApplication application(argc, argv);
   tactus::workbench::theme::apply(application);
   tactus::workbench::installTranslations(application, QLocale(QLocale::English));

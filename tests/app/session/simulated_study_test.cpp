@@ -1,5 +1,6 @@
 #include "app/session/simulated_study.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>

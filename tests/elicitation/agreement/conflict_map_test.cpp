@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,7 +14,7 @@
 namespace tactus::elicitation {
 namespace {
 
-const CellConflict& cellOf(const ConflictMap& map, const std::string& term, const std::string& region) {
+const CellConflict& cellOf(const ConflictMap& map, std::string_view term, std::string_view region) {
   return *std::find_if(map.cells.begin(), map.cells.end(), [&](const CellConflict& cell) {
     return cell.conditions[0].term == term && cell.conditions[1].term == region;
   });

@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <string>
+#include <string_view>
+#include <tuple>
 
 #include "app/session/known_forms.h"
 #include "elicitation/model/method_words.h"
@@ -40,12 +43,12 @@ MethodVariant named(const std::string& factor, const std::string& value, const s
   return out;
 }
 
-const MethodVariant& variantOf(const MethodStudy& study, const std::string& factor, const std::string& value) {
+const MethodVariant& variantOf(const MethodStudy& study, std::string_view factor, std::string_view value) {
   return *std::find_if(study.variants.begin(), study.variants.end(),
                        [&](const auto& one) { return one.factor == factor && one.value == value; });
 }
 
-const MethodFactor& factorOf(const MethodStudy& study, const std::string& factor) {
+const MethodFactor& factorOf(const MethodStudy& study, std::string_view factor) {
   return *std::find_if(study.factors.begin(), study.factors.end(),
                        [&](const auto& one) { return one.factor == factor; });
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/base/utf8_locale.h"
 
 #include "tests/gui/stop_on_warning.h"
 
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
   const QByteArray platform = qgetenv("TACTUS_TEST_PLATFORM");
   qputenv("QT_QPA_PLATFORM", platform.isEmpty() ? "offscreen" : platform);
   tactus::tests::stopOnWarnings();
+  tactus::workbench::useUtf8Locale();
   QApplication application(argc, argv);
   QApplication::setCursorFlashTime(0);
   tactus::workbench::theme::apply(application);
