@@ -52,6 +52,14 @@ int openFlags(Connection::Mode mode) {
   return mode == Connection::Mode::kImmutable ? SQLite::OPEN_READONLY | SQLite::OPEN_URI : SQLite::OPEN_READWRITE;
 }
 
+/// Of the system of files of SQLite that locks nothing.
+constexpr std::string_view kWithoutLocks = "unix-none";
+
+StudyLock::Kind lockFor(Connection::Mode mode, const std::string& vfs) {
+  if (mode == Connection::Mode::kImmutable || vfs == kWithoutLocks) return StudyLock::Kind::kNone;
+  return mode == Connection::Mode::kReadWrite ? StudyLock::Kind::kWriting : StudyLock::Kind::kReading;
+}
+
 /// The number of the system's last error with the journal, the file, or anything: each file remembers its own, while
 /// that of the connection may be left over from something else.
 int lastReason(sqlite3* database) {
@@ -71,6 +79,7 @@ Connection::Connection(const std::string& path, Mode mode, const std::string& vf
     : path_(path),
       vfs_(vfs),
       mode_(mode),
+      lock_(path, lockFor(mode, vfs), kBusyTimeoutMs),
       database_(sqliteName(path, mode).c_str(), openFlags(mode), kBusyTimeoutMs, vfs.empty() ? nullptr : vfs.c_str()) {
   sqlite3_extended_result_codes(database_.getHandle(), 1);
   leaveJournalOnClose(true);
@@ -97,8 +106,11 @@ Connection::Connection(const std::string& path, Mode mode, const std::string& vf
 }
 
 Connection::~Connection() {
+  // What lies under the journal's name then belongs to the file that took the study's.
+  if (!opening && !lock_.isNamed(path_)) leaveJournalOnClose(true);
   if (!opening) return;
   // Where the close fails, nothing is lost: the next opening works the journal in.
+  leaveJournalOnClose(true);
   database_.tryExec("ROLLBACK");
   startWork();
   try {

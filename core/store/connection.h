@@ -15,6 +15,7 @@
 #include "core/base/error.h"
 #include "core/store/sqlite_errors.h"
 #include "core/store/study_file.h"
+#include "core/store/study_lock.h"
 
 namespace tactus::store {
 
@@ -41,6 +42,7 @@ class Connection {
   const std::string& vfs() const { return vfs_; }
   SQLite::Database& database() { return database_; }
   bool isWritable() const { return mode_ == Mode::kReadWrite; }
+  const StudyLock& lock() const { return lock_; }
 
   /// Column names of tables, cached by columnsOf (record_checksum.h).
   std::map<std::string, std::vector<std::string>>& columns() { return columns_; }
@@ -84,6 +86,7 @@ class Connection {
   std::string path_;
   std::string vfs_;
   Mode mode_;
+  StudyLock lock_;  ///< goes after the database
   SQLite::Database database_;
   std::map<std::string, std::vector<std::string>> columns_;
   std::map<std::string, SQLite::Statement> kept_;  ///< by their text; goes before the database

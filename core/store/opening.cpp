@@ -25,6 +25,11 @@ constexpr long long kWalFrameHeaderBytes = 24;
          "the files that were opened; what is written now would be lost, so back the open study up under a new name");
 }
 
+[[noreturn]] void refuseOtherWriter() {
+  refuse(ErrorCode::kIo, {}, "a study that another program has written to while it was open here",
+         "one writer; this record was not written, all before it are in the file: close the study and open it again");
+}
+
 /// Of the file without its journal; empty where it cannot be read.
 std::string tokenOnDisk(const std::string& path) {
   try {
@@ -72,6 +77,7 @@ void Opening::makeRoom(long long bytes) {
   if (code == SQLITE_OK) code = file->pMethods->xSync(file, SQLITE_SYNC_FULL);
   if (code != SQLITE_OK) throw SQLite::Exception("the journal could not be made", code);
   room_bytes_ = bytes;
+  mark_.clear();
 }
 
 void Opening::commit(const OpeningRow& row) {
@@ -82,8 +88,11 @@ void Opening::commit(const OpeningRow& row) {
 }
 
 void Opening::beginWrite() {
+  requireNoOtherWriter();
   if (is_established_) return;
   requireSameStudy(identityOf(connection_.path()));
+  if (!connection_.lock().isNamed(connection_.path()))
+    refuseGone("another file in the place of the study: it was replaced while it was open");
   if (!is_drawn_) {
     if (room_bytes_ == 0) makeRoom(kRoomBytes);
     commit({newToken(), row_.token, row_.commits + 1, true, room_bytes_});
@@ -103,6 +112,7 @@ void Opening::beginWrite() {
 }
 
 void Opening::countCommit() {
+  requireNoOtherWriter();
   OpeningRow row = row_;
   ++row.commits;
   row.journal_bytes = room_bytes_;
@@ -138,7 +148,36 @@ void Opening::writeMark() {
   sqlite3_file* file = journal();
   const std::string bytes = AcknowledgmentMark{row_.token, row_.commits}.bytes();
   // A mark that cannot be written is only missing: the commit is safe without it.
-  file->pMethods->xWrite(file, bytes.data(), static_cast<int>(bytes.size()), at);
+  const int code = file->pMethods->xWrite(file, bytes.data(), static_cast<int>(bytes.size()), at);
+  mark_ = code == SQLITE_OK ? bytes : std::string();
+  mark_at_ = at;
+}
+
+// Files that lost their names are left to `acknowledge`: nobody else writes to them, and a copy of the open study saves
+// what is in them.
+void Opening::requireNoOtherWriter() const {
+  const FileIdentity study = identityOf(connection_.path());
+  if (study.isThere() && study.isSameFileAs(study_)) requireSameStudy(study);
+  const FileIdentity there = identityOf(journalOf(connection_.path()));
+  if (is_established_ && there.isThere() && there.isSameFileAs(journal_)) {
+    requireSameJournal(there);
+    requireOwnMark();
+  }
+  if (!connection_.lock().renew()) refuseOtherWriter();
+}
+
+void Opening::requireOwnMark() const {
+  if (mark_.empty()) return;
+  sqlite3_file* file = journal();
+  std::string found(mark_.size(), '\0');
+  const int code = file->pMethods->xRead(file, found.data(), static_cast<int>(found.size()), mark_at_);
+  if (code == SQLITE_OK && found != mark_) refuseOtherWriter();
+}
+
+void Opening::requireSameJournal(const FileIdentity& journal) const {
+  if (!journal.isThere()) refuseGone("the study's journal gone: it was deleted or moved while the study was open");
+  if (!journal.isSameFileAs(journal_)) refuseGone("another file in the place of the study's journal");
+  if (journal.bytes < room_bytes_) refuseGone("a journal that was cut while the study was open");
 }
 
 void Opening::requireSameStudy(const FileIdentity& study) const {
@@ -156,16 +195,14 @@ void Opening::requireSameStudy(const FileIdentity& study) const {
 void Opening::requireSameFiles() {
   const FileIdentity study = identityOf(connection_.path());
   requireSameStudy(study);
-  const FileIdentity journal = identityOf(journalOf(connection_.path()));
-  if (!journal.isThere()) refuseGone("the study's journal gone: it was deleted or moved while the study was open");
-  if (!journal.isSameFileAs(journal_)) refuseGone("another file in the place of the study's journal");
-  if (journal.bytes < room_bytes_) refuseGone("a journal that was cut while the study was open");
+  requireSameJournal(identityOf(journalOf(connection_.path())));
   study_ = study;
   checkpointed_ = false;
 }
 
 void Opening::truncateJournal() {
   room_bytes_ = 0;
+  mark_.clear();
   Query truncate(connection_, "PRAGMA wal_checkpoint(TRUNCATE)");
   if (!truncate.next() || truncate.integer() != 0) {
     refuse(ErrorCode::kIo, {}, "a journal that could not be emptied", "a study that no other program uses");
@@ -176,6 +213,7 @@ void Opening::truncateJournal() {
 }
 
 void Opening::emptyJournal() {
+  requireNoOtherWriter();
   if (is_drawn_) commit({row_.token, row_.previous, row_.commits + 1, true, 0});
   truncateJournal();
   if (!is_established_) return;
@@ -187,6 +225,7 @@ void Opening::emptyJournal() {
 }
 
 void Opening::close() {
+  requireNoOtherWriter();
   if (is_drawn_) commit({row_.token, row_.previous, row_.commits + 1, false, 0});
   writer_.reset();
   truncateJournal();

@@ -39,8 +39,9 @@ class Opening {
   Opening& operator=(const Opening&) = delete;
 
   /// Call before a transaction. The first call generates the token and writes it to the file before any other data.
+  /// Refuses before anything is written if another program has written to the study or taken its lock.
   void beginWrite();
-  /// Counts a commit. Call inside its transaction.
+  /// Counts a commit. Call inside its transaction, as the last thing before its commit. Refuses as beginWrite does.
   void countCommit();
   /// Call after a commit, before it is acknowledged. Writes the mark to the journal. Refuses if the study file or its
   /// journal is no longer the opened one: deleted, replaced or truncated.
@@ -58,6 +59,10 @@ class Opening {
   void makeRoom(long long bytes);
   void truncateJournal();
   void requireSameFiles();
+  void requireSameJournal(const FileIdentity& journal) const;
+  /// Refuses where another program has written to the study or taken its lock.
+  void requireNoOtherWriter() const;
+  void requireOwnMark() const;
   void writeMark();
   sqlite3_file* journal() const;
   static int afterCommit(void* self, sqlite3* database, const char* schema, int frames);
@@ -71,6 +76,8 @@ class Opening {
   bool is_drawn_ = false;        ///< the token is in the journal
   bool is_established_ = false;  ///< the token is in the file
   bool checkpointed_ = false;    ///< since the identities were read
+  std::string mark_;             ///< the bytes of the last mark in the journal; empty: none is known
+  long long mark_at_ = 0;        ///< where it stands
   FileIdentity study_;
   FileIdentity journal_;
 };

@@ -70,6 +70,7 @@ Result<void> StudyFile::close() {
   if (!connection_) return {};
   auto done = guarded(*connection_, [&] {
     if (!connection_->opening) return;
+    connection_->leaveJournalOnClose(true);
     auto opening = std::move(connection_->opening);
     opening->close();
     connection_->leaveJournalOnClose(false);
