@@ -132,10 +132,43 @@ namespace Tactus
 
         internal static void Want(double[] inputs, int count)
         {
-            if (inputs == null || inputs.Length < count)
+            if (inputs == null || inputs.Length != count)
                 throw new Error(Status.BadArgument, "inputs: found " + (inputs == null ? 0 : inputs.Length) +
                                                         " values, wanted " + count);
         }
+    }
+
+    /// What has a handle of the library. After Dispose every call throws.
+    public abstract class Owned : IDisposable
+    {
+        private IntPtr handle_;
+
+        internal Owned(IntPtr handle) { handle_ = handle; }
+
+        internal IntPtr Handle
+        {
+            get
+            {
+                if (handle_ == IntPtr.Zero) throw new ObjectDisposedException(GetType().FullName);
+                return handle_;
+            }
+        }
+
+        internal abstract void Free(IntPtr handle);
+
+        public void Dispose()
+        {
+            Release();
+            GC.SuppressFinalize(this);
+        }
+
+        private void Release()
+        {
+            IntPtr handle = System.Threading.Interlocked.Exchange(ref handle_, IntPtr.Zero);
+            if (handle != IntPtr.Zero) Free(handle);
+        }
+
+        ~Owned() { Release(); }
     }
 
     public static class Bundle
@@ -156,9 +189,8 @@ namespace Tactus
     }
 
     /// A model file in memory. Any number of threads.
-    public sealed class Model : IDisposable
+    public sealed class Model : Owned
     {
-        internal IntPtr Handle;
         public readonly string Warning;
         public readonly string Name;
         public readonly int Inputs;
@@ -166,9 +198,8 @@ namespace Tactus
         public readonly double[] InputMin, InputMax, ExpertWeights;
         public readonly double OutputMin, OutputMax;
 
-        private Model(IntPtr handle, string warning)
+        private Model(IntPtr handle, string warning) : base(handle)
         {
-            Handle = handle;
             Warning = warning;
             Name = Native.Text(Native.tactus_model_name(handle));
             Inputs = (int)Native.tactus_model_inputs(handle);
@@ -227,6 +258,8 @@ namespace Tactus
         public double ExpertForce(int expert, double[] inputs)
         {
             Native.Want(inputs, Inputs);
+            if (expert < 0 || expert >= ExpertIds.Length)
+                throw new Error(Status.BadArgument, "expert: found " + expert + ", wanted 0 to " + (ExpertIds.Length - 1));
             int any;
             double forceN = Native.tactus_expert_force(Handle, (UIntPtr)expert, inputs, out any);
             GC.KeepAlive(this);
@@ -275,26 +308,17 @@ namespace Tactus
             return new Scene(handle, warning);
         }
 
-        public void Dispose()
-        {
-            Native.tactus_model_free(Handle);
-            Handle = IntPtr.Zero;
-            GC.SuppressFinalize(this);
-        }
-
-        ~Model() { Native.tactus_model_free(Handle); }
+        internal override void Free(IntPtr handle) { Native.tactus_model_free(handle); }
     }
 
     /// A model with some inputs fixed; made by Model.Scene. Any number of threads.
-    public sealed class Scene : IDisposable
+    public sealed class Scene : Owned
     {
-        internal IntPtr Handle;
         public readonly string Warning;
         public readonly int Inputs;
 
-        internal Scene(IntPtr handle, string warning)
+        internal Scene(IntPtr handle, string warning) : base(handle)
         {
-            Handle = handle;
             Warning = warning;
             Inputs = (int)Native.tactus_scene_inputs(handle);
         }
@@ -320,41 +344,36 @@ namespace Tactus
             GC.KeepAlive(this);
         }
 
-        public void Dispose()
-        {
-            Native.tactus_scene_free(Handle);
-            Handle = IntPtr.Zero;
-            GC.SuppressFinalize(this);
-        }
-
-        ~Scene() { Native.tactus_scene_free(Handle); }
+        internal override void Free(IntPtr handle) { Native.tactus_scene_free(handle); }
     }
 
     /// One insertion: position in, force out. One thread at a time.
-    public sealed class Tube : IDisposable
+    public sealed class Tube : Owned
     {
         private static readonly UIntPtr feel_size_ = (UIntPtr)(uint)Marshal.SizeOf(typeof(Feel));
-        private IntPtr handle_;
 
-        public Tube(Scene scene)
+        public Tube(Scene scene) : base(Made(scene)) {}
+
+        private static IntPtr Made(Scene scene)
         {
             string warning;
-            handle_ = Native.Made((out IntPtr tube, byte[] message, UIntPtr size) =>
+            IntPtr handle = Native.Made((out IntPtr tube, byte[] message, UIntPtr size) =>
                 Native.tactus_tube_make(scene.Handle, out tube, message, size), out warning);
             GC.KeepAlive(scene);
+            return handle;
         }
 
         /// A new placement at this depth.
         public void Place(double depthMm)
         {
-            Native.tactus_tube_place(handle_, depthMm);
+            Native.tactus_tube_place(Handle, depthMm);
             GC.KeepAlive(this);
         }
 
         /// Feels another scene, without a kick.
         public void Scene(Scene scene, double fadeS = 0.05)
         {
-            Native.tactus_tube_scene(handle_, scene.Handle, fadeS);
+            Native.tactus_tube_scene(Handle, scene.Handle, fadeS);
             GC.KeepAlive(scene);
             GC.KeepAlive(this);
         }
@@ -363,18 +382,11 @@ namespace Tactus
         public Feel Step(double positionMm, bool held, double dtS)
         {
             var feel = new Feel { Size = feel_size_ };
-            Native.tactus_tube_step(handle_, positionMm, held ? 1 : 0, dtS, ref feel);
+            Native.tactus_tube_step(Handle, positionMm, held ? 1 : 0, dtS, ref feel);
             GC.KeepAlive(this);
             return feel;
         }
 
-        public void Dispose()
-        {
-            Native.tactus_tube_free(handle_);
-            handle_ = IntPtr.Zero;
-            GC.SuppressFinalize(this);
-        }
-
-        ~Tube() { Native.tactus_tube_free(handle_); }
+        internal override void Free(IntPtr handle) { Native.tactus_tube_free(handle); }
     }
 }

@@ -13,6 +13,7 @@ where the system looks, then in the prefix that this file is installed in.
 """
 import ctypes
 import glob
+import operator
 import os
 
 try:
@@ -164,15 +165,59 @@ def _points(points, count):
     return block, len(rows), block
 
 
-class _Evaluator:
-    """What models and scenes share."""
+class _Owner:
+    """Frees a handle once nobody has it any more."""
 
-    _handle = None
+    def __init__(self, handle, free):
+        self.handle, self._free = handle, free
 
     def __del__(self):
-        if self._handle and _lib is not None:
-            type(self)._free(self._handle)
-            self._handle = None
+        if self.handle and _lib is not None:
+            self._free(self.handle)
+            self.handle = None
+
+
+class _Owned:
+    """What has a handle of the library: closed by hand, by `with`, or when nobody has it any more."""
+
+    _owner = None
+
+    @property
+    def _handle(self):
+        if self._owner is None:
+            name = type(self).__name__.lower()
+            raise Error(1, f"{name}: found one that is closed, wanted one that is open")
+        return self._owner.handle
+
+    @property
+    def closed(self):
+        return self._owner is None
+
+    def close(self):
+        """Every later call is an Error. Copies stay open; closing twice does nothing."""
+        self._owner = None
+
+    def __enter__(self):
+        self._handle
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __reduce_ex__(self, _protocol):
+        raise TypeError(f"a {type(self).__name__} of tactus cannot be pickled: open the model file there")
+
+
+class _Evaluator(_Owned):
+    """What models and scenes share. Neither ever changes, so a copy has the same handle."""
+
+    def __copy__(self):
+        copied = object.__new__(type(self))
+        copied.__dict__.update(self.__dict__)
+        return copied
+
+    def __deepcopy__(self, _known):
+        return self.__copy__()
 
     def force(self, inputs):
         """The force at one point, N."""
@@ -202,8 +247,11 @@ class Scene(_Evaluator):
     _free, _force, _batch = _lib.tactus_scene_free, _lib.tactus_scene_force, _lib.tactus_scene_force_batch
 
     def __init__(self, handle, warning):
-        self._handle, self.warning = handle, warning
+        self._owner, self.warning = _Owner(handle, self._free), warning
         self.inputs = _lib.tactus_scene_inputs(handle)
+
+    def __repr__(self):
+        return f"<tactus.Scene: {self.inputs} inputs{', closed' if self.closed else ''}>"
 
 
 class Model(_Evaluator):
@@ -212,7 +260,7 @@ class Model(_Evaluator):
     _free, _force, _batch = _lib.tactus_model_free, _lib.tactus_force, _lib.tactus_force_batch
 
     def __init__(self, handle, warning):
-        self._handle, self.warning = handle, warning
+        self._owner, self.warning = _Owner(handle, self._free), warning
         self.name = _lib.tactus_model_name(handle).decode()
         self.inputs = _lib.tactus_model_inputs(handle)
         every = range(self.inputs)
@@ -225,6 +273,9 @@ class Model(_Evaluator):
         self.expert_ids = [_lib.tactus_model_expert_id(handle, i).decode() for i in experts]
         self.expert_weights = [_lib.tactus_model_expert_weight(handle, i) for i in experts]
 
+    def __repr__(self):
+        return f"<tactus.Model {self.name!r}: {', '.join(self.input_ids)}{', closed' if self.closed else ''}>"
+
     @classmethod
     def open(cls, path):
         return cls(*_made(_lib.tactus_model_open, os.fsencode(path)))
@@ -236,7 +287,12 @@ class Model(_Evaluator):
 
     def expert_force(self, expert, inputs):
         """The force of one expert, by id or by index."""
-        index = self.expert_ids.index(expert) if isinstance(expert, str) else expert
+        if isinstance(expert, str):
+            if expert not in self.expert_ids:
+                raise Error(1, f"expert: found '{expert}', wanted one of {', '.join(self.expert_ids)}")
+            index = self.expert_ids.index(expert)
+        else:
+            index = operator.index(expert)
         if not 0 <= index < len(self.expert_ids):
             raise Error(1, f"expert: found {index}, wanted 0 to {len(self.expert_ids) - 1}")
         return _lib.tactus_expert_force(self._handle, index, _point(inputs, self.inputs), None)
@@ -257,20 +313,23 @@ class Model(_Evaluator):
         return Scene(*_made(_lib.tactus_scene_make, self._handle, indices, numbers, len(values)))
 
 
-class Tube:
-    """One insertion: position in, force out."""
-
-    _handle = None
+class Tube(_Owned):
+    """One insertion: position in, force out. It has a state, so there are no copies: make another one."""
 
     def __init__(self, scene):
-        self._handle, _ = _made(_lib.tactus_tube_make, scene._handle)
+        handle, _ = _made(_lib.tactus_tube_make, scene._handle)
+        self._owner = _Owner(handle, _lib.tactus_tube_free)
         self._raw = _Feel()
         self._raw.size = ctypes.sizeof(_Feel)
 
-    def __del__(self):
-        if self._handle and _lib is not None:
-            _lib.tactus_tube_free(self._handle)
-            self._handle = None
+    def __copy__(self):
+        raise Error(1, "tube: found a copy of one, wanted a new tactus.Tube(scene)")
+
+    def __deepcopy__(self, _known):
+        return self.__copy__()
+
+    def __repr__(self):
+        return f"<tactus.Tube{': closed' if self.closed else ''}>"
 
     def place(self, depth_mm):
         """A new placement at this depth."""
