@@ -1,10 +1,10 @@
 #include "app/workbench/curve_parts.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
@@ -136,7 +136,7 @@ void CurveParts::storeReferences() {
 
 void CurveParts::chooseReference() {
   const QString folder = QFileInfo(models_.current()->path).absolutePath();
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Lay a reference curve over the plot"), folder,
+  const QString path = file_dialog::getOpenFileName(&window_, tr("Lay a reference curve over the plot"), folder,
                                                     tr("Tables (*.csv);;All files (*)"));
   if (!path.isEmpty()) references_.open(path);
 }

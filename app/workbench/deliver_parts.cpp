@@ -1,12 +1,12 @@
 #include "app/workbench/deliver_parts.h"
 
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
 #include <variant>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/deliver/bundle_panel.h"
 #include "app/workbench/deliver/bundle_place.h"
@@ -144,7 +144,7 @@ QString DeliverParts::askFolder(const QString& title) {
   const auto open = models_.current();
   const QString before = settings_.value(QLatin1String(kFolderKey)).toString();
   const QString start = !before.isEmpty() ? before : open ? QFileInfo(open->path).absolutePath() : QString();
-  const QString folder = QFileDialog::getExistingDirectory(&window_, title, start);
+  const QString folder = file_dialog::getExistingDirectory(&window_, title, start);
   if (!folder.isEmpty()) settings_.setValue(QLatin1String(kFolderKey), folder);
   return folder;
 }

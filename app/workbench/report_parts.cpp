@@ -1,7 +1,6 @@
 #include "app/workbench/report_parts.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <chrono>
 #include <memory>
@@ -14,6 +13,7 @@
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/kit/message_banner.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/shell/main_window.h"
@@ -80,7 +80,7 @@ void ReportParts::choose() {
   const QString proposed =
       study.absolutePath() + QLatin1Char('/') + study.completeBaseName() + QStringLiteral("-report.html");
   const QString path =
-      QFileDialog::getSaveFileName(&window_, tr("Report of the study"), proposed, tr("Web page (*.html)"));
+      file_dialog::getSaveFileName(&window_, tr("Report of the study"), proposed, tr("Web page (*.html)"));
   if (!path.isEmpty()) write(path);
 }
 

@@ -1,10 +1,10 @@
 #include "app/workbench/start_parts.h"
 
 #include <QDir>
-#include <QFileDialog>
 #include <QFileInfo>
 
 #include "app/workbench/base/documents.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/collect_parts.h"
 #include "app/workbench/kit/message_banner.h"
@@ -70,7 +70,7 @@ void StartParts::exploreDemo() { demo_.explore(); }
 
 void StartParts::chooseDemoFolder() {
   const QString folder =
-      QFileDialog::getExistingDirectory(&window_, tr("Folder for the demo study"), documentsFolder());
+      file_dialog::getExistingDirectory(&window_, tr("Folder for the demo study"), documentsFolder());
   if (folder.isEmpty()) return;
   demo_.setDocuments(folder);
   demo_.explore();
@@ -103,10 +103,10 @@ void StartParts::makeModel() {
 }
 
 void StartParts::chooseTables() {
-  const QString folder = QFileDialog::getExistingDirectory(&window_, tr("Folder with the tables"), documentsFolder());
+  const QString folder = file_dialog::getExistingDirectory(&window_, tr("Folder with the tables"), documentsFolder());
   if (folder.isEmpty()) return;
   const QString proposal = folder + QLatin1Char('/') + QDir(folder).dirName() + QStringLiteral(".tactus");
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Make a study of the tables"), proposal,
+  QString path = file_dialog::getSaveFileName(&window_, tr("Make a study of the tables"), proposal,
                                               tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");

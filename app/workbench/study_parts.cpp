@@ -1,13 +1,13 @@
 #include "app/workbench/study_parts.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/feel_panel.h"
@@ -121,7 +121,7 @@ void StudyParts::connectAll() {
 void StudyParts::chooseNew() {
   const auto open = models_.current();
   const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Make a study"), folder, tr("Studies (*.tactus)"), nullptr,
+  QString path = file_dialog::getSaveFileName(&window_, tr("Make a study"), folder, tr("Studies (*.tactus)"), nullptr,
                                               QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");
@@ -132,7 +132,7 @@ void StudyParts::recordIntoStudy() {
   const auto open = models_.current();
   const QString folder = open ? QFileInfo(open->path).absolutePath() : documentsFolder();
   const QString name = open ? QFileInfo(open->path).baseName() : tr("recordings");
-  QString path = QFileDialog::getSaveFileName(&window_, tr("Record into a study: a new one, or one that is there"),
+  QString path = file_dialog::getSaveFileName(&window_, tr("Record into a study: a new one, or one that is there"),
                                               folder + QLatin1Char('/') + name + QStringLiteral(".tactus"),
                                               tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
@@ -188,7 +188,7 @@ void StudyParts::chooseCopy() {
   const QFileInfo file(study_.path());
   const QString folder = study_.isReadOnly() ? documentsFolder() : file.absolutePath();
   QString path =
-      QFileDialog::getSaveFileName(&window_, tr("Save a copy of the study"),
+      file_dialog::getSaveFileName(&window_, tr("Save a copy of the study"),
                                    folder + QLatin1Char('/') + file.completeBaseName() + QStringLiteral("-copy.tactus"),
                                    tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;

@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QCursor>
 #include <QDockWidget>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QImage>
 #include <QMenu>
@@ -17,6 +16,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/say.h"
 #include "app/workbench/plot/picture_export.h"
@@ -85,7 +85,7 @@ void PlotMenu::copyTable() {
 
 void PlotMenu::choosePicture() {
   QString filter;
-  QString path = QFileDialog::getSaveFileName(
+  QString path = file_dialog::getSaveFileName(
       this, tr("Save the picture"), table_().file,
       tr("Picture for the screen (*.png);;Drawing for a web page (*.svg);;Drawing for print (*.pdf)"), &filter);
   if (path.isEmpty()) return;
@@ -95,7 +95,7 @@ void PlotMenu::choosePicture() {
 }
 
 void PlotMenu::chooseTable() {
-  QString path = QFileDialog::getSaveFileName(this, tr("Save the table"), table_().file + QStringLiteral(".csv"),
+  QString path = file_dialog::getSaveFileName(this, tr("Save the table"), table_().file + QStringLiteral(".csv"),
                                               tr("Tables (*.csv)"));
   if (path.isEmpty()) return;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".csv");

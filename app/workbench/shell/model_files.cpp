@@ -1,7 +1,6 @@
 #include "app/workbench/shell/model_files.h"
 
 #include <QAction>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
 #include <QMenu>
@@ -10,6 +9,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/message_banner.h"
@@ -67,7 +67,7 @@ QString ModelFiles::folder() const {
 }
 
 void ModelFiles::chooseImport() {
-  const QString path = QFileDialog::getOpenFileName(&window_, tr("Import a model of another program"), folder(),
+  const QString path = file_dialog::getOpenFileName(&window_, tr("Import a model of another program"), folder(),
                                                     tr("Models of other programs (*.fll *.fcl *.fis *.txt)"));
   if (!path.isEmpty()) open(path);
 }
@@ -86,7 +86,7 @@ bool ModelFiles::makeFromTemplate() {
 }
 
 void ModelFiles::choose() {
-  const QString path = QFileDialog::getOpenFileName(
+  const QString path = file_dialog::getOpenFileName(
       &window_, tr("Open a model or a study"), folder(),
       tr("Models and studies (*.json *.tactus *.fll *.fcl *.fis);;Force models (*.json);;Studies (*.tactus);;"
          "Models of other programs (*.fll *.fcl *.fis *.txt);;All files (*)"));
@@ -100,7 +100,7 @@ void ModelFiles::chooseCopy() {
       open.in_study ? file.absolutePath() + QLatin1Char('/') + file.completeBaseName() + QStringLiteral(".tactus.json")
                     : open.path;
   QString path =
-      QFileDialog::getSaveFileName(&window_, tr("Save the model"), proposal, tr("Force models (*.tactus.json)"));
+      file_dialog::getSaveFileName(&window_, tr("Save the model"), proposal, tr("Force models (*.tactus.json)"));
   if (path.isEmpty()) return;
   if (!path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) path += QStringLiteral(".tactus.json");
   models_.saveAs(path);

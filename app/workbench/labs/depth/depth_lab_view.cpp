@@ -1,7 +1,6 @@
 #include "app/workbench/labs/depth/depth_lab_view.h"
 
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QInputDialog>
@@ -17,6 +16,7 @@
 
 #include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/card.h"
@@ -120,7 +120,7 @@ QWidget* DepthLabView::makePages() {
 }
 
 void DepthLabView::chooseImage() {
-  const QString path = QFileDialog::getOpenFileName(this, tr("Load a sagittal image"), QString(),
+  const QString path = file_dialog::getOpenFileName(this, tr("Load a sagittal image"), QString(),
                                                     tr("Images (%1);;All files (*)").arg(imagePatterns()));
   if (!path.isEmpty()) load(path);
 }
