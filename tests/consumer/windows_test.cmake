@@ -25,8 +25,9 @@ string(REPLACE "[" "<" said "${said}")  # a list of CMake keeps what stands in b
 string(REPLACE "]" ">" said "${said}")
 string(REGEX REPLACE "^.*<Ordinal/Name Pointer> Table" "" said "${said}")
 string(REGEX REPLACE "\n\n.*$" "\n" said "${said}")
-string(REGEX MATCHALL " [A-Za-z_][A-Za-z_0-9]*\n" exported "${said}")  # the last word of a line, whatever stands before it
-list(TRANSFORM exported STRIP)
+# The last word of a line, after a number or a bracket; newer binutils have more columns and a line of their names.
+string(REGEX MATCHALL "[0-9a-f>] [A-Za-z_][A-Za-z_0-9]*\n" exported "${said}")
+list(TRANSFORM exported REPLACE "^. ([A-Za-z_0-9]+)\n$" "\\1")
 file(STRINGS "${WORK}/prefix/include/tactus/tactus.h" declared REGEX "^TACTUS_API")
 list(TRANSFORM declared REPLACE "^.*[ *](tactus_[a-z_]+)\\(.*$" "\\1")
 list(SORT exported)
