@@ -69,8 +69,14 @@ Result<KeptWork> readWork(const store::StudyFile& file, bool with_texts) {
   return out;
 }
 
+/// What an upgrade leaves beside a history (core/store/migrations.h).
+constexpr auto kBeforeUpgrade = ".before-v";
+
 void removeFiles(const QString& path) {
   for (const char* ending : {"", kJournalEnding, "-shm", "-journal"}) QFile::remove(path + QLatin1String(ending));
+  const QFileInfo file(path);
+  for (const QString& copy : file.dir().entryList({file.fileName() + QLatin1String(kBeforeUpgrade) + QLatin1Char('*')}))
+    QFile::remove(file.dir().filePath(copy));
 }
 
 std::int64_t utcNowMs() {
@@ -252,6 +258,12 @@ QStringList HistoryFile::leftByCrash(const QString& root) {
 }
 
 void HistoryFile::makeRoom(const QString& root, qint64 most_bytes) {
+  // Copies of histories that are gone.
+  const QString copies = QLatin1Char('*') + QLatin1String(kEnding) + QLatin1String(kBeforeUpgrade) + QLatin1Char('*');
+  for (const QFileInfo& copy : QDir(root).entryInfoList({copies}, QDir::Files)) {
+    const QString path = copy.filePath();
+    if (!QFileInfo::exists(path.left(path.lastIndexOf(QLatin1String(kBeforeUpgrade))))) QFile::remove(path);
+  }
   const QFileInfoList newest_first =
       QDir(root).entryInfoList({QLatin1Char('*') + QLatin1String(kEnding)}, QDir::Files, QDir::Time);
   qint64 bytes = 0;
@@ -286,7 +298,8 @@ Result<void> HistoryFile::settle(const QString& path, const std::string& sha256,
     version->parent = std::exchange(version->id, ids.next());
     version->utc_ms = stamp.utc_ms;
     version->author = stamp.author;
-    const std::string subject = version->label.substr(version->label.find(": ") + 2);
+    const auto colon = version->label.find(": ");
+    const std::string subject = colon == std::string::npos ? version->label : version->label.substr(colon + 2);
     version->label = std::string(editing::name(editing::EventKind::kReturn)) + ": " + subject;
     if (auto stored = store::append(*file, *version); !stored) return stored;
   }

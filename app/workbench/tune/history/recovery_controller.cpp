@@ -13,7 +13,6 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
-#include "core/base/check.h"
 #include "core/base/files/sha256.h"
 #include "core/model_io/model_file.h"
 
@@ -209,8 +208,13 @@ void RecoveryController::adopt(const LostWork& work, const std::shared_ptr<Taken
   }
   if (found->history) {
     begin(work, std::move(*found->history));
-  } else {
-    goOn(found->kept);
+  } else if (const auto gone_on = goOn(found->kept); !gone_on) {
+    put_off_.push_back(work);
+    drop(work);
+    emit notRestored(tr("The edits of %1 were not restored. Their files stay in place. %2")
+                         .arg(shownFileName(work.document), text(gone_on.error().message())),
+                     work);
+    return;
   }
   replaced_.push_back({work, taken, autosave_.flush()});
   drop(work);
@@ -233,25 +237,36 @@ void RecoveryController::begin(const LostWork& work, editing::EditHistory histor
 }
 
 // The study has everything but the last moments, which follow as edits of what it has.
-void RecoveryController::goOn(const editing::KeptVersions& kept) {
+base::Result<void> RecoveryController::goOn(const editing::KeptVersions& kept) {
   const auto show = [&](const fuzzy::ForceModel& model, const std::string& label) {
     if (!editing::sameBits(model, edits_.model())) edits_.apply(editing::finished(model, label));
   };
   const auto known = edits_.history().events();
+  struct Missing {
+    const study::ModelVersion* version;
+    fuzzy::ForceModel model;
+  };
+  // All of them are read before the first is shown: a newer Tactus may have written them.
+  std::vector<Missing> missing;
   for (const study::ModelVersion& version : kept.versions) {
     const bool stored =
         std::any_of(known.begin(), known.end(), [&](const editing::Event& event) { return event.id == version.id; });
     if (stored) continue;
-    const auto model = model_io::parseModel(version.text, "autosave");
-    TACTUS_CHECK(model.has_value());  // its SHA-256 fits, and it was a model when it was written
+    auto read = model_io::parseModel(version.text, "autosave");
+    if (!read) return tl::unexpected(std::move(read.error()));
+    missing.push_back({&version, std::move(read->model)});
+  }
+  for (const auto& [one, model] : missing) {
+    const study::ModelVersion& version = *one;
     const auto colon = version.label.find(": ");
     const std::string kind = version.label.substr(0, colon);
     const std::string label = colon == std::string::npos ? version.label : version.label.substr(colon + 2);
-    show(model->model, label);
+    show(model, label);
     if (kind == editing::name(editing::EventKind::kSnapshot)) edits_.snapshot(text(label));
     if (kind == editing::name(editing::EventKind::kSignOff)) edits_.repeatSignOff(text(version.author), label);
   }
   if (kept.unfinished) show(kept.unfinished->model, recoveredLabel(*kept.unfinished));
+  return {};
 }
 
 // An autosave that was begun before the work was restored does not hold it.

@@ -88,7 +88,7 @@ class RecoveryController : public QObject {
   static base::Result<Found> read(const LostWork& work, const TakenAutosave* taken, const editing::Stamp& stamp);
   void adopt(const LostWork& work, const std::shared_ptr<TakenAutosave>& taken, base::Result<Found> found);
   void begin(const LostWork& work, editing::EditHistory history);
-  void goOn(const editing::KeptVersions& kept);
+  base::Result<void> goOn(const editing::KeptVersions& kept);
   void onWritten(quint64 number);
   void drop(const LostWork& work);
   void say(const LostWork& work);
