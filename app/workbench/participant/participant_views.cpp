@@ -7,6 +7,7 @@
 #include <QMouseEvent>
 #include <QTimer>
 #include <QWidget>
+#include <QWindow>
 
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/participant_controller.h"
@@ -276,7 +277,18 @@ void ParticipantViews::tellMeans(const QEvent& event) {
   }
 }
 
+// The researcher's monitor is a window of the same program.
+bool ParticipantViews::isHers(const QObject& watched) const {
+  if (window_.windowHandle() != nullptr && &watched == static_cast<const QObject*>(window_.windowHandle())) return true;
+  const auto* widget = qobject_cast<const QWidget*>(&watched);
+  while (widget != nullptr && widget != &window_) widget = widget->parentWidget();
+  return widget != nullptr;
+}
+
 bool ParticipantViews::eventFilter(QObject* watched, QEvent* event) {
+  const bool input = dynamic_cast<const QInputEvent*>(event) != nullptr;
+  // A release ends a press wherever it comes.
+  if (input && event->type() != QEvent::KeyRelease && !isHers(*watched)) return QObject::eventFilter(watched, event);
   tellMeans(*event);
   switch (event->type()) {
     case QEvent::Paint:

@@ -60,6 +60,7 @@ class ParticipantViews : public QObject {
   void goOnWith(nurse::ScreenFrame& made);
   void end();
   void frameWasPainted();
+  bool isHers(const QObject& watched) const;
   void tellHeld();
   void tellMeans(const QEvent& event);
 
