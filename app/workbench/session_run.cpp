@@ -41,6 +41,7 @@ void SessionRun::startUsability() { prepare({}, true); }
 void SessionRun::prepare(const QString& code, bool usability) {
   if (isRunning() || !study_.takesOrders()) return;
   preparing_ = true;
+  study_path_ = study_.path();
   code_ = code;
   usability_ = usability;
   device_.stop();  // whatever was felt ends
@@ -50,17 +51,27 @@ void SessionRun::prepare(const QString& code, bool usability) {
 
 void SessionRun::plan() {
   if (!preparing_ || take_part_) return;
-  study_.read(*this, [this](const store::StudyFile& file) -> StudyConnection::Deliver {
-    return [this, plan = participantPlan(file)] {
+  const auto gone = [this] {
+    if (preparing_ && !take_part_)
+      fail(tr("No session has begun: the study was closed while the device was looked for."));
+  };
+  const auto read = [this, gone](const store::StudyFile& file) -> StudyConnection::Deliver {
+    return [this, gone, plan = participantPlan(file)] {
       if (!preparing_ || take_part_) return;
-      if (plan) {
+      if (study_.path() != study_path_) {
+        gone();
+      } else if (plan) {
         begin(*plan);
       } else {
         fail(text(plan.error().message()));
       }
     };
-  });
+  };
+  study_.read(*this, read, gone);
 }
+
+// The code is of one study; in another the screens ask.
+void SessionRun::startAgain() { prepare(study_.path() == study_path_ ? code_ : QString(), usability_); }
 
 void SessionRun::begin(ParticipantPlan plan) {
   plan.device = deviceToFeel(search_.list());

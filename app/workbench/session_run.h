@@ -45,7 +45,7 @@ class SessionRun : public QObject {
   /// The usability form for a clinical teacher with a new code. Ends as `start`.
   void startUsability();
   /// The last one that failed to begin, once more.
-  void startAgain() { prepare(code_, usability_); }
+  void startAgain();
 
  signals:
   void changed();
@@ -66,6 +66,7 @@ class SessionRun : public QObject {
   StudyConnection& study_;
   DeviceSession& device_;
   DeviceSearch search_;
+  QString study_path_;  ///< that the session was asked for
   QString code_;
   bool usability_ = false;
   bool preparing_ = false;

@@ -91,7 +91,9 @@ ReadinessLine signOff(const ReadinessFacts& facts) {
     line.sentence =
         ReadinessText::tr("No expert has signed off the last %n edit(s).", nullptr, static_cast<int>(facts.edits));
   } else {
-    line.sentence = ReadinessText::tr("No edit waits for a sign-off.");
+    line.state = Readiness::kLook;
+    line.sentence =
+        ReadinessText::tr("0 of %n expert(s) have approved this version.", nullptr, static_cast<int>(facts.experts));
   }
   return line;
 }

@@ -26,7 +26,10 @@ StudyReview::StudyReview(StudyConnection& study, QObject* parent) : QObject(pare
 void StudyReview::begin(const std::optional<study::RecordId>& model) {
   clear();
   busy_ = true;
-  study_.read(*this, [this, number = newest_, model](const store::StudyFile& file) -> StudyConnection::Deliver {
+  const auto closed = [this, number = newest_] {
+    if (number == newest_) take({});
+  };
+  const auto read = [this, number = newest_, model](const store::StudyFile& file) -> StudyConnection::Deliver {
     auto view = session::studyForElicitation(file);
     if (!view) {
       // Two persons with one code, or a record that is damaged: no build is possible.
@@ -34,14 +37,15 @@ void StudyReview::begin(const std::optional<study::RecordId>& model) {
         if (number == newest_) take({{{sentence, {}}}, {}});
       };
     }
-    const auto read = std::make_shared<const ReadStudy>(ReadStudy{std::move(view->study), std::move(view->notes)});
-    return [this, number, read, first = model ? firstText(file, *model) : std::nullopt] {
+    const auto study = std::make_shared<const ReadStudy>(ReadStudy{std::move(view->study), std::move(view->notes)});
+    return [this, number, study, first = model ? firstText(file, *model) : std::nullopt] {
       if (number != newest_) return;
-      background_.run([this, read, first](const std::stop_token&) -> Background::Deliver {
-        return [this, notes = reviewed(*read, first)] { take(notes); };
+      background_.run([this, study, first](const std::stop_token&) -> Background::Deliver {
+        return [this, notes = reviewed(*study, first)] { take(notes); };
       });
     };
-  });
+  };
+  study_.read(*this, read, closed);
 }
 
 void StudyReview::set(BuildNotes notes) {

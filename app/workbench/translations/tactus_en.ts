@@ -1492,10 +1492,6 @@
         </translation>
     </message>
     <message>
-        <source>No edit waits for a sign-off.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Origin of the data</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1576,6 +1572,13 @@
     <message>
         <source>Show origin</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>0 of %n expert(s) have approved this version.</source>
+        <translation>
+            <numerusform>0 of 1 expert have approved this version.</numerusform>
+            <numerusform>0 of %n experts have approved this version.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7571,6 +7574,13 @@ felt on the model %2</source>
     </message>
     <message>
         <source>There is no session for this.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SessionRun</name>
+    <message>
+        <source>No session has begun: the study was closed while the device was looked for.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -11,6 +11,7 @@ ReadinessFacts cleanFacts() {
   facts.findings.current = true;
   facts.experts = 2;
   facts.default_force = QStringLiteral("0 N");
+  facts.signed_by = QStringLiteral("S4");
   return facts;
 }
 
@@ -73,7 +74,9 @@ TEST(Readiness, CountsConflictsAndExpertsApart) {
 
 TEST(Readiness, AsksForASignOffOfEdits) {
   ReadinessFacts facts = cleanFacts();
-  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kReady);
+  facts.signed_by.reset();
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kLook) << "nobody has approved anything";
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kSignOff).sentence.startsWith(QStringLiteral("0 of ")));
   facts.edits = 1;
   EXPECT_EQ(lineOf(facts, ReadinessTopic::kSignOff).state, Readiness::kLook);
   EXPECT_TRUE(lineOf(facts, ReadinessTopic::kSignOff).sentence.contains(QStringLiteral("the last")));

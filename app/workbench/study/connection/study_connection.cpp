@@ -66,10 +66,9 @@ void StudyConnection::order(StudyOrders::Work work, StudyOrders::Done done, Stud
   orders_.add(std::move(work), std::move(done), std::move(refused));
 }
 
-void StudyConnection::read(QObject& asker, Read read) {
-  post([this, asker = QPointer(&asker), read = std::move(read)](StudyWorker::Desk& desk) {
-    if (!desk.file) return;
-    answer([asker, deliver = read(*desk.file)] {
+void StudyConnection::read(QObject& asker, Read read, Deliver closed) {
+  post([this, asker = QPointer(&asker), read = std::move(read), closed = std::move(closed)](StudyWorker::Desk& desk) {
+    answer([asker, deliver = desk.file ? read(*desk.file) : closed] {
       if (asker && deliver) deliver();
     });
   });

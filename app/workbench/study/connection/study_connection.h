@@ -61,8 +61,9 @@ class StudyConnection : public QObject {
   /// Runs in the thread of the study. It must not touch the object that asked.
   using Read = std::function<Deliver(const store::StudyFile&)>;
   /// Reads after everything that was asked and ordered before, orders that the disk refuses excepted. Nothing is
-  /// delivered to an `asker` that has ended, or if no study is open.
-  void read(QObject& asker, Read read);
+  /// delivered to an `asker` that has ended. If no study is open then, `closed` runs in the window's thread: whoever
+  /// waits for the answer must give it.
+  void read(QObject& asker, Read read, Deliver closed = {});
   /// The same as soon as everything is written, and `isOpening` until it is delivered. `prepare` makes the reader at
   /// that moment. If something cannot be written, emits `failed` and reads nothing.
   void readAlone(QObject& asker, std::function<Read()> prepare);
