@@ -77,16 +77,16 @@ std::string SourceWriter::oneByOneText(const std::vector<std::size_t>& experts) 
   // The centroid of the only expert is the mean.
   if (experts.size() == 1) {
     return "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], offset;\n"
-           "  const double nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
-           "  if (nothing != 0.0) return nothing;\n  if (!expert_" +
+           "  const int nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
+           "  if (nothing) return not_a_number();\n  if (!expert_" +
            std::to_string(experts.front()) + "(inputs, m, &offset)) return " + number(model_.default_force_n) +
            ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) + " + offset;\n}\n\n";
   }
   std::string out =
       "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], offset, sum = 0.0, weights = "
       "0.0;\n"
-      "  const double nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
-      "  if (nothing != 0.0) return nothing;\n";
+      "  const int nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
+      "  if (nothing) return not_a_number();\n";
   for (const std::size_t e : experts) {
     out += "  if (expert_" + std::to_string(e) + "(inputs, m, &offset)) {\n    sum += " + share(e) +
            " * offset;\n    weights += " + share(e) + ";\n  }\n";
@@ -126,8 +126,8 @@ std::string SourceWriter::sideBySideStart(const std::vector<std::size_t>& expert
 
 std::string SourceWriter::sideBySideText(const std::vector<std::size_t>& experts) const {
   std::string out = sideBySideStart(experts) +
-                    "  const double nothing = memberships(inputs, m);\n"
-                    "  if (fired != NULL) *fired = 0;\n  if (nothing != 0.0) return nothing;\n";
+                    "  const int nothing = memberships(inputs, m);\n"
+                    "  if (fired != NULL) *fired = 0;\n  if (nothing) return not_a_number();\n";
   for (std::size_t i = 0; i < experts.size(); ++i) {
     out += "  strengths_" + std::to_string(experts[i]) + "(m, s + " + std::to_string(i) + ", " +
            std::to_string(experts.size()) + ");\n";
@@ -143,8 +143,8 @@ std::string SourceWriter::stretchedText(const std::vector<std::size_t>& experts,
   // Few strengths are faster written out.
   const std::string each = experts.size() > 1 ? forEach(count) : "  for (e = 0; e < " + places + "; ++e) ";
   const std::string strengths =
-      "  const double nothing = other_memberships(inputs, m, &at);\n  if (fired != NULL) *fired = 0;\n"
-      "  if (nothing != 0.0) return nothing;\n  strengths_here(at, m, s);\n" +
+      "  const int nothing = other_memberships(inputs, m, &at);\n  if (fired != NULL) *fired = 0;\n"
+      "  if (nothing) return not_a_number();\n  strengths_here(at, m, s);\n" +
       each + "s[e] = larger(s[e], 0.0);\n";
   const std::string before = memberships_.functionBut(pivot) + "\n" + stretchesText(experts, pivot);
   if (experts.size() > 1)
@@ -167,9 +167,9 @@ std::string SourceWriter::meanText() const {
 std::string SourceWriter::expertText() const {
   std::string out =
       "double force_model_expert(size_t expert, const double *inputs, int *fired) {\n"
-      "  double m[kMemberships], offset = 0.0;\n  double nothing;\n  int any = 0;\n  if (fired != NULL) *fired = 0;\n"
+      "  double m[kMemberships], offset = 0.0;\n  int nothing;\n  int any = 0;\n  if (fired != NULL) *fired = 0;\n"
       "  if (expert >= FORCE_MODEL_EXPERTS) return 0.0;\n  nothing = memberships(inputs, m);\n"
-      "  if (nothing != 0.0) return nothing;\n  switch (expert) {\n";
+      "  if (nothing) return not_a_number();\n  switch (expert) {\n";
   for (std::size_t e = 0; e < model_.experts.size(); ++e) {
     const std::string index = std::to_string(e);
     out += "    case " + index + ": any = expert_" + index + "(inputs, m, &offset); break;\n";

@@ -33,7 +33,7 @@ class MembershipCode {
   std::size_t count() const { return terms_.size(); }
   /// Input and term of membership `index`.
   const std::pair<std::size_t, fuzzy::Term>& operator[](std::size_t index) const { return terms_[index]; }
-  /// The function `memberships`, which fills `m` and returns NaN where an input is not finite, else 0.
+  /// The function `memberships`, which fills `m` and returns 1 where an input is not finite, else 0.
   std::string function() const;
   /// The function `other_memberships`, which leaves out those of `input` and gives its value within the universe in
   /// `at`. Its memberships may be below 0, which stands for 0. Needs numbers that are not odd.

@@ -184,7 +184,7 @@ std::string MembershipCode::expressionBelowZero(std::size_t index) const {
 
 /// The values x0, x1, … of the inputs that are not fixed, within their universes, and `nothing`.
 std::string MembershipCode::valuesText() const {
-  std::string out = "  double nothing = 0.0;\n";
+  std::string out = "  int nothing = 0;\n";
   std::vector<std::string> place(model_.inputs.size());  // of each free input in `inputs`
   std::size_t free = 0;
   for (std::size_t i = 0; i < place.size(); ++i) {
@@ -197,7 +197,7 @@ std::string MembershipCode::valuesText() const {
            number(input.max) + ");  /* " + comment(input.id) + " */\n";
   }
   for (std::size_t i = 0; i < place.size(); ++i) {
-    if (!fixed_[i]) out += "  nothing += " + place[i] + " - " + place[i] + ";  /* NaN where it is not finite */\n";
+    if (!fixed_[i]) out += "  nothing |= (int)is_not_finite(" + place[i] + ");\n";
   }
   for (std::size_t i = 0; i < place.size() && !odd_; ++i) {
     if (!hasRampToZero(i)) continue;
@@ -212,7 +212,7 @@ std::string MembershipCode::valuesText() const {
 }
 
 std::string MembershipCode::function() const {
-  std::string out = "PART double memberships(const double *inputs, double *m) {\n" + valuesText();
+  std::string out = "PART int memberships(const double *inputs, double *m) {\n" + valuesText();
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     out += "  " + membership(t) + " = " + expression(terms_[t].first, terms_[t].second) + ";\n";
   }
@@ -222,7 +222,7 @@ std::string MembershipCode::function() const {
 
 std::string MembershipCode::functionBut(std::size_t input) const {
   std::string out =
-      "PART double other_memberships(const double *inputs, double *m, double *at) {\n" + valuesText() + "  (void)m;\n";
+      "PART int other_memberships(const double *inputs, double *m, double *at) {\n" + valuesText() + "  (void)m;\n";
   for (std::size_t t = 0; t < terms_.size(); ++t) {
     if (terms_[t].first != input) out += "  " + membership(t) + " = " + expressionBelowZero(t) + ";\n";
   }

@@ -46,6 +46,10 @@ std::string helperText(std::string_view body) {
        "/* So does a product. */\n"
        "HELPER double kept_product(double weight, double held) {\n"
        "  return held > 0.0 ? larger(weight * held, 4.9406564584124654e-324) : 0.0;\n}\n"},
+      {"not_a_number(",
+       "HELPER double not_a_number(void) {\n"
+       "  union {\n    unsigned long long bits;\n    double value;\n  } both;\n  both.bits = 0x7ff8000000000000ULL;\n"
+       "  return both.value;\n}\n"},
       {"is_not_finite(",
        "/* By its bits, because compilers may be told that all numbers are finite. */\n"
        "HELPER unsigned long long is_not_finite(double x) {\n"

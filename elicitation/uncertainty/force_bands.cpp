@@ -23,6 +23,16 @@ constexpr double kEdge = 0.25;        // of a standard deviation
 
 constexpr std::array<Drawn, 4> kOfPeople = {Drawn::kPeople, Drawn::kWhoMoved, Drawn::kWhoJudged, Drawn::kWhoAnswered};
 
+/// The first of them then stand for all of them, as far as they go: in the order of the enumeration the first ones
+/// would all hold the same few people.
+std::vector<WeightedCast> inAnyOrder(std::vector<WeightedCast> casts) {
+  constexpr std::uint64_t kSeed = 1;
+  base::Random random(kSeed);
+  for (std::size_t left = casts.size(); left > 1; --left)
+    std::swap(casts[left - 1], casts[static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
+  return casts;
+}
+
 }  // namespace
 
 std::string_view name(BandKind kind) noexcept {
@@ -134,7 +144,7 @@ void ForceBands::plan() {
     }
     auto& plan = plans_.emplace_back();
     plan.drawn = drawn;
-    if (enumerated) plan.casts = everyCast(people);
+    if (enumerated) plan.casts = inAnyOrder(everyCast(people));
     plan.planned = enumerated ? plan.casts.size() : settings_.replicates;
   }
   if (stroke_spread_) plans_.push_back({Drawn::kOwnStrokes, settings_.replicates, {}, {}, {}});

@@ -2,7 +2,9 @@
 #include "core/exchange/c_source.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <dlfcn.h>
 #include <fstream>
@@ -345,6 +347,40 @@ TEST(CSource, TakesWhateverTheCallerPasses) {
   EXPECT_TRUE(std::isnan(source.force(far, &fired)));
   EXPECT_EQ(source.expert_force(1, point, &(fired = 7)), 0);
   EXPECT_EQ(fired, 0);
+}
+
+/// By the bits, whatever this program is compiled with.
+bool isNan(double value) { return (std::bit_cast<std::uint64_t>(value) << 1U) > 0xFFE0000000000000ULL; }
+
+// Compilers that may take every number for a finite one leave out what compares with NaN.
+TEST(CSource, WhatIsNotFiniteGivesNanUnderFastMathToo) {
+  for (const char* options : {"-O2 -ffast-math", "-O3 -ffast-math -march=native", "-O1 -ffinite-math-only", "-O0"}) {
+    const CompiledSource source(support::s4Shifted(), options);
+    ASSERT_NE(source.force, nullptr);
+    for (std::size_t input = 0; input < 4; ++input) {
+      for (const double odd : {std::nan(""), -std::nan(""), double{INFINITY}, -double{INFINITY}}) {
+        double point[] = {1, 45, 30, 30};
+        point[input] = odd;
+        int fired = 7;
+        EXPECT_TRUE(isNan(source.force(point, &fired))) << options << ": input " << input << " = " << odd;
+        EXPECT_EQ(fired, 0) << options;
+        EXPECT_TRUE(isNan(source.expert_force(0, point, &(fired = 7)))) << options;
+        EXPECT_EQ(fired, 0) << options;
+        std::vector<double> points;
+        for (int p = 0; p < 40; ++p) points.insert(points.end(), {1, 45, 30, 30});
+        points[4 * 17 + input] = odd;
+        std::vector<double> forces(40);
+        std::vector<unsigned char> all_fired(40, 7);
+        source.batch(points.data(), 40, forces.data(), all_fired.data());
+        for (std::size_t p = 0; p < 40; ++p) {
+          EXPECT_EQ(isNan(forces[p]), p == 17) << options << ": " << p;
+          EXPECT_EQ(all_fired[p], p == 17 ? 0 : 1) << options << ": " << p;
+        }
+      }
+    }
+    const double usual[] = {1, 45, 30, 30};
+    EXPECT_NEAR(source.force(usual, nullptr), 0.12666666666666668, 1e-12) << options;
+  }
 }
 
 TEST(CSource, HasTheForcesOfGaussianOutputs) {
