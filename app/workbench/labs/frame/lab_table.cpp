@@ -43,7 +43,7 @@ void sortByHeads(QTableView& view) {
   QHeaderView* const head = view.horizontalHeader();
   head->setSectionsClickable(true);
   head->setSortIndicatorClearable(true);
-  head->setSortIndicator(-1, Qt::DescendingOrder);
+  head->setSortIndicator(-1, Qt::AscendingOrder);  // newer Qt reverses what is not sorted, too
   view.setSortingEnabled(true);
 }
 
