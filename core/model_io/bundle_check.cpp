@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -25,9 +26,39 @@ FileCheck failed(FileCheck check, std::string sentence) {
   return check;
 }
 
+/// A link may lead to another file tomorrow.
+base::Result<void> requireNoLink(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_symlink(path, ignored)) return {};
+  return tl::unexpected(
+      base::Error{base::ErrorCode::kMismatch, path, {}, "a link", "the file itself, as it was written"});
+}
+
+/// What lies in the folder without being named by the manifest, each a failure, in the order of their paths.
+std::vector<FileCheck> unnamedIn(const std::string& folder, const BundleManifest& manifest) {
+  std::set<std::string> named = {std::string(kManifestName)};
+  for (const BundleFile& file : manifest.files) named.insert(file.path);
+  std::vector<FileCheck> out;
+  std::error_code problem;
+  for (std::filesystem::recursive_directory_iterator at(folder, problem), end; !problem && at != end;
+       at.increment(problem)) {
+    if (at->is_directory(problem) && !at->is_symlink(problem)) continue;
+    FileCheck check;
+    check.file.path = at->path().lexically_relative(folder).generic_string();
+    check.file.kind = "unnamed";
+    if (named.contains(check.file.path)) continue;
+    out.push_back(failed(std::move(check),
+                         folder + "/" + at->path().lexically_relative(folder).generic_string() +
+                             ": found a file that the manifest does not name, wanted only those that it names"));
+  }
+  std::sort(out.begin(), out.end(), [](const FileCheck& a, const FileCheck& b) { return a.file.path < b.file.path; });
+  return out;
+}
+
 /// The bytes of a file of the bundle, which must be those that the manifest means.
 base::Result<std::string> unaltered(const std::string& folder, const BundleFile& file) {
   const std::string path = folder + "/" + file.path;
+  if (const auto itself = requireNoLink(path); !itself) return tl::unexpected(itself.error());
   if (const auto below = base::requireBelow(folder, path); !below) return tl::unexpected(below.error());
   auto bytes = base::readFile(path, kMostFileBytes);
   if (!bytes) return bytes;
@@ -105,6 +136,7 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
         base::ErrorCode::kIo, folder, {}, is_there ? "a file" : "nothing of this name", "the folder of a bundle"});
   }
   const std::string path = folder + "/" + std::string(kManifestName);
+  if (const auto itself = requireNoLink(path); !itself) return tl::unexpected(itself.error());
   const auto text = base::readFile(path, kMostManifestBytes);
   if (!text) return tl::unexpected(text.error());
   const auto manifest = parseManifest(*text, path);
@@ -124,6 +156,7 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
   out.model = std::move(read->model);
   out.generator = manifest->generator;
   for (const BundleFile& file : manifest->files) out.files.push_back(checked(out.model, folder, file));
+  for (FileCheck& check : unnamedIn(folder, *manifest)) out.files.push_back(std::move(check));
   return out;
 }
 

@@ -22,12 +22,13 @@ struct FileCheck {
 struct BundleCheck {
   fuzzy::ForceModel model;
   std::string generator;         ///< that wrote the bundle
-  std::vector<FileCheck> files;  ///< in the order of the manifest
+  std::vector<FileCheck> files;  ///< in the order of the manifest, then what it does not name (kind `unnamed`)
 
   bool ok() const;
 };
 
-/// Reads the bundle in `folder`. Every file must be there with its checksum. The model repeats its own checks, and the
+/// Reads the bundle in `folder`. Every file must be there with its checksum, none may be a link, and no other may lie
+/// there. The model repeats its own checks, and the
 /// table of checks is evaluated again; the files for other programs are not read here. Refused: a folder without a
 /// manifest or with a broken one, and a model that cannot be read, because then nothing can be evaluated (kMismatch: it
 /// is missing, altered, or its checks fail).

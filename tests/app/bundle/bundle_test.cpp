@@ -218,6 +218,35 @@ void forge(const std::string& folder, const Bundle& made, const std::string& pat
   std::ofstream(folder + "/manifest.json", std::ios::binary) << model_io::formatManifest(forged.manifest);
 }
 
+TEST_F(BundleTest, WhatTheManifestDoesNotNameIsFound) {
+  write("experts/S5.fis", "what somebody put there");
+  fs::create_symlink(path_ + "/checks.csv", path_ + "/more.csv");
+  const auto found = verifyBundle(path_, kProgram);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_FALSE(found->ok());
+  std::vector<std::string> wrong;
+  for (const auto& file : found->files)
+    if (!file.ok) wrong.push_back(file.file.kind + " " + file.file.path);
+  EXPECT_EQ(wrong, (std::vector<std::string>{"unnamed experts/S5.fis", "unnamed more.csv"}));
+  EXPECT_EQ(library(), TACTUS_NOT_VERIFIED);
+  EXPECT_NE(std::string(message_).find("does not name"), std::string::npos) << message_;
+}
+
+TEST_F(BundleTest, ALinkIsNoFileOfABundle) {
+  const auto linked = [&](const std::string& name) {
+    fs::rename(path_ + "/" + name, folder_.file("moved"));
+    fs::create_symlink(folder_.file("moved"), path_ + "/" + name);
+    const auto found = verifyBundle(path_, kProgram);
+    EXPECT_FALSE(found && found->ok()) << name;
+    EXPECT_EQ(library(), TACTUS_NOT_VERIFIED) << name;
+    EXPECT_NE(std::string(message_).find("found a link"), std::string::npos) << message_;
+    fs::remove(path_ + "/" + name);
+    fs::rename(folder_.file("moved"), path_ + "/" + name);
+    EXPECT_EQ(library(), TACTUS_OK) << message_;
+  };
+  for (const char* const name : {"manifest.json", "model.tactus.json", "checks.csv", "c/force_model.c"}) linked(name);
+}
+
 TEST_F(BundleTest, AForceThatIsWrongIsFoundBehindARightChecksum) {
   std::string checks = contents("checks.csv");
   const auto row = checks.find('\n', 40);
