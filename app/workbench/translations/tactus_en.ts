@@ -2151,6 +2151,10 @@
         <source>Up to %1 % of the draws give no force somewhere.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Unfinished: %1 of %2 draws.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::BundleMaker</name>

@@ -185,6 +185,44 @@ TEST(ForceBands, OneParticipantHasNoOthers) {
 }
 
 // Batches of any size give the same draws.
+/// fourPeople() and four more who say the same: 6,435 casts.
+study::Study eightPeople() {
+  auto study = fourPeople();
+  const auto again = [](auto& rows, auto code) {
+    const auto before = rows;
+    for (auto row : before) {
+      code(row) += "b";
+      rows.push_back(std::move(row));
+    }
+  };
+  again(
+      study.participants, [](auto& row) -> auto& { return row.code; });
+  again(
+      study.judgements, [](auto& row) -> auto& { return row.participant; });
+  again(
+      study.rules, [](auto& row) -> auto& { return row.participant; });
+  return study;
+}
+
+// The first casts of the enumeration hold the same few people, and made the band half as wide as it is.
+TEST(ForceBands, TheFirstCastsStandForAllOfThem) {
+  const auto study = eightPeople();
+  const auto built = buildModel(study, {}, {});
+  ASSERT_TRUE(built) << built.error().message();
+  auto bands = ForceBands::of(study, *built, {}, {.points = kPoints, .again = false, .split = false});
+  ASSERT_TRUE(bands) << bands.error().message();
+  EXPECT_EQ(bands->planned(), 6435U);
+  while (bands->done() < 200) bands->add(1);
+  const auto some = bands->drawn(Drawn::kPeople);
+  while (bands->add(1000)) {
+  }
+  const auto all = bands->drawn(Drawn::kPeople);
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    EXPECT_NEAR(some[p].sd_n, all[p].sd_n, .25 * all[p].sd_n) << p;
+    EXPECT_NEAR(some[p].mean_n, all[p].mean_n, .25 * all[p].sd_n) << p;
+  }
+}
+
 TEST(ForceBands, BatchesDoNotChangeTheResult) {
   const auto study = fourPeople();
   const auto built = buildModel(study, {}, {}).value();

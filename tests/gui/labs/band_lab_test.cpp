@@ -45,6 +45,11 @@ TEST_F(BandLabTest, LiesAroundTheAveragedForceAndIsWidestForAnotherParticipant) 
     EXPECT_GE(point.high_n, *point.force_n);
   }
   EXPECT_TRUE(bandText(next).contains(QStringLiteral("95 %")));
+  EXPECT_FALSE(bandText(next).contains(QStringLiteral("Unfinished")));
+  ShownBand some = next;
+  some.done = 200;
+  some.planned = 6435;
+  EXPECT_TRUE(bandText(some).startsWith(QStringLiteral("Unfinished: 200 of 6435 draws.")));
   bands.choose(std::nullopt);
   EXPECT_EQ(bands.shown(), nullptr);
   EXPECT_FALSE(bands.work().isBusy());

@@ -126,6 +126,8 @@ QString bandText(const ShownBand& shown) {
     abstains = std::max(abstains, point.abstains);
   }
   QStringList lines;
+  if (shown.done < shown.planned)
+    lines << BandLab::tr("Unfinished: %1 of %2 draws.").arg(shown.done).arg(shown.planned);
   lines << BandLab::tr("%1, 95 % at each depth by itself: at most ± %2.")
                .arg(bandMeaning(shown.kind), quantityText(widest, "N"));
   if (abstains > 0) {
