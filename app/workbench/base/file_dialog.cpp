@@ -35,7 +35,7 @@ QString ask(QWidget* parent, const QString& caption, const QString& start, const
   const QFileInfo place(start.isEmpty() ? documentsFolder() : start);
   dialog.setDirectory(place.isDir() ? place.absoluteFilePath() : place.absolutePath());
   dialog.setHistory({});
-  if (!place.isDir()) dialog.selectFile(place.fileName());
+  if (question.accept == QFileDialog::AcceptSave && !place.isDir()) dialog.selectFile(place.fileName());
   if (selected_filter != nullptr && !selected_filter->isEmpty()) dialog.selectNameFilter(*selected_filter);
   if (dialog.exec() != QDialog::Accepted) return {};
   if (selected_filter != nullptr) *selected_filter = dialog.selectedNameFilter();

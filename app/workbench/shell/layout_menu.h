@@ -18,6 +18,7 @@ class LayoutMenu : public QObject {
 
  private:
   void fill();
+  void show(const QString& name);
   void askName();
 
   MainWindow& window_;

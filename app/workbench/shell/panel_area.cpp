@@ -160,7 +160,7 @@ QStringList PanelArea::namedLayouts() const {
 
 void PanelArea::nameLayout(const QString& name) { store(namedKey(name), namedPanelsKey(name)); }
 
-void PanelArea::showNamed(const QString& name) { restore(namedKey(name), namedPanelsKey(name)); }
+bool PanelArea::showNamed(const QString& name) { return restore(namedKey(name), namedPanelsKey(name)); }
 
 void PanelArea::forgetNamed(const QString& name) {
   settings_.remove(namedKey(name));

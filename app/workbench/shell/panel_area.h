@@ -49,8 +49,8 @@ class PanelArea : public QMainWindow {
   QStringList namedLayouts() const;
   /// Keeps the places of the panels under `name`, in the place of an older layout of that name.
   void nameLayout(const QString& name);
-  /// Puts the panels as they were when `name` was given.
-  void showNamed(const QString& name);
+  /// Puts the panels as they were when `name` was given. False, with nothing changed, if there were other panels then.
+  bool showNamed(const QString& name);
   void forgetNamed(const QString& name);
 
   const QList<Panel*>& panels() const { return panels_; }

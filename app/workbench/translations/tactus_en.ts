@@ -4816,6 +4816,14 @@
         <source>The layout is kept as %1.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>The layout %1 was not shown: it was kept with other panels than there are now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Forget it</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::LegendChip</name>

@@ -152,7 +152,8 @@ TEST_F(SearchTest, ANamedLayoutComesBackInAnyStage) {
   EXPECT_TRUE(bench.map_parts.map().isVisibleTo(&panels));
   EXPECT_EQ(panels.namedLayouts(), QStringList{QStringLiteral("two / lines")});
   bench.window.enter(Stage::kTune);
-  panels.showNamed(QStringLiteral("two / lines"));
+  EXPECT_TRUE(panels.showNamed(QStringLiteral("two / lines")));
+  EXPECT_FALSE(panels.showNamed(QStringLiteral("never kept")));
   EXPECT_FALSE(bench.map_parts.map().isVisibleTo(&panels));
   EXPECT_TRUE(bench.curve_parts.curves().isVisibleTo(&panels));
   panels.forgetNamed(QStringLiteral("two / lines"));

@@ -240,22 +240,20 @@ void FeelStore::onStudy() {
 }
 
 void FeelStore::replay(const study::RecordId& id) {
-  if (!study_.takesOrders() || !scene_.model()) return;
+  if (!study_.isOpen() || !scene_.model()) return;
   if (recording_) setRecording(false);
-  const auto read = std::make_shared<Result<study::Recording>>();
-  study_.order(
-      [id, read](store::StudyFile& file, study::RecordIds&) -> Result<void> {
-        *read = store::feelRecording(file, id);
-        return {};
-      },
-      [this, id, read] {
-        if (*read) {
-          play(id, **read);
-        } else {
-          emit failed(tr("The recording was not replayed. %1").arg(text(read->error().message())),
-                      {tr("Try again"), [this, id] { replay(id); }});
-        }
-      });
+  // Reading is enough: a study that may not be changed is replayed too.
+  study_.read(*this, [this, id](const store::StudyFile& file) -> StudyConnection::Deliver {
+    const auto read = std::make_shared<Result<study::Recording>>(store::feelRecording(file, id));
+    return [this, id, read] {
+      if (*read) {
+        play(id, **read);
+      } else {
+        emit failed(tr("The recording was not replayed. %1").arg(text(read->error().message())),
+                    {tr("Try again"), [this, id] { replay(id); }});
+      }
+    };
+  });
 }
 
 void FeelStore::play(const study::RecordId& id, const study::Recording& recording) {
