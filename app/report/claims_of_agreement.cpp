@@ -148,13 +148,17 @@ Verdict meanOfExperts(const ClaimContext& context, const Candidates& candidates)
   Verdict verdict = emptyVerdict("mean");
   double worst_n = 0;
   const ForceCurve mean = context.curves.curve(kFig11, std::nullopt);
+  std::vector<double> weight;
+  for (const Candidate& candidate : candidates) weight.push_back(candidate.expert.weight);
+  weight = fuzzy::normalizedWeights(weight);
   for (std::size_t i = 0; i < mean.size(); ++i) {
     double sum_n = 0;
     double weights = 0;
-    for (const Candidate& candidate : candidates) {
-      if (!candidate.curve[i].force_n) continue;
-      sum_n += candidate.expert.weight * *candidate.curve[i].force_n;
-      weights += candidate.expert.weight;
+    for (std::size_t c = 0; c < candidates.size(); ++c) {
+      const auto& force_n = candidates[c].curve[i].force_n;
+      if (!force_n) continue;
+      sum_n += weight[c] * *force_n;
+      weights += weight[c];
     }
     if (mean[i].force_n && weights > 0) worst_n = std::max(worst_n, std::abs(*mean[i].force_n - sum_n / weights));
   }

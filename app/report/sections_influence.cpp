@@ -16,14 +16,14 @@ constexpr CurveSetting kSetting{1, 60, 50};
 
 /// The averaged force at one depth without the expert `left_out`; nothing where the others have none.
 std::optional<double> withoutExpert(const ReportContext& context, double depth_mm, std::size_t left_out) {
-  const auto& experts = context.in.built.model.experts;
+  const std::vector<double> weight = normalizedWeights(context.in.built.model);
   double sum = 0;
   double weights = 0;
-  for (std::size_t e = 0; e < experts.size(); ++e) {
+  for (std::size_t e = 0; e < weight.size(); ++e) {
     const auto force_n = e == left_out ? std::nullopt : context.curves->force(kSetting, depth_mm, e);
     if (!force_n) continue;
-    sum += experts[e].weight * *force_n;
-    weights += experts[e].weight;
+    sum += weight[e] * *force_n;
+    weights += weight[e];
   }
   if (!(weights > 0)) return std::nullopt;
   return sum / weights;

@@ -83,10 +83,7 @@ std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std:
   std::vector<SamplePoints::Choice> where(model.experts.size());
   std::vector<std::optional<double>> changes(model.experts.size());
   std::vector<std::optional<double>> newtons(model.experts.size());
-  // Relative to the largest one: their sum may be beyond the range of double.
-  double heaviest = 0;
-  for (const auto& expert : model.experts) heaviest = std::max(heaviest, expert.weight);
-  const auto weight = [&](std::size_t e) { return model.experts[e].weight / heaviest; };
+  const std::vector<double> weight = normalizedWeights(model);
   const auto look = [&](const SamplePoints::Choice& choice) {
     std::fill(newtons.begin(), newtons.end(), std::nullopt);
     if (!probe.affords()) return;
@@ -101,11 +98,11 @@ std::vector<std::optional<ForceChange>> differencesAlong(ForceProbe& probe, std:
       changes[e].reset();
       if (!from.fired || !to.fired) continue;
       changes[e] = to.force_n - from.force_n;
-      weights += weight(e);
-      sum += weight(e) * *changes[e];
+      weights += weight[e];
+      sum += weight[e] * *changes[e];
     }
     for (std::size_t e = 0; e < changes.size(); ++e) {
-      const double own = weight(e);
+      const double own = weight[e];
       // Others that weigh less than this are lost in the rounding of the sums.
       const bool others = changes[e] && weights - own > 1e-9 * weights;
       if (!others) continue;

@@ -109,12 +109,12 @@ base::Result<Explanation> explain(const ForceModel& model, const fuzzy::Compiled
   double weights = 0;
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
     out.experts.push_back(explainExpert(model, compiled, e, out.inputs, inputs));
-    if (!out.experts.back().abstains) weights += compiled.weight(e);
+    if (!out.experts.back().abstains) weights += compiled.normalizedWeight(e);
   }
   for (std::size_t e = 0; e < out.experts.size(); ++e) {
     auto& expert = out.experts[e];
     if (expert.abstains || weights == 0) continue;
-    expert.weight_share = compiled.weight(e) / weights;
+    expert.weight_share = compiled.normalizedWeight(e) / weights;
     expert.contribution_n = expert.weight_share * expert.force_n;
   }
   const auto force = compiled.evaluate(inputs);

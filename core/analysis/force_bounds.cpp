@@ -74,17 +74,15 @@ std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, std::size
 
 std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, const std::vector<bool>& always_fires) {
   Cache cache;
-  double largest = 0;
-  for (const auto& expert : model.experts) largest = std::max(largest, expert.weight);
+  const std::vector<double> weights = normalizedWeights(model);
   std::vector<Weighted> low;
   std::vector<Weighted> high;
   const double lo = model.output.min;
   const double hi = model.output.max;
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    const auto& expert = model.experts[e];
-    const double weight = expert.weight / largest;
+    const double weight = weights[e];
     if (weight == 0) continue;
-    const auto bounds = boundsOf(model, expert, cache);
+    const auto bounds = boundsOf(model, model.experts[e], cache);
     if (!bounds) continue;
     low.push_back({bounds->min_n - lo, weight, always_fires[e]});
     high.push_back({hi - bounds->max_n, weight, always_fires[e]});

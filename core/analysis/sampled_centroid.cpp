@@ -43,7 +43,7 @@ fuzzy::Evaluation evaluateSampled(const fuzzy::CompiledModel& model, std::span<c
   double sum = 0;
   std::array<double, fuzzy::kMostTerms> strengths{};
   for (std::size_t e = expert.value_or(0); e < (expert ? *expert + 1 : model.expertCount()); ++e) {
-    const double weight = expert ? 1 : model.weight(e);
+    const double weight = expert ? 1 : model.normalizedWeight(e);
     if (weight == 0 || !model.strengths(e, inputs, strengths)) continue;
     weights += weight;
     sum += weight * sampledCentroid(model, e, strengths, sampling);

@@ -1,5 +1,7 @@
 // The functions of the C source: strengths and centroids of the experts, and the force at one point.
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "core/exchange/c_writer.h"
 
@@ -15,9 +17,8 @@ std::string forEach(std::size_t count) {
 
 /// The weight of an expert, all weights together being 1.
 std::string SourceWriter::share(std::size_t expert) const {
-  double total = 0;
-  for (const fuzzy::Expert& one : model_.experts) total += one.weight;
-  return number(model_.experts[expert].weight / total);
+  const double total = std::accumulate(weights_.begin(), weights_.end(), 0.0);
+  return number(std::max(weights_[expert] / total, std::numeric_limits<double>::denorm_min()));
 }
 
 std::string SourceWriter::strengthFunction(std::size_t index, const Ordered& expert) const {

@@ -57,6 +57,7 @@ class SourceWriter {
   std::string share(std::size_t expert) const;
 
   const fuzzy::ForceModel& model_;
+  const std::vector<double> weights_ = normalizedWeights(model_);  ///< of the experts
   const FixedInputs& fixed_;
   MembershipCode memberships_;
   std::pmr::monotonic_buffer_resource memory_;

@@ -1,4 +1,5 @@
 // From what people edit to what evaluates: names become indices, disabled rules disappear.
+#include <numeric>
 #include <utility>
 
 #include "core/fuzzy/model_tables.h"
@@ -66,9 +67,13 @@ base::Result<CompiledModel> compile(const ForceModel& model) {
   tables->default_force_n = model.default_force_n;
   tables->implication = model.implication;
   addBanks(model, *tables);
-  long double all_weights = 0;
-  for (const ExpertTable& table : tables->experts) all_weights += table.weight;
-  for (ExpertTable& table : tables->experts) table.share = static_cast<double>(table.weight / all_weights);
+  const std::vector<double> weights = normalizedWeights(model);
+  const double all_weights = std::accumulate(weights.begin(), weights.end(), 0.0);
+  for (std::size_t e = 0; e < weights.size(); ++e) {
+    ExpertTable& table = tables->experts[e];
+    table.weight = weights[e];
+    table.share = weights[e] / all_weights;
+  }
   makeProgram(*tables, tables->program);
 
   CompiledModel compiled;

@@ -30,6 +30,8 @@ class CompiledModel {
   Implication implication() const noexcept;
   /// Weight of an expert in the mean, as in the model.
   double weight(std::size_t expert) const noexcept;
+  /// The same as the mean takes it: normalizedWeights (force_model.h).
+  double normalizedWeight(std::size_t expert) const noexcept;
 
   /// The averaged force (paper, Eq. 2): the weighted mean over the experts that do not abstain.
   /// `inputs`: inputCount() values in the order and units of the model's inputs. Values outside the universe are

@@ -67,7 +67,8 @@ std::size_t CompiledModel::expertCount() const noexcept { return tables_->expert
 double CompiledModel::outputMin() const noexcept { return tables_->output_min; }
 double CompiledModel::outputMax() const noexcept { return tables_->output_max; }
 Implication CompiledModel::implication() const noexcept { return tables_->implication; }
-double CompiledModel::weight(std::size_t expert) const noexcept { return tables_->experts[expert].weight; }
+double CompiledModel::weight(std::size_t expert) const noexcept { return tables_->experts[expert].given_weight; }
+double CompiledModel::normalizedWeight(std::size_t expert) const noexcept { return tables_->experts[expert].weight; }
 
 double CompiledModel::clampInput(std::size_t input, double value) const noexcept {
   return std::clamp(value, tables_->input_min[input], tables_->input_max[input]);

@@ -1,6 +1,8 @@
 #include "core/fuzzy/force_model.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace tactus::fuzzy {
 
@@ -40,6 +42,32 @@ const std::vector<Term>& termsFor(const Expert& expert, const Variable& variable
     if (own.variable == variable.id) return own.terms;
   }
   return variable.terms;
+}
+
+std::vector<double> normalizedWeights(std::span<const double> weights) {
+  constexpr int kLargestGap = 72;  // bits: 53 of a double and more than enough for as many experts as a model may have
+  std::vector<double> out(weights.begin(), weights.end());
+  std::vector<double*> falling;
+  for (double& weight : out) {
+    if (weight > 0) falling.push_back(&weight);
+  }
+  std::sort(falling.begin(), falling.end(), [](const double* a, const double* b) { return *a > *b; });
+  int shift = falling.empty() ? 0 : -std::ilogb(*falling.front());
+  int before = -shift;
+  for (double* const weight : falling) {
+    const int exponent = std::ilogb(*weight);
+    shift += std::max(0, before - exponent - kLargestGap);
+    before = exponent;
+    *weight = std::max(std::scalbn(*weight, shift), std::numeric_limits<double>::denorm_min());
+  }
+  return out;
+}
+
+std::vector<double> normalizedWeights(const ForceModel& model) {
+  std::vector<double> weights;
+  weights.reserve(model.experts.size());
+  for (const Expert& expert : model.experts) weights.push_back(expert.weight);
+  return normalizedWeights(weights);
 }
 
 }  // namespace tactus::fuzzy

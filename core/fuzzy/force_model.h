@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -150,5 +151,13 @@ const Term* findTerm(const std::vector<Term>& terms, std::string_view id) noexce
 /// The terms of `variable` for `expert`: the expert's own list if there is one, else the variable's list. `variable` is
 /// an input of the model or its output.
 const std::vector<Term>& termsFor(const Expert& expert, const Variable& variable) noexcept;
+
+/// The weights with which every mean over experts is taken, in the order of the experts: the largest lies in [1, 2),
+/// and whoever has a weight above 0 keeps one. The ratios are those of `weights` (finite, >= 0, any size), but for the
+/// next smaller weight more than 2^72 below: it moves up to that distance, where it still vanishes beside the larger
+/// ones in the rounding. So no sum of them is infinite, and among the small ones the ratios are kept where the large
+/// ones abstain.
+std::vector<double> normalizedWeights(std::span<const double> weights);
+std::vector<double> normalizedWeights(const ForceModel& model);
 
 }  // namespace tactus::fuzzy

@@ -28,9 +28,10 @@ struct IndexedRule {
 };
 
 struct ExpertTable {
-  double weight = 1;  ///< in the mean
-  double share = 1;   ///< weight relative to the sum of all weights
-  Stretch rules;      ///< enabled rules with a weight > 0
+  double given_weight = 1;  ///< as in the model
+  double weight = 1;        ///< in the mean: normalizedWeights
+  double share = 1;         ///< `weight` relative to the sum of all
+  Stretch rules;            ///< enabled rules with a weight > 0
   std::array<std::uint32_t, kMostInputs> input_bank{};
   std::uint32_t output_bank = 0;
 };

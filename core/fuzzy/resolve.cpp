@@ -54,7 +54,7 @@ class Resolver {
     if (read < count) return problemOf(expert.rules[read], rules[read]);
     before_ = expert.rules;
     ExpertTable& table = tables_.experts.emplace_back();
-    table.weight = expert.weight;
+    table.given_weight = expert.weight;
     table.rules = {first, sizeOf(tables_.rules) - first};
     return nullptr;
   }

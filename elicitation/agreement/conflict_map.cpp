@@ -38,11 +38,8 @@ struct SquareSum {
 
 class Comparer {
  public:
-  Comparer(const ForceModel& model, const std::vector<std::vector<double>>& points) : model_(model), points_(points) {
-    double heaviest = 0;
-    for (const auto& expert : model.experts) heaviest = std::max(heaviest, expert.weight);
-    for (const auto& expert : model.experts) weights_.push_back(expert.weight / heaviest);
-  }
+  Comparer(const ForceModel& model, const std::vector<std::vector<double>>& points)
+      : model_(model), points_(points), weights_(normalizedWeights(model)) {}
 
   void evaluateAll(const fuzzy::CompiledModel& compiled) {
     base_.experts.assign(points_.size(), std::vector<fuzzy::Evaluation>(model_.experts.size()));
@@ -267,7 +264,7 @@ class Comparer {
 
   const ForceModel& model_;
   const std::vector<std::vector<double>>& points_;
-  std::vector<double> weights_;  ///< relative to the largest one: their sum may be beyond the range of double
+  std::vector<double> weights_;  ///< normalizedWeights
   BaseForces base_;
 };
 

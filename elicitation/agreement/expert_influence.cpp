@@ -105,13 +105,9 @@ struct SpreadSums {
 /// Takes the points one by one and keeps what is asked for.
 class Comparison {
  public:
-  explicit Comparison(const fuzzy::ForceModel& model) : model_(model), expert_sums_(model.experts.size()) {
-    double heaviest = 0;
-    for (const auto& expert : model.experts) heaviest = std::max(heaviest, expert.weight);
-    for (const auto& expert : model.experts) {
-      out_.experts.emplace_back().expert = expert.id;
-      weights_.push_back(expert.weight / heaviest);
-    }
+  explicit Comparison(const fuzzy::ForceModel& model)
+      : model_(model), weights_(normalizedWeights(model)), expert_sums_(model.experts.size()) {
+    for (const auto& expert : model.experts) out_.experts.emplace_back().expert = expert.id;
     for (std::size_t a = 0; a < model.experts.size(); ++a) {
       for (std::size_t b = a + 1; b < model.experts.size(); ++b) {
         auto& pair = out_.pairs.emplace_back();
@@ -194,7 +190,7 @@ class Comparison {
   }
 
   const fuzzy::ForceModel& model_;
-  std::vector<double> weights_;  ///< relative to the largest one: their sum may be beyond the range of double
+  std::vector<double> weights_;  ///< normalizedWeights
   ExpertInfluences out_;
   std::vector<SpreadSums> expert_sums_;
   std::vector<SpreadSums> pair_sums_;

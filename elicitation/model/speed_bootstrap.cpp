@@ -46,10 +46,10 @@ base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const
 }
 
 SpeedBootstrap::SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<Ramp> averaged,
-                               std::vector<double> weights, Averaging averaging)
+                               std::span<const double> weights, Averaging averaging)
     : participants_(std::move(participants)),
       averaged_(std::move(averaged)),
-      weights_(std::move(weights)),
+      weights_(fuzzy::normalizedWeights(weights)),
       averaging_(averaging) {}
 
 void SpeedBootstrap::add(std::size_t replicates) {

@@ -47,7 +47,7 @@ class SpeedBootstrap {
   StudySpeedIntervals intervals(double coverage = kCoverage) const;
 
  private:
-  SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<Ramp> averaged, std::vector<double> weights,
+  SpeedBootstrap(std::vector<StrokeBootstrap> participants, std::vector<Ramp> averaged, std::span<const double> weights,
                  Averaging averaging);
 
   std::vector<StrokeBootstrap> participants_;

@@ -1,6 +1,7 @@
 #include "tests/support/random_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -180,6 +181,12 @@ std::vector<double> randomPoint(Random& random, const ForceModel& model) {
     }
   }
   return point;
+}
+
+void takeExtremeWeights(base::Random& random, fuzzy::ForceModel& model) {
+  constexpr std::array kWeights = {5e-324, 1.5e-323, 1e-300, 1e-150, 1e-20, 1.0, 3.0, 1e20, 1e150, 1e308, 1.79e308};
+  for (auto& expert : model.experts)
+    expert.weight = kWeights[static_cast<std::size_t>(random.below(static_cast<int>(kWeights.size())))];
 }
 
 }  // namespace tactus::support

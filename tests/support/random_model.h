@@ -20,4 +20,7 @@ fuzzy::ForceModel randomModel(base::Random& random, const RandomModelOptions& op
 /// A point for `model`: anywhere in the universes, on a vertex, a few ulps beside one, or outside.
 std::vector<double> randomPoint(base::Random& random, const fuzzy::ForceModel& model);
 
+/// Gives the experts weights between the smallest and the largest double, in any order; none is 0.
+void takeExtremeWeights(base::Random& random, fuzzy::ForceModel& model);
+
 }  // namespace tactus::support

@@ -18,7 +18,6 @@ std::size_t indexOf(const std::vector<fuzzy::Term>& terms, const std::string& id
 
 PointExpert pointExpert(const ForceModel& model, const fuzzy::Expert& expert, std::span<const double> point) {
   PointExpert out;
-  out.weight = expert.weight;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     auto& list = out.memberships.emplace_back();
     for (const auto& term : termsFor(expert, model.inputs[i])) {
@@ -51,8 +50,10 @@ PointExpert pointExpert(const ForceModel& model, const fuzzy::Expert& expert, st
 
 PointForce::PointForce(const ForceModel& model, std::span<const double> point)
     : model_(model), point_(point.begin(), point.end()) {
+  const std::vector<double> weights = normalizedWeights(model);
   for (const auto& expert : model.experts) {
     experts_.push_back(pointExpert(model, expert, point_));
+    experts_.back().weight = weights[experts_.size() - 1];
     experts_.back().force_n = centroid(experts_.back().strengths, experts_.back().words);
   }
 }

@@ -134,6 +134,17 @@ TEST(CSource, HasTheForcesOfRandomModels) {
   }
 }
 
+TEST(CSource, HasTheForcesOfWeightsHoweverFarApartTheyAre) {
+  base::Random random(17);
+  for (int m = 0; m < 12; ++m) {
+    SCOPED_TRACE("model " + std::to_string(m));
+    auto model = support::randomModel(random, {.gaussians = false, .adversarial = false});
+    support::takeExtremeWeights(random, model);
+    expectSame(model, random, 300);
+    if (HasFatalFailure()) return;
+  }
+}
+
 /// An average of two experts, one of whom leaves out rules.
 fuzzy::ForceModel twoExperts() {
   auto model = support::s4Shifted();

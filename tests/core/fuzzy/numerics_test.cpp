@@ -205,6 +205,48 @@ TEST(Numerics, WhereNothingFiresEveryWayGivesTheDefaultForce) {
   }
 }
 
+// The reference is the definition in long double, whose exponents hold the products and the sum.
+TEST(Numerics, OnlyTheRatiosOfTheWeightsCountHoweverFarApartTheyAre) {
+  base::Random random(44);
+  int several = 0;
+  for (int m = 0; m < 600; ++m) {
+    ForceModel model = support::randomModel(random, {.gaussians = false, .adversarial = false});
+    support::takeExtremeWeights(random, model);
+    const auto compiled = compile(model);
+    ASSERT_TRUE(compiled);
+    for (int p = 0; p < 5; ++p) {
+      Point point = support::randomPoint(random, model);
+      for (std::size_t i = 0; i < point.size(); ++i) point[i] = compiled->clampInput(i, point[i]);
+      long double sum = 0;
+      long double weights = 0;
+      int fired = 0;
+      for (std::size_t e = 0; e < model.experts.size(); ++e) {
+        EXPECT_EQ(compiled->weight(e), model.experts[e].weight);
+        const auto alone = compiled->evaluateExpert(e, point);
+        if (!alone.fired) continue;
+        ++fired;
+        sum += static_cast<long double>(model.experts[e].weight) * alone.force_n;
+        weights += model.experts[e].weight;
+      }
+      if (fired == 0) continue;
+      several += fired > 1 ? 1 : 0;
+      SCOPED_TRACE("model " + std::to_string(m));
+      expectForce(model, point, static_cast<double>(sum / weights), 1e-12 * (model.output.max - model.output.min));
+      if (HasFailure()) return;
+    }
+  }
+  EXPECT_GT(several, 500);
+}
+
+TEST(Numerics, WeightsAreNormalizedByAPowerOfTwo) {
+  EXPECT_EQ(normalizedWeights(std::vector{1.0, 3.0, 0.0}), (std::vector{0.5, 1.5, 0.0}));
+  EXPECT_EQ(normalizedWeights(std::vector{5e-324, 1.5e-323}), (std::vector{0.5, 1.5}));
+  // 1e308 lies in [2^1023, 2^1024); the two small ones keep their ratio, 72 bits below.
+  const auto far = normalizedWeights(std::vector{5e-324, 0x1p1023, 1.5e-323});
+  EXPECT_EQ(far, (std::vector{0x1p-73, 1.0, 0x3p-73}));
+  EXPECT_TRUE(normalizedWeights(std::vector<double>{}).empty());
+}
+
 void expectAgreement(const ForceModel& model, base::Random& random, int number) {
   const auto found = stress::checkAgreement(model, random, 3);
   ASSERT_FALSE(found.disagreement.has_value()) << "model " << number << ": " << *found.disagreement;

@@ -51,7 +51,7 @@ PlotTable curveTable(const SceneController& scene, const ShownCurves& shown, QSt
     if (shown.experts[i]) columns.push_back(forces(columnName(model.output, model.experts[i]), curves.experts[i]));
   }
   ForceSpread spread;
-  if (shown.range || shown.deviation) spread = spreadOf(curves, weightsOf(model));
+  if (shown.range || shown.deviation) spread = spreadOf(curves, normalizedWeights(model));
   const auto named = [&model](const char* what) { return columnName(what + model.output.id, model.output.unit); };
   if (shown.range) {
     columns.push_back(numbers(named("lowest_"), spread.lowest_n));

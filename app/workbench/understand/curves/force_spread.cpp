@@ -8,17 +8,10 @@
 
 namespace tactus::workbench {
 
-std::vector<double> weightsOf(const fuzzy::ForceModel& model) {
-  std::vector<double> weights;
-  for (const fuzzy::Expert& expert : model.experts) weights.push_back(expert.weight);
-  return weights;
-}
-
 ForceSpread spreadOf(const figures::ForceCurves& curves, std::span<const double> weights) {
   TACTUS_CHECK(weights.size() == curves.experts.size());
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const std::size_t count = curves.x.size();
-  const double heaviest = weights.empty() ? 1 : *std::max_element(weights.begin(), weights.end());
   ForceSpread spread{std::vector<double>(count, kNone), std::vector<double>(count, kNone),
                      std::vector<double>(count, kNone), std::vector<double>(count, kNone),
                      std::vector<double>(count, kNone)};
@@ -35,8 +28,7 @@ ForceSpread spreadOf(const figures::ForceCurves& curves, std::span<const double>
       ++speaking;
       lowest = std::min(lowest, here.force_n);
       highest = std::max(highest, here.force_n);
-      // Only the ratios of the weights count, so huge ones must not overflow.
-      const double share = weights[expert] / heaviest;
+      const double share = weights[expert];
       const double off = here.force_n - curves.mean[i].force_n;
       weight += share;
       weight_squared += share * share;

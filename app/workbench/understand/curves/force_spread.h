@@ -17,16 +17,13 @@ struct ForceSpread {
   std::vector<double> plus_sd_n;
 };
 
-/// The weights of the experts, in their order.
-std::vector<double> weightsOf(const fuzzy::ForceModel& model);
-
 /// The smallest number of experts for which a standard deviation is meaningful.
 inline constexpr std::size_t kFewestForDeviation = 3;
 
 /// The range, and the standard deviation around the mean. The deviation uses the experts' weights like the mean does,
 /// and is unbiased for equal weights (n - 1): s^2 = sum w (F - mean)^2 / (sum w - sum w^2 / sum w). It assumes no
-/// distribution. There are no quartiles: for four experts they would lie between two values. `weights`: one per expert,
-/// >= 0; an expert with weight 0 is left out, as in the mean.
+/// distribution. There are no quartiles: for four experts they would lie between two values. `weights`: one per expert
+/// (normalizedWeights); an expert with weight 0 is left out, as in the mean.
 ForceSpread spreadOf(const figures::ForceCurves& curves, std::span<const double> weights);
 
 }  // namespace tactus::workbench

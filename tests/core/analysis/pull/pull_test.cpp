@@ -339,6 +339,30 @@ TEST_F(PullTest, NothingToChange) {
   EXPECT_FALSE(found_.blocker);
 }
 
+TEST_F(PullTest, OnlyTheRatiosOfTheWeightsCount) {
+  model_.experts.push_back(model_.experts[0]);
+  model_.experts[1].id = "other";
+  for (auto& rule : model_.experts[1].rules) rule.then = model_.output.terms.back().id;
+  // The heaviest is silent.
+  model_.experts.push_back(model_.experts[0]);
+  model_.experts[2].id = "silent";
+  model_.experts[2].rules = {{{{"speed", "fast"}}, "large"}};
+  const double target_n = fuzzy::compile(model_)->evaluate(kA).force_n + .05;
+  pullAt({1, 60, 200, 50}, target_n);
+  const Pull equal = found_;
+  ASSERT_TRUE(equal.before_n);
+  for (const double small : {5e-324, 1e300}) {
+    model_.experts[0].weight = model_.experts[1].weight = small;
+    model_.experts[2].weight = 1.79e308;
+    pullAt({1, 60, 200, 50}, target_n);
+    EXPECT_EQ(found_.before_n, equal.before_n);
+    ASSERT_EQ(found_.candidates.size(), equal.candidates.size());
+    for (std::size_t c = 0; c < equal.candidates.size(); ++c) {
+      EXPECT_NEAR(found_.candidates[c].force_n, equal.candidates[c].force_n, 1e-12);
+    }
+  }
+}
+
 TEST_F(PullTest, AHole) {
   model_.experts[0].rules = {{{{"speed", "fast"}}, "large"}};
   pullAt({1, 60, 200, 20}, .3);
