@@ -8,6 +8,7 @@
 #include "core/analysis/check_points.h"
 #include "core/analysis/coverage.h"
 #include "core/base/files/sha256.h"
+#include "core/base/rounded_number.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/exchange/c_source.h"
@@ -127,10 +128,22 @@ void addExperts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& comp
   }
 }
 
+/// Why the table is further off than wanted.
+std::string tableWarning(const BoundedTable& made, const BundleSettings& settings) {
+  return "table/force_table.csv may be " + base::roundedNumber(made.bound.bound_n) + " N off, more than the wanted " +
+         base::formatNumber(settings.table_error_n) + " N: " +
+         (made.bound.jumps ? "the force jumps, which no table follows"
+                           : "a closer one has more than " + std::to_string(kMostNodes) + " nodes");
+}
+
 void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-              const std::vector<std::vector<double>>& points, Collector& collector) {
-  const ForceTable table = forceTable(model);
-  const model_io::Promise promise = promiseOf(table, compiled, points);
+              const std::vector<std::vector<double>>& points, const BundleSettings& settings, Bundle& bundle,
+              Collector& collector) {
+  const BoundedTable made = boundedTable(model, compiled, settings.table_error_n, kMostNodes, settings.stop);
+  if (settings.stop.stop_requested()) return;
+  if (made.bound.bound_n > settings.table_error_n) bundle.warnings.push_back(tableWarning(made, settings));
+  const ForceTable& table = made.table;
+  const model_io::Promise promise = promiseOf(made, compiled, points);
   std::string lines;
   for (std::size_t i = 0; i < table.lines.size(); ++i) {
     lines += "  " + base::oneLine(model.inputs[i].id) + ": " + std::to_string(table.lines[i].size()) + " values from " +
@@ -138,14 +151,20 @@ void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compil
              base::oneLine(model.inputs[i].unit) + "\n";
   }
   collector.add("table/force_table.csv", "table", formatTable(model, table), promise);
-  collector.add("table/README.txt", "text",
-                "force_table.csv: the averaged force on a grid, one row per node, the last input running fastest.\n"
-                "Interpolate linearly in every input between the two nearest values, and clamp values outside.\n\n" +
-                    lines + "\nLargest error found at " + std::to_string(points.size()) +
-                    " points: " + base::formatNumber(promise.largest_error_n) + " N; tolerance " +
-                    base::formatNumber(promise.tolerance_n) +
-                    " N.\nWhere no rule fires the table holds the default force.\n"
-                    "Any other file of the bundle is more accurate: take the table where nothing else is possible.\n");
+  collector.add(
+      "table/README.txt", "text",
+      "force_table.csv: the averaged force on a grid, one row per node, the last input running fastest.\n"
+      "Interpolate linearly in every input between the two nearest values, and clamp values outside.\n"
+      "So read, the table is nowhere more than " +
+          base::formatNumber(promise.tolerance_n) +
+          " N off (proved for the whole box of the inputs).\nA node may be off as well: the errors are spread "
+          "to both sides.\n\n" +
+          lines + "\nLargest error at the " + std::to_string(points.size()) + " points of checks.csv: " +
+          base::formatNumber(promise.largest_error_n) + " N.\nWhere no rule fires the table holds the default force" +
+          (made.bound.jumps ? "; beside such a place, and where a term has a vertical edge, the force jumps "
+                              "and the table does not.\n"
+                            : ".\n") +
+          "Any other file of the bundle is more accurate: take the table where nothing else is possible.\n");
 }
 
 }  // namespace
@@ -187,7 +206,7 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
     bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
   }
   if (!collector.next()) return tl::unexpected(cancelled());
-  addTable(made, *compiled, points, collector);
+  addTable(made, *compiled, points, settings, bundle, collector);
   if (!collector.next()) return tl::unexpected(cancelled());
   collector.add("report.html", "report", bundleReport(bundle, *compiled));
   bundle.files.emplace_back(std::string(model_io::kManifestName), model_io::formatManifest(bundle.manifest));

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/bundle/bounded_table.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
@@ -19,7 +20,8 @@ struct BundleSettings {
   std::vector<std::string> accept_holes;  ///< names of holes that may stay, beside those that the model accepts
   std::string created_utc;
   std::string generator;
-  std::stop_token stop = {};  ///< the making ends soon after a request, with kCancelled
+  double table_error_n = kTableErrorN;  ///< that the look-up table may have anywhere, > 0
+  std::stop_token stop = {};            ///< the making ends soon after a request, with kCancelled
   /// Called before each file, in the thread that makes the bundle.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
 };

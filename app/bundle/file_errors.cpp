@@ -54,8 +54,15 @@ model_io::Promise promiseOf(exchange::Dialect dialect, const fuzzy::CompiledMode
   });
 }
 
-model_io::Promise promiseOf(const ForceTable& table, const fuzzy::CompiledModel& model,
+model_io::Promise promiseOf(const BoundedTable& table, const fuzzy::CompiledModel& model,
                             const std::vector<std::vector<double>>& points) {
+  model_io::Promise promise = errorOf(table.table, model, points);
+  promise.tolerance_n = std::max(promise.tolerance_n, rounded(table.bound.bound_n));
+  return promise;
+}
+
+model_io::Promise errorOf(const ForceTable& table, const fuzzy::CompiledModel& model,
+                          const std::vector<std::vector<double>>& points) {
   return measured("table", 0, points,
                   [&](std::span<const double> point) { return table.force(point) - model.evaluate(point).force_n; });
 }

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/bundle/force_table.h"
+#include "app/bundle/bounded_table.h"
 #include "core/exchange/c_source.h"
 #include "core/exchange/dialect.h"
 #include "core/fuzzy/compiled_model.h"
@@ -17,9 +17,13 @@ namespace tactus::bundle {
 model_io::Promise promiseOf(exchange::Dialect dialect, const fuzzy::CompiledModel& model, std::size_t expert,
                             const std::vector<std::vector<double>>& points);
 
-/// The same for the look-up table and the averaged force.
-model_io::Promise promiseOf(const ForceTable& table, const fuzzy::CompiledModel& model,
+/// The same for the look-up table and the averaged force. The tolerance is the bound over the whole box.
+model_io::Promise promiseOf(const BoundedTable& table, const fuzzy::CompiledModel& model,
                             const std::vector<std::vector<double>>& points);
+
+/// The error of a table that was read, at `points` alone.
+model_io::Promise errorOf(const ForceTable& table, const fuzzy::CompiledModel& model,
+                          const std::vector<std::vector<double>>& points);
 
 /// A file that holds the exact forces: 1e-12 of the output's range is left for rounding.
 model_io::Promise exactPromise(const fuzzy::ForceModel& model);

@@ -5,50 +5,23 @@
 #include <cmath>
 
 #include "core/analysis/sample_points.h"
-#include "core/base/check.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "core/fuzzy/compiled_model.h"
 
 namespace tactus::bundle {
 namespace {
 
 using Lines = std::vector<std::vector<double>>;
 
+constexpr std::size_t kMostRows = 100'000'000;  // of a file that is read
+
 std::size_t nodesOf(const Lines& lines) {
   std::size_t nodes = 1;
   for (const auto& one : lines) {
-    if (one.size() > kMostNodes || nodes > kMostNodes) return kMostNodes + 1;
+    if (one.size() > kMostRows || nodes > kMostRows) return kMostRows + 1;
     nodes *= one.size();
   }
   return nodes;
-}
-
-/// The ends of each universe and the vertices between.
-Lines vertexLines(const fuzzy::ForceModel& model) {
-  Lines lines = analysis::sortedVertices(model);
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    lines[i].insert(lines[i].end(), {model.inputs[i].min, model.inputs[i].max});
-    std::sort(lines[i].begin(), lines[i].end());
-    lines[i].erase(std::unique(lines[i].begin(), lines[i].end()), lines[i].end());
-  }
-  return lines;
-}
-
-Lines divided(const Lines& lines, std::size_t parts) {
-  Lines out;
-  for (const auto& one : lines) {
-    std::vector<double> finer;
-    for (std::size_t k = 0; k + 1 < one.size(); ++k) {
-      for (std::size_t p = 0; p < parts; ++p) {
-        finer.push_back(one[k] + (one[k + 1] - one[k]) * static_cast<double>(p) / static_cast<double>(parts));
-      }
-    }
-    finer.push_back(one.back());
-    finer.erase(std::unique(finer.begin(), finer.end()), finer.end());
-    out.push_back(std::move(finer));
-  }
-  return out;
 }
 
 /// Drops every second inner line of the input with the most lines, until the grid fits.
@@ -108,20 +81,22 @@ double ForceTable::force(std::span<const double> point) const {
   return sum;
 }
 
-ForceTable forceTable(const fuzzy::ForceModel& model, std::size_t most_nodes) {
-  const auto compiled = fuzzy::compile(model);
-  TACTUS_CHECK(compiled);
-  ForceTable table;
-  table.lines = thinned(vertexLines(model), most_nodes);
-  const Lines vertices = table.lines;
-  for (std::size_t parts = 2;; ++parts) {
-    Lines finer = divided(vertices, parts);
-    if (nodesOf(finer) > most_nodes) break;
-    table.lines = std::move(finer);
+std::vector<std::vector<double>> vertexLines(const fuzzy::ForceModel& model, std::size_t most_nodes) {
+  Lines lines = analysis::sortedVertices(model);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    lines[i].insert(lines[i].end(), {model.inputs[i].min, model.inputs[i].max});
+    std::sort(lines[i].begin(), lines[i].end());
+    lines[i].erase(std::unique(lines[i].begin(), lines[i].end()), lines[i].end());
   }
+  return thinned(std::move(lines), most_nodes);
+}
+
+ForceTable forceTable(const fuzzy::CompiledModel& compiled, std::vector<std::vector<double>> lines) {
+  ForceTable table;
+  table.lines = std::move(lines);
   table.force_n.reserve(nodesOf(table.lines));
   forEachNode(table.lines,
-              [&](const std::vector<double>& point) { table.force_n.push_back(compiled->evaluate(point).force_n); });
+              [&](const std::vector<double>& point) { table.force_n.push_back(compiled.evaluate(point).force_n); });
   return table;
 }
 

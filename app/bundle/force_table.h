@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::bundle {
@@ -19,12 +20,13 @@ struct ForceTable {
   double force(std::span<const double> point) const;
 };
 
-inline constexpr std::size_t kMostNodes = 100'000;
+/// The ends of the universes and the vertices of all experts' terms between them, of each input, ascending. If they
+/// alone make more than `most_nodes` nodes, some are left out.
+std::vector<std::vector<double>> vertexLines(const fuzzy::ForceModel& model, std::size_t most_nodes);
 
-/// The finest grid of at most `most_nodes` nodes. Its lines are the ends of the universes, the vertices of the terms,
-/// and equally many further lines between any two neighbors. If the vertices alone need more nodes, some of them are
-/// left out. A node where no rule fires has the default force.
-ForceTable forceTable(const fuzzy::ForceModel& model, std::size_t most_nodes = kMostNodes);
+/// The averaged force on the grid of `lines` (of each input, ascending, two or more). A node where no rule fires has
+/// the default force.
+ForceTable forceTable(const fuzzy::CompiledModel& compiled, std::vector<std::vector<double>> lines);
 
 /// `id,…,force`, one row per node.
 std::string formatTable(const fuzzy::ForceModel& model, const ForceTable& table);

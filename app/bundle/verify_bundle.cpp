@@ -34,7 +34,7 @@ class Verifier {
     if (check.file.kind == "table") {
       const auto table = parseTable(model_, std::move(*bytes), path);
       if (!table) return fail(check, table.error().message());
-      return take(check, promiseOf(*table, compiled_, points_));
+      return take(check, errorOf(*table, compiled_, points_));
     }
     if (check.file.kind == "c") return lookAtSource(check, *bytes);
     for (const exchange::Dialect dialect : exchange::kDialects) {

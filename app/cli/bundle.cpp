@@ -38,7 +38,7 @@ base::Result<Output> bundle(const BundleOptions& options) {
   auto read = model_io::readModel(options.model);
   if (!read) return tl::unexpected(read.error());
   const bundle::BundleSettings settings{options.accept_holes, base::formatUtc(std::chrono::system_clock::now()),
-                                        std::string(kGenerator)};
+                                        std::string(kGenerator), options.table_error_n};
   const auto made = bundle::makeBundle(std::move(read->model), settings);
   if (!made) return base::inFile(made.error(), options.model);
   if (const auto written = bundle::writeBundle(*made, options.out); !written) return tl::unexpected(written.error());

@@ -150,6 +150,7 @@ struct BundleOptions {
   std::string model;
   std::string out;                        ///< folder
   std::vector<std::string> accept_holes;  ///< names of holes that may stay
+  double table_error_n = 0.01;            ///< that the look-up table may have anywhere
   bool json = false;
 };
 /// Writes the bundle of a model, whole or not at all.

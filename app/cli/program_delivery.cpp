@@ -12,6 +12,9 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                    ->check(notEmpty());
                command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
                    ->check(notEmpty());
+               command.add_option("--table-error", o.table_error_n, "The most that the look-up table may be off, in N")
+                   ->capture_default_str()
+                   ->check(numberThat("a number of newtons above 0", [](double x) { return x > 0; }));
                addJson(command, o.json);
              });
   addCommand(app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,

@@ -100,6 +100,7 @@ void BundleMaker::make(const QString& folder) {
         {},
         base::formatUtc(std::chrono::system_clock::now()),
         std::string(kGenerator),
+        bundle::kTableErrorN,
         stop,
         [&told](std::size_t done, std::size_t all) { told(Doing::kMaking, done, all); }};
     // A folder that may not be taken is said before the work.

@@ -28,10 +28,11 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kProgram = "tactus test";
+constexpr double kCoarse = 0.2;  // N, for a small table
 
 /// S4 with five regions covers every place but one that the tests accept.
 Bundle ngtBundle() {
-  BundleSettings settings{{}, "2026-11-22T08:00:00Z", std::string(kProgram)};
+  BundleSettings settings{{}, "2026-11-22T08:00:00Z", std::string(kProgram), kCoarse};
   auto made = makeBundle(support::s4FiveRegions(), settings);
   EXPECT_TRUE(made) << made.error().message();
   return std::move(*made);
@@ -131,7 +132,7 @@ TEST_F(BundleTest, ItsReportSaysWhatIsKnownOfHoles) {
 TEST_F(BundleTest, TheMakingTellsHowFarItIsAndStops) {
   std::vector<std::size_t> told;
   std::stop_source source;
-  BundleSettings settings{{}, "2026-11-22T08:00:00Z", std::string(kProgram), source.get_token()};
+  BundleSettings settings{{}, "2026-11-22T08:00:00Z", std::string(kProgram), kCoarse, source.get_token()};
   settings.progress = [&](std::size_t done, std::size_t all) {
     EXPECT_LT(done, all);
     told.push_back(done);
@@ -308,7 +309,7 @@ TEST(MakeBundle, AHoleIsRefusedByNameAndAcceptedByName) {
   EXPECT_NE(refused.error().message().find("--accept-hole"), std::string::npos) << refused.error().message();
   const std::string wanted = refused.error().wanted;
   const std::string name = wanted.substr(wanted.find('\'') + 1, wanted.rfind('\'') - wanted.find('\'') - 1);
-  const auto accepted = makeBundle(model, {{name}, "", ""});
+  const auto accepted = makeBundle(model, {{name}, "", "", kCoarse});
   ASSERT_TRUE(accepted) << accepted.error().message();
   EXPECT_EQ(accepted->model.accepted_holes, std::vector<std::string>{name});
   const auto unknown = makeBundle(model, {{"depth 1 to 2 mm"}, "", ""});
@@ -320,7 +321,7 @@ TEST(BundleReportTest, AnExpertHasTheColorOfItsNumber) {
   fuzzy::ForceModel model = support::s4FiveRegions();
   model.experts.push_back(model.experts.front());
   model.experts.back().id = "S2";
-  const auto made = makeBundle(model, {{}, "2026-11-22T08:00:00Z", std::string(kProgram)});
+  const auto made = makeBundle(model, {{}, "2026-11-22T08:00:00Z", std::string(kProgram), kCoarse});
   ASSERT_TRUE(made) << made.error().message();
   const auto report = std::find_if(made->files.begin(), made->files.end(),
                                    [](const auto& file) { return file.first == "report.html"; });
@@ -330,34 +331,6 @@ TEST(BundleReportTest, AnExpertHasTheColorOfItsNumber) {
     EXPECT_NE(report->second.find(figures::hex(figures::expertColor(number))), std::string::npos) << number;
   }
   EXPECT_EQ(report->second.find(figures::hex(figures::expertColor(0))), std::string::npos);
-}
-
-TEST(ForceTableTest, IsExactAtItsNodesAndLinearBetween) {
-  fuzzy::ForceModel model;
-  model.inputs.push_back({"x", "", "mm", 0, 1, {{"all", "", fuzzy::Shape::kTrapezoid, {0, 0, 1, 1}}}});
-  model.output = {"force", "", "N", 0, 1, {{"half", "", fuzzy::Shape::kTriangle, {0, 0.5, 1}}}};
-  fuzzy::Expert expert;
-  expert.id = "E";
-  expert.rules.push_back({{{"x", "all"}}, "half"});
-  model.experts.push_back(expert);
-  const ForceTable table = forceTable(model, 11);
-  EXPECT_EQ(table.lines[0].size(), 11U);
-  EXPECT_NEAR(table.force(std::vector{0.333}), 0.5, 1e-15);
-  EXPECT_NEAR(table.force(std::vector{-4.0}), 0.5, 1e-15);
-
-  const auto ngt = support::s4FiveRegions();
-  const ForceTable grid = forceTable(ngt);
-  EXPECT_LE(grid.force_n.size(), kMostNodes);
-  const auto again = parseTable(ngt, formatTable(ngt, grid), "table.csv");
-  ASSERT_TRUE(again) << again.error().message();
-  EXPECT_EQ(again->force_n, grid.force_n);
-  EXPECT_EQ(again->lines, grid.lines);
-  const auto compiled = fuzzy::compile(ngt);
-  for (std::size_t i = 0; i < 50; ++i) {
-    std::vector<double> node;
-    for (const auto& line : grid.lines) node.push_back(line[i * 7 % line.size()]);
-    EXPECT_NEAR(grid.force(node), compiled->evaluate(node).force_n, 1e-15);
-  }
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ class DeliveryTest : public testing::Test {
 TEST_F(DeliveryTest, ABundleIsWrittenAndVerified) {
   const std::string model = modelFile("m.json", support::s4FiveRegions());
   const std::string out = folder_.file("bundle");
-  const ProgramRun made({"bundle", model, "--out", out});
+  const ProgramRun made({"bundle", model, "--out", out, "--table-error", "0.2"});
   ASSERT_EQ(made.status, 0) << made.err;
   EXPECT_NE(made.out.find("experts/S4.fis  linspace:101, largest error"), std::string::npos) << made.out;
   const ProgramRun verified({"verify", out, "--json"});
@@ -46,7 +46,9 @@ TEST_F(DeliveryTest, ABundleIsWrittenAndVerified) {
 
 TEST_F(DeliveryTest, AnAlteredFileIsExitOneWithItsName) {
   const std::string out = folder_.file("bundle");
-  ASSERT_EQ(ProgramRun({"bundle", modelFile("m.json", support::s4FiveRegions()), "--out", out}).status, 0);
+  ASSERT_EQ(ProgramRun({"bundle", modelFile("m.json", support::s4FiveRegions()), "--out", out, "--table-error", "0.2"})
+                .status,
+            0);
   writeText(out + "/experts/S4.fll", readText(out + "/experts/S4.fll") + "#\n");
   const ProgramRun verified({"verify", out, "--json"});
   EXPECT_EQ(verified.status, 1);
@@ -65,7 +67,8 @@ TEST_F(DeliveryTest, AHoleStopsABundleUntilItIsAccepted) {
   ASSERT_NE(open, std::string::npos) << refused.err;
   EXPECT_FALSE(std::filesystem::exists(folder_.file("bundle")));
   const std::string name = refused.err.substr(open + 15, refused.err.rfind('\'') - open - 15);
-  const ProgramRun made({"bundle", model, "--out", folder_.file("bundle"), "--accept-hole", name});
+  const ProgramRun made(
+      {"bundle", model, "--out", folder_.file("bundle"), "--accept-hole", name, "--table-error", "0.2"});
   EXPECT_EQ(made.status, 0) << made.err;
 }
 
