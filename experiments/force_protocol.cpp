@@ -127,8 +127,8 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
   record.commanded_n = plan.step.force_n;
   record.forward_mm = answer.forward_mm;
   record.forward_speed_mm_s = answer.forward_speed_mm_s;
-  record.delivered_share = answer.delivered_share;
-  const bool delivered = answer.delivered && answer.delivered_share.value_or(1) >= kLeastShare;
+  record.delivered_share = settings_.delivered ? answer.delivered_share : std::optional(0.0);
+  const bool delivered = settings_.delivered && answer.delivered && answer.delivered_share.value_or(1) >= kLeastShare;
   const bool felt = delivered && movedForward(record);
   if (settings_.device_friction_n && felt) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
   record.kind = answer.kind;
@@ -219,7 +219,8 @@ std::vector<SeriesStep> ForceProtocol::ascendingSteps() const {
   if (!settings_.ascending) return {};
   auto series = ascendingSeries(settings_);
   for (const auto& judgement : judgements_) {
-    const bool ends = judgement.series == kAscending && judgement.scored && judgement.kind == Answer::kBeyondPractice;
+    const bool ends = judgement.series == kAscending && (judgement.scored || !settings_.delivered) &&
+                      judgement.kind == Answer::kBeyondPractice;
     if (ends && static_cast<std::size_t>(judgement.step) < series.size()) {
       series.resize(static_cast<std::size_t>(judgement.step));
     }
@@ -263,7 +264,7 @@ bool ForceProtocol::isScored(const SeriesStep& step) const {
 
 /// A step that is never delivered or never felt in motion is left out, so that a session cannot stay at it for ever.
 bool ForceProtocol::isDone(const SeriesStep& step) const {
-  const int most = step.series == kFamiliarisation ? 1 : settings_.attempts_most;
+  const int most = step.series == kFamiliarisation || !settings_.delivered ? 1 : settings_.attempts_most;
   return isScored(step) || attemptsAt(step) >= most;
 }
 

@@ -59,6 +59,7 @@ struct ForceSettings {
   double pause_s = 2;          ///< without force before each step; at least 2
   int rest_every = 20;         ///< number of steps between offered rests; 0: never
   int attempts_most = 6;       ///< a step that was not scored so often is left out; 2 to 20
+  bool delivered = true;       ///< false: the device gives no force; each step comes once, and none is scored
   double start_zone_mm = 10;   ///< a step starts when the stylus is within this distance of its rest position
 };
 

@@ -49,7 +49,12 @@ base::Result<void> validate(const SpeedSettings& settings) {
 base::Result<SpeedProtocol> SpeedProtocol::create(const SpeedSettings& settings, std::uint64_t seed,
                                                   std::span<const study::StrokeRecord> records) {
   if (auto valid = validate(settings); !valid) return tl::unexpected(valid.error());
-  SpeedProtocol protocol(settings, seed);
+  SpeedSettings used = settings;
+  if (!used.counts) {
+    used.practice = std::max(1, used.strokes);
+    used.strokes = 0;
+  }
+  SpeedProtocol protocol(used, seed);
   for (const auto& record : records) {
     if (auto added = protocol.add(record); !added) return tl::unexpected(added.error());
   }

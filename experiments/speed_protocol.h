@@ -24,6 +24,7 @@ struct SpeedSettings {
   int strokes = 4;        ///< per level, consecutive (paper: "consecutively four times"); 1 to 50
   int practice = 1;       ///< strokes before them at each level, not used for the model; 0 to 20
   StrokeSettings stroke;  ///< criteria for accepted strokes
+  bool counts = true;     ///< false: every stroke is practice, because of the device; as many are asked for
 };
 
 /// Returns an error with one sentence for invalid settings.

@@ -46,11 +46,17 @@ std::string handOf(const study::Participant& participant) {
 }
 
 void writeParticipants(const PublishedStudy& published, FileSet& files) {
-  TsvWriter table({"participant_id", "handedness", "category", "years_experience_band", "simulated"});
+  // Told only where there is something to tell.
+  const bool tells_device = !published.without_force.empty();
+  std::vector<std::string> columns = {"participant_id", "handedness", "category", "years_experience_band", "simulated"};
+  if (tells_device) columns.emplace_back("virtual_device");
+  TsvWriter table(columns);
   for (std::size_t i = 0; i < published.study().participants.size(); ++i) {
     const auto& participant = published.study().participants[i];
-    table.row({subject(participant.code), handOf(participant), participant.category, published.shared.bands[i],
-               participant.simulated ? "1" : "0"});
+    std::vector<std::string> cells = {subject(participant.code), handOf(participant), participant.category,
+                                      published.shared.bands[i], participant.simulated ? "1" : "0"};
+    if (tells_device) cells.emplace_back(participant.virtual_device ? "1" : "0");
+    table.row(cells);
   }
   files.add("participants.tsv", table.text());
   Sidecar sidecar;
@@ -63,6 +69,10 @@ void writeParticipants(const PublishedStudy& published, FileSet& files) {
                  {{"<5", "below 5"}, {"5-10", "from 5, below 10"}, {"10-15", "from 10 to 15"}, {">15", "above 15"}});
   sidecar.column("simulated", "Whether a program made all data of this participant",
                  {{"0", "measured"}, {"1", "simulated by a program, not measured"}});
+  if (tells_device) {
+    sidecar.column("virtual_device", "Whether the participant moved a device that gives no force",
+                   {{"0", "no"}, {"1", "VIRTUAL: nothing judged there is among the data"}});
+  }
   files.add("participants.json", sidecar.text());
 }
 

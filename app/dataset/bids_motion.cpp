@@ -12,7 +12,11 @@ namespace tactus::dataset {
 namespace {
 
 constexpr std::string_view kTask = "insertion";
-constexpr std::string_view kSystem = "stylus";
+
+/// Where strokes on a device without force are among the data, they are accepted.
+std::string_view systemOf(const study::Participant& participant) {
+  return participant.virtual_device ? "virtual" : "stylus";
+}
 
 using Stroke = std::vector<const study::SpeedSample*>;
 using StrokeKey = std::tuple<std::string, std::string, int>;  ///< participant, level, number
@@ -48,14 +52,16 @@ std::string channelsText() {
   return table.text();
 }
 
-std::string motionText(const std::string& level, double rate_hz, bool simulated) {
+std::string motionText(const std::string& level, double rate_hz, const study::Participant& participant) {
   Sidecar sidecar;
   sidecar.member("TaskName", kTask);
   // The validator for Node refuses members of our own here.
-  sidecar.member("TaskDescription", "Push a tube forward in one stroke; the speed that was asked for: " + level +
-                                        (simulated ? ". Simulated by a program, not measured" : ""));
+  sidecar.member("TaskDescription",
+                 "Push a tube forward in one stroke; the speed that was asked for: " + level +
+                     (participant.simulated ? ". Simulated by a program, not measured" : "") +
+                     (participant.virtual_device ? ". VIRTUAL: on a device that gives no force" : ""));
   sidecar.member("SamplingFrequency", rate_hz);
-  sidecar.member("TrackingSystemName", kSystem);
+  sidecar.member("TrackingSystemName", systemOf(participant));
   sidecar.member("RecordingType", "continuous");
   sidecar.member("MotionChannelCount", 3.0).member("TrackedPointsCount", 1.0);
   sidecar.member("POSChannelCount", 1.0).member("VELChannelCount", 1.0).member("LATENCYChannelCount", 1.0);
@@ -67,8 +73,8 @@ std::string twoDigits(int number) { return (number < 10 ? "0" : "") + std::to_st
 }  // namespace
 
 std::vector<std::string> writeMotion(const PublishedStudy& published, FileSet& files) {
-  std::map<std::string, bool> simulated;
-  for (const auto& participant : published.study().participants) simulated[participant.code] = participant.simulated;
+  std::map<std::string, const study::Participant*> people;
+  for (const auto& participant : published.study().participants) people[participant.code] = &participant;
   Labels levels;
   std::size_t left_out = 0;
   for (const auto& [key, stroke] : strokesOf(published.study())) {
@@ -79,10 +85,10 @@ std::vector<std::string> writeMotion(const PublishedStudy& published, FileSet& f
       continue;
     }
     const std::string path = subject(participant) + "/motion/" + subject(participant) + "_task-" + std::string(kTask) +
-                             "_tracksys-" + std::string(kSystem) + "_acq-" + levels.of(level) + "_run-" +
-                             twoDigits(number) + '_';
+                             "_tracksys-" + std::string(systemOf(*people.at(participant))) + "_acq-" +
+                             levels.of(level) + "_run-" + twoDigits(number) + '_';
     files.add(path + "motion.tsv", samplesText(stroke));
-    files.add(path + "motion.json", motionText(level, rate_hz, simulated[participant]));
+    files.add(path + "motion.json", motionText(level, rate_hz, *people.at(participant)));
     files.add(path + "channels.tsv", channelsText());
   }
   if (left_out == 0) return {};

@@ -47,6 +47,7 @@ void writeJudgements(const PublishedStudy& published, const study::Participant& 
   Sidecar sidecar;
   sidecar.member("TaskName", "judgement").member("TaskDescription", "Judge a constant force in words");
   sidecar.member("Simulated", participant.simulated);
+  if (participant.virtual_device) sidecar.member("Device", "VIRTUAL: gives no force");
   sidecar.column("series", "The order of the forces: ascending, descending or random");
   sidecar.column("step", "Place in the series, from 1");
   sidecar.column("force_n", "The force that was commanded", "N");

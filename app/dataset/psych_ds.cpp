@@ -90,6 +90,7 @@ Result<void> writePsychDs(const PublishedStudy& published, const std::string& fo
   session::Codebook codebook;
   codebook.shareable = true;
   if (!published.simulated.empty()) codebook.notes.push_back(published.simulated);
+  if (!published.without_force.empty()) codebook.notes.push_back(published.without_force);
   for (const std::string_view name : kTables) {
     const auto table = base::CsvTable::read((fs::path(work) / name).string());
     if (!table) return tl::unexpected(table.error());

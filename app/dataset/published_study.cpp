@@ -6,6 +6,7 @@
 #include <fstream>
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "core/base/files/descriptor.h"
 #include "core/base/files/file.h"
@@ -20,7 +21,8 @@ constexpr std::string_view kMeasured =
 constexpr std::string_view kLeftOut =
     "Only what counts is here: no practice, no stroke that was not accepted, no judgement that is not scored, no "
     "corrected record. Participants have new codes in a random order. Years of experience are bands. Dates, times of "
-    "day, places, devices and notes are left out, and so are categories and hands in other than the usual words. With "
+    "day, places, names of devices and notes are left out, and so are categories and hands in other than the usual "
+    "words. With "
     "few participants a rare combination may still tell who somebody is: look at the table of participants before the "
     "data set is published.";
 constexpr std::string_view kToEnter =
@@ -34,23 +36,28 @@ tl::unexpected<base::Error> refused(const std::string& path, std::string wanted)
 }  // namespace
 
 std::string PublishedStudy::name() const {
-  return std::string(kName) + (simulated.empty() ? "" : " (with simulated data)");
+  return std::string(kName) + (simulated.empty() ? "" : " (with simulated data)") +
+         (without_force.empty() ? "" : " (VIRTUAL)");
 }
 
 std::string PublishedStudy::description() const {
-  return std::string(kMeasured) + (simulated.empty() ? "" : " " + simulated);
+  return std::string(kMeasured) + (simulated.empty() ? "" : " " + simulated) +
+         (without_force.empty() ? "" : " " + without_force);
 }
 
 std::string PublishedStudy::readme(std::string_view layout) const {
   std::string text = name() + "\n\n";
   if (!simulated.empty()) text += simulated + "\n\n";
+  if (!without_force.empty()) text += without_force + "\n\n";
   text += std::string(kMeasured) + "\n\n" + std::string(layout) + "\n\n";
   text += std::string(kLeftOut) + "\n\n" + std::string(kToEnter) + "\n\nWritten by " + version + ".\n";
   return text;
 }
 
 PublishedStudy publishedStudy(const study::Study& study, std::uint64_t seed, std::string_view version) {
-  return {session::shareable(study, seed), session::inputsOf(study), session::simulatedNote(study),
+  session::ShareableStudy shared = session::shareable(study, seed);
+  std::string without_force = session::virtualNote(shared.study);
+  return {std::move(shared), session::inputsOf(study), session::simulatedNote(study), std::move(without_force),
           std::string(version)};
 }
 

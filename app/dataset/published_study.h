@@ -14,6 +14,7 @@ struct PublishedStudy {
   session::ShareableStudy shared;
   std::vector<std::string> inputs;  ///< of the rules
   std::string simulated;            ///< a sentence; empty without simulated participants
+  std::string without_force;        ///< the note on devices that give no force, or nothing
   std::string version;              ///< of this program
 
   const study::Study& study() const { return shared.study; }

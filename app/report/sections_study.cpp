@@ -107,6 +107,15 @@ void addStudyOverview(HtmlPage& page, const ReportContext& context) {
         " are simulated. A program made them; no person was measured. Each picture that contains such data "
         "says so.");
   }
+  std::vector<std::string> without_force;
+  for (const auto& participant : study.participants) {
+    if (participant.virtual_device) without_force.push_back(participant.code);
+  }
+  if (!without_force.empty()) {
+    page.notice("VIRTUAL: " + base::joined(without_force, ", ") +
+                " moved a device that gives no force. Nothing that was judged there counts; strokes there count only "
+                "where the protocol says virtual = accepted.");
+  }
   std::size_t strokes = 0;
   std::size_t answers = 0;
   std::size_t judgements = 0;

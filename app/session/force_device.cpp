@@ -1,6 +1,7 @@
 #include "app/session/force_device.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,6 +43,13 @@ Result<void> requireHolds(const std::string& place, double force_n, const experi
 }
 
 }  // namespace
+
+bool givesForce(std::string_view device) {
+  constexpr std::string_view kWithout[] = {"virtual", "replay", "simulated", "dummy", "disconnected", "none"};
+  const std::string lowered = base::lowered(std::string(base::trimmed(device)));
+  return std::none_of(std::begin(kWithout), std::end(kWithout),
+                      [&](std::string_view name) { return lowered.starts_with(name); });
+}
 
 Result<void> requireHolds(const experiments::ForceSettings& settings, const haptics::LimitSettings& limits) {
   std::vector<std::pair<std::string, double>> largest;

@@ -1,12 +1,18 @@
 // What a device can hold: the forces of the force experiment against its limits, and the pause before each.
 #pragma once
 
+#include <string_view>
+
 #include "core/base/error.h"
 #include "core/haptics/safety/limit_settings.h"
 #include "core/haptics/safety/thermal_budget.h"
 #include "experiments/force_protocol.h"
 
 namespace tactus::session {
+
+/// Whether a hand can feel the forces of this device (SessionRecord::device): not those of the virtual one, of a replay
+/// or a dummy. True for an empty name, where nothing is known.
+bool givesForce(std::string_view device);
 
 /// Refuses settings with a force that the device never gives in full: above its force cap, or held for longer than even
 /// cold motors can. Such a step could never be scored. Ignores series that are off.

@@ -159,6 +159,15 @@ void addMixed(const study::Study& study, std::vector<DataFinding>& out) {
   out.push_back(std::move(mixed));
 }
 
+void addVirtual(const study::Study& study, std::vector<DataFinding>& out) {
+  for (const auto& participant : study.participants) {
+    if (!participant.virtual_device) continue;
+    out.push_back(study::remark(Kind::kVirtualDevice, Severity::kWarning, participant, "participant",
+                                participant.code + ": VIRTUAL, a device that gives no force. What was judged there was "
+                                                   "not felt and does not count; repeat it with a device."));
+  }
+}
+
 void addSummaries(const study::Study& study, std::vector<DataFinding>& out) {
   for (const auto& participant : study.participants) {
     if (!study::isSummaryWord(participant.code)) continue;
@@ -205,6 +214,7 @@ std::vector<DataFinding> participantFindings(const study::Study& study) {
   addWeights(study, out);
   addAbsent(study, out);
   addMixed(study, out);
+  addVirtual(study, out);
   return out;
 }
 

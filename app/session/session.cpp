@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "app/session/force_device.h"
 #include "app/session/session_order.h"
 #include "app/session/session_state.h"
 #include "core/store/batch.h"
@@ -58,7 +59,6 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   }
   auto settings = start.settings;
   settings.force.device_friction_n = start.device_friction_n;
-  if (auto ok = validate(settings); !ok) return tl::unexpected(ok.error());
   const auto persons = store::persons(file);
   if (!persons) return tl::unexpected(persons.error());
   const auto person =
@@ -66,6 +66,9 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   if (person == persons->end()) {
     return fail(ErrorCode::kReference, "session", "an unknown participant", "a participant of this study");
   }
+
+  settings.felt = person->simulated || givesForce(start.device);
+  if (auto ok = validate(settings); !ok) return tl::unexpected(ok.error());
 
   if (start.protocol) {
     const auto state = store::protocolState(file);

@@ -27,6 +27,10 @@ std::string_view name(SpeedSettings::Order order) noexcept {
   return order == SpeedSettings::Order::kAsGiven ? "as_given" : "shuffled";
 }
 
+std::string_view name(VirtualStrokes strokes) noexcept {
+  return strokes == VirtualStrokes::kPractice ? "practice" : "accepted";
+}
+
 template <class Enum>
 constexpr std::array<Enum, 2> kTwo = {};
 template <>
@@ -34,6 +38,8 @@ constexpr std::array<SpeedSettings::Order, 2> kTwo<SpeedSettings::Order> = {Spee
                                                                             SpeedSettings::Order::kShuffled};
 template <>
 constexpr std::array<ItemOrder, 2> kTwo<ItemOrder> = {ItemOrder::kFixed, ItemOrder::kShuffled};
+template <>
+constexpr std::array<VirtualStrokes, 2> kTwo<VirtualStrokes> = {VirtualStrokes::kPractice, VirtualStrokes::kAccepted};
 
 // One list of members for both directions: `visit` shows each with its name.
 
@@ -101,6 +107,7 @@ void visit(Visitor& v, SessionSettings& s) {
   v("force", s.force);
   v("form", s.form);
   v("item_order", s.item_order);
+  v("virtual", s.virtual_strokes);
 }
 
 template <class T>
@@ -237,6 +244,7 @@ std::string toJson(const SessionSettings& settings) {
   SessionSettings copy = settings;
   Writer writer;
   visit(writer, copy);
+  if (!settings.felt) writer.json["felt"] = false;
   return writer.json.dump();
 }
 
@@ -245,6 +253,7 @@ SessionSettings readSessionSettings(JsonMembers& members, std::optional<base::Er
   SessionSettings settings;
   Reader reader(members, error);
   visit(reader, settings);
+  members.flag("felt", settings.felt);
   return settings;
 }
 

@@ -24,12 +24,22 @@ enum class Block { kSpeed, kForce, kForm };
 /// `speed`, `force`, `form`.
 std::string_view name(Block block) noexcept;
 
+/// What becomes of strokes on a device that gives no force.
+enum class VirtualStrokes {
+  kPractice,  ///< recorded as practice
+  kAccepted,  ///< they count as on any device
+};
+
 struct SessionSettings {
   std::vector<Block> blocks = {Block::kSpeed, Block::kForce, Block::kForm};  ///< each at most once
   experiments::SpeedSettings speed;
   experiments::ForceSettings force;
   std::string form = "ngt-force-v1";
   questionnaires::ItemOrder item_order = questionnaires::ItemOrder::kFixed;
+  VirtualStrokes virtual_strokes = VirtualStrokes::kPractice;  ///< `virtual` in the text
+  /// False in a session of a real person on a device that gives no force: no judgement is scored, and strokes are what
+  /// `virtual_strokes` says. Set when a session begins, no value of a protocol.
+  bool felt = true;
 };
 
 /// The session of a clinical teacher who tried the simulator: only the usability form (paper, Section 5.4).

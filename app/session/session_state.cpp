@@ -98,13 +98,17 @@ Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {
     if (block == Block::kSpeed) {
       const auto strokes = store::strokes(file, history, store::Recordings::kLeaveOut);
       if (!strokes) return tl::unexpected(strokes.error());
-      auto made = experiments::SpeedProtocol::create(settings.speed, seed, *strokes);
+      experiments::SpeedSettings speeds = settings.speed;
+      speeds.counts = settings.felt || settings.virtual_strokes == VirtualStrokes::kAccepted;
+      auto made = experiments::SpeedProtocol::create(speeds, seed, *strokes);
       if (!made) return tl::unexpected(made.error());
       speed = std::move(*made);
     } else if (block == Block::kForce) {
       const auto judgements = store::judgements(file, history);
       if (!judgements) return tl::unexpected(judgements.error());
-      auto made = experiments::ForceProtocol::create(settings.force, seed, *judgements);
+      experiments::ForceSettings forces = settings.force;
+      forces.delivered = settings.felt;
+      auto made = experiments::ForceProtocol::create(forces, seed, *judgements);
       if (!made) return tl::unexpected(made.error());
       force = std::move(*made);
     } else if (auto ok = makeForm(file, seed, history); !ok) {

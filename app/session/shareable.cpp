@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/base/text.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::session {
@@ -97,6 +98,17 @@ std::string simulatedNote(const study::Study& study) {
          std::to_string(study.participants.size()) + " participants (column `simulated`).";
 }
 
+std::string virtualNote(const study::Study& study) {
+  std::vector<std::string> codes;
+  for (const auto& participant : study.participants) {
+    if (participant.virtual_device) codes.push_back(participant.code);
+  }
+  if (codes.empty()) return {};
+  return "VIRTUAL: " + base::joined(codes, ", ") +
+         " moved a device that gives no force. No judgement made there is among these data; its strokes are only where "
+         "the protocol says virtual = accepted.";
+}
+
 ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {
   const auto places = shuffledPlaces(study.participants.size(), seed);
   ShareableStudy out;
@@ -109,6 +121,7 @@ ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {
     to.category = oneOf(kCategories, from.category);
     to.handedness = oneOf(kHands, from.handedness);
     to.simulated = from.simulated;
+    to.virtual_device = from.virtual_device;
     out.bands[places[i]] = experienceBand(from.years_experience);
   }
   const Renamer renamer(study.participants, places);

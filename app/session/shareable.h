@@ -19,6 +19,8 @@ std::vector<std::string> inputsOf(const study::Study& study);
 
 /// One sentence: how many participants a program simulated. Empty if none.
 std::string simulatedNote(const study::Study& study);
+/// The same of participants with a device that gives no force, with their codes in `study`.
+std::string virtualNote(const study::Study& study);
 
 struct ShareableStudy {
   study::Study study;              ///< codes P1, P2, … in an order drawn with the seed; no name

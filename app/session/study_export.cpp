@@ -101,6 +101,7 @@ class Exporter {
       view.study = std::move(anonymous.study);
       bands = std::move(anonymous.bands);
     }
+    if (auto note = virtualNote(view.study); !note.empty()) codebook_.notes.push_back(std::move(note));
     inputs_ = inputsOf(view.study);
     if (auto ok = study::writeStudyFolder(view.study, inputs_, folder_); !ok) return ok;
     if (options_.shareable) {

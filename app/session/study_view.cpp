@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "app/session/counted_session.h"
+#include "app/session/force_device.h"
 #include "app/session/session_order.h"
+#include "app/session/session_settings.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/recoding.h"
@@ -27,6 +29,13 @@ struct Visit {
   study::SessionRecord session;
 };
 
+/// What kind of record a note of a device without force is about.
+struct WithoutForce {
+  std::size_t strokes = 0;
+  std::size_t judgements = 0;
+  bool strokes_count = false;  ///< the protocol accepts them
+};
+
 /// Sessions that elicitation reads.
 using Visits = std::map<RecordId, Visit>;
 
@@ -41,7 +50,7 @@ class StudyReader {
     view_.study.name = info->name;
     using Step = Result<void> (StudyReader::*)();
     for (const Step step : {&StudyReader::addParticipants, &StudyReader::addSpeeds, &StudyReader::addJudgements,
-                            &StudyReader::addAnswers, &StudyReader::addRules}) {
+                            &StudyReader::addAnswers, &StudyReader::addRules, &StudyReader::addNotes}) {
       if (auto ok = (this->*step)(); !ok) return tl::unexpected(base::inFile(ok.error(), file_.path()));
     }
     return std::move(view_);
@@ -63,17 +72,16 @@ class StudyReader {
       const auto [it, is_new] = only_felt.try_emplace(session.person, felt);
       it->second = it->second && felt;
     }
-    std::map<RecordId, std::size_t> place_of;
     for (const auto& person : *persons) {
       if (const auto it = only_felt.find(person.id); it != only_felt.end() && it->second) continue;
-      place_of[person.id] = view_.study.participants.size();
+      place_of_[person.id] = view_.study.participants.size();
       study::Participant participant;
       participant.code = person.code;
       participant.simulated = person.simulated;
       view_.study.participants.push_back(std::move(participant));
     }
     std::map<RecordId, Visit> all;
-    for (const auto& [person, place] : place_of) {
+    for (const auto& [person, place] : place_of_) {
       codes_[person] = view_.study.participants[place].code;
       const auto ordered = sessionsInOrder(file_, person);
       if (!ordered) return tl::unexpected(ordered.error());
@@ -88,7 +96,7 @@ class StudyReader {
       return all.at(a.entry.session).place < all.at(b.entry.session).place;
     });
     for (const auto& profile : *profiles) {  // the latest holds
-      auto& participant = view_.study.participants[place_of.at(all.at(profile.entry.session).person)];
+      auto& participant = view_.study.participants[place_of_.at(all.at(profile.entry.session).person)];
       participant.years_experience = profile.years_experience;
       participant.category = profile.category;
       participant.handedness = profile.handedness;
@@ -97,9 +105,67 @@ class StudyReader {
     return {};
   }
 
+  /// The session of a real person on a device that gives no force.
+  bool isWithoutForce(const study::Entry& entry) const {
+    const auto visit = visits_.find(entry.session);
+    if (visit == visits_.end() || givesForce(visit->second.session.device)) return false;
+    return !view_.study.participants[place_of_.at(visit->second.person)].simulated;
+  }
+
+  WithoutForce& withoutForce(const study::Entry& entry) {
+    const RecordId& person = visits_.at(entry.session).person;
+    view_.study.participants[place_of_.at(person)].virtual_device = true;
+    return without_force_[person];
+  }
+
+  bool acceptsStrokes(const study::Entry& entry) const {
+    const auto settings = parseSessionSettings(visits_.at(entry.session).session.settings);
+    return settings && settings->virtual_strokes == VirtualStrokes::kAccepted;
+  }
+
+  /// Strokes on a device without force are practice, unless the protocol accepts them.
+  void leaveOutWithoutForce(std::vector<study::StrokeRecord>& strokes) {
+    std::erase_if(strokes, [&](const study::StrokeRecord& stroke) {
+      if (stroke.verdict != name(experiments::StrokeVerdict::kAccepted) || !isWithoutForce(stroke.entry)) return false;
+      WithoutForce& of_person = withoutForce(stroke.entry);
+      ++of_person.strokes;
+      of_person.strokes_count = of_person.strokes_count || acceptsStrokes(stroke.entry);
+      return !acceptsStrokes(stroke.entry);
+    });
+  }
+
+  /// A force that was not delivered was not judged, whatever was said.
+  void leaveOutWithoutForce(std::vector<study::JudgementRecord>& judgements) {
+    std::erase_if(judgements, [&](const study::JudgementRecord& judgement) {
+      if (judgement.kind == study::ForceJudgement::Kind::kNoAnswer || !isWithoutForce(judgement.entry)) return false;
+      ++withoutForce(judgement.entry).judgements;
+      return true;
+    });
+  }
+
+  Result<void> addNotes() {
+    for (const auto& [person, found] : without_force_) {
+      const std::string start = "VIRTUAL: " + codes_.at(person) + " moved a device that gives no force. ";
+      std::string counts;
+      if (found.judgements > 0) {
+        counts += std::to_string(found.judgements) + (found.judgements == 1 ? " judgement was" : " judgements were") +
+                  " not delivered to the hand and not counted";
+      }
+      if (found.strokes > 0) {
+        counts +=
+            (counts.empty() ? "" : "; ") + std::to_string(found.strokes) +
+            (found.strokes == 1 ? " stroke" : " strokes") +
+            (found.strokes_count ? " counted, because the protocol says virtual = accepted" : " taken as practice");
+      }
+      view_.notes.push_back(start + counts + '.');
+    }
+    return {};
+  }
+
   Result<void> addSpeeds() {
     auto strokes = store::strokes(file_, {}, store::Recordings::kLeaveOut);
     if (!strokes) return tl::unexpected(strokes.error());
+    leaveOutWithoutForce(*strokes);
     std::erase_if(*strokes, [](const study::StrokeRecord& stroke) {
       return stroke.practice || stroke.verdict != name(experiments::StrokeVerdict::kAccepted);
     });
@@ -122,6 +188,7 @@ class StudyReader {
   Result<void> addJudgements() {
     auto judgements = store::judgements(file_);
     if (!judgements) return tl::unexpected(judgements.error());
+    leaveOutWithoutForce(*judgements);
     std::erase_if(*judgements,
                   [](const study::JudgementRecord& judgement) { return !judgement.scored || judgement.catch_trial; });
     const auto series = [](const study::JudgementRecord& judgement) {
@@ -225,7 +292,9 @@ class StudyReader {
 
   const store::StudyFile& file_;
   Visits visits_;
-  std::map<RecordId, std::string> codes_;  ///< of the participants
+  std::map<RecordId, std::string> codes_;     ///< of the participants
+  std::map<RecordId, std::size_t> place_of_;  ///< of the participants, in the study
+  std::map<RecordId, WithoutForce> without_force_;
   StudyView view_;
 };
 

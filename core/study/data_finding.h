@@ -29,6 +29,7 @@ struct DataFinding {
     kWithoutJudgements,
     kWithoutAnswers,
     kSimulatedAndReal,
+    kVirtualDevice,
     kSummaryRow,
     kCodeLikeDate,
     kWeightsMixed,

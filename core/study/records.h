@@ -16,7 +16,8 @@ struct Participant {
   std::string category;    ///< e.g. beginner, intermediate, expert; may be empty
   std::string handedness;  ///< may be empty
   std::optional<double> weight;
-  bool simulated = false;  ///< a program generated the data
+  bool simulated = false;       ///< a program generated the data
+  bool virtual_device = false;  ///< moved a device that gives no force: no judgement there counts
   TableLine line = {};
 
   bool operator==(const Participant&) const = default;

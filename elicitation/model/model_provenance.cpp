@@ -134,6 +134,11 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
                  {"answers", std::to_string(study.answers.size())},
                  {"rules", std::to_string(study.rules.size())},
                  {"simulated", jsonList(simulatedParticipants(study))}};
+  std::vector<std::string> without_force;
+  for (const auto& participant : study.participants) {
+    if (participant.virtual_device) without_force.push_back(participant.code);
+  }
+  if (!without_force.empty()) out.sources.push_back({"virtual", jsonList(without_force)});
   out.notes = notesOn(study);
   return out;
 }

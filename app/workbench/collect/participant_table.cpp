@@ -75,7 +75,8 @@ QVariant ParticipantTable::data(const QModelIndex& index, int role) const {
     case Qt::AccessibleTextRole: {
       if (step) return tr("%1: %2").arg(stepName(*step), spokenState(row.at(*step)));
       const QString text = shown(row, index.column());
-      return index.column() == kCode && row.simulated ? tr("%1, SIMULATED").arg(text) : text;
+      if (index.column() != kCode) return text;
+      return row.simulated ? tr("%1, SIMULATED").arg(text) : row.virtual_device ? tr("%1, VIRTUAL").arg(text) : text;
     }
     default:
       return {};

@@ -81,14 +81,15 @@ void paintCode(QPainter& painter, const ParticipantRow& row, const QRect& cell, 
   const QFont name = theme::headingFont();
   const int height = QFontMetrics(name).height();
   const QFont badge = theme::smallFont();
-  const int badge_height = row.simulated ? QFontMetrics(badge).height() + 4 : 0;
-  const int top = inside.center().y() - (height + (row.simulated ? badge_height + 2 : 0)) / 2;
+  const bool marked = row.simulated || row.virtual_device;
+  const int badge_height = marked ? QFontMetrics(badge).height() + 4 : 0;
+  const int top = inside.center().y() - (height + (marked ? badge_height + 2 : 0)) / 2;
   painter.setFont(name);
   painter.setPen(ink);
   const QString code = QFontMetrics(name).elidedText(row.code, Qt::ElideRight, inside.width());
   painter.drawText(QRect(inside.left(), top, inside.width(), height), Qt::AlignLeft | Qt::AlignVCenter, code);
-  if (!row.simulated) return;
-  const QString word = ParticipantTable::tr("SIMULATED");
+  if (!marked) return;
+  const QString word = row.simulated ? ParticipantTable::tr("SIMULATED") : ParticipantTable::tr("VIRTUAL");
   const QRect box(inside.left(), top + height + 2, QFontMetrics(badge).horizontalAdvance(word) + theme::kGrid,
                   badge_height);
   painter.setPen(Qt::NoPen);

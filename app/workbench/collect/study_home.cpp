@@ -266,6 +266,11 @@ void StudyHome::showSelection() {
     chosen_->setText(harmless(row->trouble));
   } else if (row->simulated) {
     chosen_->setText(tr("%1 is simulated: a program gave all of these answers.").arg(harmless(row->code)));
+  } else if (row->virtual_device) {
+    chosen_->setText(
+        tr("%1 moved a device that gives no force: what was judged there does not count. Start again with a "
+           "device.")
+            .arg(harmless(row->code)));
   } else if (row->next) {
     chosen_->setText(tr("%1: the next step is %2.").arg(harmless(row->code), nextText(*row)));
   } else {

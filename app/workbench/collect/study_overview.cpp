@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "app/session/force_device.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/study/connection/study_contents.h"
 #include "core/store/entries.h"
@@ -78,6 +79,8 @@ class RowReader {
       row_.last_seen_ms = std::max(row_.last_seen_ms, visit.session.started.utc_ms);
       if (!visit.session.language.empty()) row_.language = text(visit.session.language);
       if (visit.session.kind != SessionKind::kElicitation) continue;
+      row_.virtual_device = row_.virtual_device || (!row_.simulated && visit.strokes + visit.judgements > 0 &&
+                                                    !session::givesForce(visit.session.device));
       const auto progress = session::sessionProgress(file_, visit.session);
       if (!progress) {
         row_.trouble = text(progress.error().message());

@@ -48,6 +48,7 @@ struct ParticipantRow {
   study::RecordId person;
   QString code;
   bool simulated = false;
+  bool virtual_device = false;    ///< a real person on a device that gives no force
   QString language;               ///< of the latest session; empty: none yet
   std::int64_t last_seen_ms = 0;  ///< UTC; 0: never
   std::array<StepState, kCollectSteps> steps;

@@ -6104,6 +6104,14 @@
         <source>Participants</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1, VIRTUAL</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>VIRTUAL</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::PatientControls</name>
@@ -8394,6 +8402,10 @@ mean (SD)</source>
     </message>
     <message>
         <source>Ask a clinical teacher who tried the model six questions, with a code of their own</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 moved a device that gives no force: what was judged there does not count. Start again with a device.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -187,5 +187,35 @@ TEST_F(SessionTest, RecordsOfASimulatedPersonSaySo) {
   EXPECT_EQ(store::profiles(*file_)->back().entry.entered_by, study::EnteredBy::kProgram);
 }
 
+// Every step comes once and is stored; the session ends, and nothing of it counts.
+TEST_F(SessionTest, OnADeviceWithoutForceNothingIsScored) {
+  for (const bool accepted : {false, true}) {
+    SCOPED_TRACE(accepted);
+    auto with = start();
+    with.device = "virtual";
+    with.settings.blocks = {Block::kSpeed, Block::kForce};
+    with.settings.virtual_strokes = accepted ? VirtualStrokes::kAccepted : VirtualStrokes::kPractice;
+    begin(with);
+    base::Random random(3);
+    for (int step = 0; step < 300 && session_->part() != SessionPart::kFinished; ++step) {
+      doNext(random);
+      if (step % 9 == 0) restart();
+    }
+    ASSERT_EQ(session_->part(), SessionPart::kFinished);
+    const store::Selection own{{}, session_->record().id, true};
+    const auto judgements = store::judgements(*file_, own).value();
+    EXPECT_GT(judgements.size(), 5U);
+    for (const auto& one : judgements) {
+      EXPECT_FALSE(one.scored);
+      EXPECT_EQ(one.delivered_share, 0);
+      EXPECT_FALSE(one.felt_n);
+      EXPECT_EQ(one.attempt, 1);
+    }
+    const auto strokes = store::strokes(*file_, own, store::Recordings::kLeaveOut).value();
+    EXPECT_GT(strokes.size(), 5U);
+    EXPECT_EQ(std::all_of(strokes.begin(), strokes.end(), [](const auto& one) { return one.practice; }), !accepted);
+  }
+}
+
 }  // namespace
 }  // namespace tactus::session

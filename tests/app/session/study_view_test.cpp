@@ -135,6 +135,74 @@ TEST_F(CountedSessions, AnAbortedOneDoesNotTakeThePlaceOfACompleteOne) {
   EXPECT_NE(view.notes[2].find("the form 'ngt-force-v1'"), std::string::npos);
 }
 
+/// The study of one real person whose session used `device`, with two strokes and two scored judgements, and the view.
+StudyView viewWithDevice(const std::string& path, const std::string& device, VirtualStrokes strokes) {
+  store::SampleRecords records;
+  auto study = store::makeStudy(path, records);
+  study::Person person{study::RecordIds(77).next(), "real-otter", false};
+  EXPECT_TRUE(store::append(study.file, person));
+  auto session = records.session(person.id);
+  session.device = device;
+  SessionSettings settings = shortPlan();
+  settings.virtual_strokes = strokes;
+  session.settings = toJson(settings);
+  EXPECT_TRUE(append(study.file, session));
+  for (int i = 1; i <= 2; ++i) {
+    auto stroke = records.stroke(session.id, 30);
+    stroke.level = "slow";
+    stroke.number = i;
+    stroke.practice = false;
+    stroke.verdict = "accepted";
+    stroke.first = 0;
+    stroke.last = 30;
+    EXPECT_TRUE(append(study.file, stroke));
+    auto judgement = records.judgement(session.id);
+    judgement.series = "ascending";
+    judgement.step = i;
+    judgement.attempt = 1;
+    judgement.commanded_n = 0.1 * i;
+    judgement.felt_n.reset();
+    judgement.kind = study::ForceJudgement::Kind::kTerm;
+    judgement.term = "small";
+    judgement.scored = true;
+    judgement.catch_trial = false;
+    EXPECT_TRUE(append(study.file, judgement));
+  }
+  auto view = studyForElicitation(study.file);
+  EXPECT_TRUE(view) << view.error().message();
+  return view ? std::move(*view) : StudyView{};
+}
+
+// Studies of before sessions knew this hold such judgements as scored.
+TEST(DevicesWithoutForce, NothingJudgedThereCounts) {
+  const support::TempFolder folder;
+  int number = 0;
+  const auto view = [&](const std::string& device, VirtualStrokes strokes = VirtualStrokes::kPractice) {
+    return viewWithDevice(folder.file(std::to_string(++number) + ".tactus"), device, strokes);
+  };
+  for (const char* const device : {"virtual", "replay:a.csv", "Dummy device", "disconnected", "simulated"}) {
+    SCOPED_TRACE(device);
+    const auto found = view(device);
+    EXPECT_TRUE(found.study.judgements.empty());
+    EXPECT_TRUE(found.study.speeds.empty());
+    ASSERT_EQ(found.notes.size(), 1U);
+    EXPECT_EQ(found.notes[0],
+              "VIRTUAL: real-otter moved a device that gives no force. 2 judgements were not delivered to the hand and "
+              "not counted; 2 strokes taken as practice.");
+  }
+  const auto accepted = view("virtual", VirtualStrokes::kAccepted);
+  EXPECT_TRUE(accepted.study.judgements.empty());
+  EXPECT_EQ(accepted.study.speeds.size(), 60U);
+  EXPECT_NE(accepted.notes[0].find("virtual = accepted"), std::string::npos);
+  for (const char* const device : {"hid:1209:ffb0:1234", "openhaptics:Default Device", ""}) {
+    SCOPED_TRACE(device);
+    const auto found = view(device);
+    EXPECT_EQ(found.study.judgements.size(), 2U);
+    EXPECT_EQ(found.study.speeds.size(), 60U);
+    EXPECT_TRUE(found.notes.empty());
+  }
+}
+
 TEST_F(CountedSessions, EachNumberNamesTheRecordBehindIt) {
   const auto first = session(kMonday);
   addJudgements(first, 2, "small");
