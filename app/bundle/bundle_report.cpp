@@ -45,6 +45,7 @@ std::string curves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& c
   const fuzzy::Variable& x = model.inputs[input];
   report::PlotFrame frame;
   frame.title = "Force over " + x.label;
+  frame.simulated = simulatedSources(model).has_value();
   frame.x = {x.label + " (" + x.unit + ")", x.min, x.max};
   frame.y = {model.output.label + " (" + model.output.unit + ")", model.output.min, model.output.max};
   report::SvgPlot plot(frame);

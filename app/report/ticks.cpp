@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "core/base/check.h"
@@ -13,6 +14,12 @@ namespace {
 
 // Ends of an axis that miss a multiple of the step by rounding only still get their tick.
 constexpr double kSlack = 1e-9;
+
+std::string inFourDigits(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 4).ptr;
+  return {text.begin(), end};
+}
 
 }  // namespace
 
@@ -39,6 +46,13 @@ std::vector<std::string> tickTexts(const std::vector<double>& ticks) {
   for (std::size_t i = 1; i < ticks.size(); ++i) {
     const double gap = std::abs(ticks[i] - ticks[i - 1]);
     if (gap > 0) smallest_gap = smallest_gap > 0 ? std::min(smallest_gap, gap) : gap;
+  }
+  // Numbers too long to read have an exponent.
+  const auto longest = [](double value) { return std::abs(value) >= 1e9; };
+  if (std::any_of(ticks.begin(), ticks.end(), longest) || smallest_gap < 1e-8) {
+    std::vector<std::string> texts;
+    for (const double tick : ticks) texts.push_back(inFourDigits(std::abs(tick) < smallest_gap * 0.01 ? 0 : tick));
+    return texts;
   }
   // The fewest decimals that show every tick to a hundredth of the gap.
   int decimals = 0;

@@ -83,6 +83,11 @@ void addHoles(const fuzzy::ForceModel& model, Points& points) {
   std::vector<std::size_t> every(model.experts.size());
   std::iota(every.begin(), every.end(), std::size_t{0});
   std::vector<std::vector<std::size_t>> groups = {every};
+  std::vector<std::size_t> weighty;  // elsewhere the mean fires
+  for (const std::size_t one : every) {
+    if (model.experts[one].weight > 0) weighty.push_back(one);
+  }
+  if (weighty.size() < every.size()) groups.push_back(std::move(weighty));
   if (every.size() > 1) {
     for (const std::size_t one : every) groups.push_back({one});
   }

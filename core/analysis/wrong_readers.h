@@ -1,4 +1,4 @@
-// Six ordinary mistakes of programs that read a model file, as functions. The checks of a model hold points at which
+// Eight ordinary mistakes of programs that read a model file, as functions. The checks of a model hold points at which
 // they show.
 #pragma once
 
@@ -19,7 +19,8 @@ struct WrongReader {
 };
 
 /// The readers whose mistake can matter for `model`: rule weights taken as 1, disabled rules read, inputs not clamped,
-/// experts who abstain counted with the default force, experts weighted equally, the default force taken as 0.
+/// experts who abstain counted with the default force, experts weighted equally, the default force taken as 0,
+/// memberships multiplied instead of the least one taken, experts of weight 0 who make the model fire.
 /// `model` must be valid and outlives them.
 std::vector<WrongReader> wrongReaders(const fuzzy::ForceModel& model);
 

@@ -333,5 +333,25 @@ TEST(BundleReportTest, AnExpertHasTheColorOfItsNumber) {
   EXPECT_EQ(report->second.find(figures::hex(figures::expertColor(0))), std::string::npos);
 }
 
+// Universes as large as a model may have: nothing in a bundle ends the program.
+TEST(MakeBundle, OfAnUniverseOfAnySize) {
+  for (const double input : {1.0, 6e149, 1e150}) {
+    for (const double output : {1.0, 1e100, 1e150, 1e-140}) {
+      SCOPED_TRACE(std::to_string(input) + ", " + std::to_string(output));
+      fuzzy::ForceModel model;
+      model.name = "large";
+      model.inputs.push_back(
+          {"x", "x", "mm", -input, input, {{"all", "all", fuzzy::Shape::kTrapezoid, {-input, -input, input, input}}}});
+      model.output = {"y", "y", "N", 0, output, {{"half", "half", fuzzy::Shape::kTriangle, {0, output / 2, output}}}};
+      fuzzy::Expert expert;
+      expert.id = "E";
+      expert.rules.push_back({{{"x", "all"}}, "half"});
+      model.experts.push_back(expert);
+      const auto made = makeBundle(model, {{}, "2026-11-22T08:00:00Z", std::string(kProgram)});
+      EXPECT_TRUE(made) << made.error().message();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tactus::bundle

@@ -17,6 +17,7 @@ namespace {
 /// A slow reader: sampled centroid of 2000 cells per point, switches for its mistakes.
 struct Reader {
   bool weights = true, enabled = true, clamps = true, abstains = true, expert_weights = true, default_force = true;
+  bool least = true, weightless_are_silent = true;
 
   static double membership(const fuzzy::Term& term, double x) {
     const auto& p = term.points;
@@ -37,8 +38,8 @@ struct Reader {
         for (std::size_t i = 0; i < point.size(); ++i) {
           if (model.inputs[i].id != condition.input) continue;
           const double x = clamps ? std::clamp(point[i], model.inputs[i].min, model.inputs[i].max) : point[i];
-          strength = std::min(strength,
-                              membership(*fuzzy::findTerm(fuzzy::termsFor(from, model.inputs[i]), condition.term), x));
+          const double one = membership(*fuzzy::findTerm(fuzzy::termsFor(from, model.inputs[i]), condition.term), x);
+          strength = least ? std::min(strength, one) : strength * one;
         }
       }
       if (weights) strength *= rule.weight;
@@ -67,13 +68,14 @@ struct Reader {
     bool fired = false;
     for (const fuzzy::Expert& one : model.experts) {
       const auto alone = expert(model, one, point);
+      if (one.weight == 0 && weightless_are_silent) continue;
       fired = fired || alone.fired;
       const double weight = expert_weights ? one.weight : 1;
       if (abstains && !alone.fired) continue;
       sum += weight * alone.force_n;
       total += weight;
     }
-    if (total == 0) return {default_force ? model.default_force_n : 0, false};
+    if (total == 0) return {default_force ? model.default_force_n : 0, fired};
     return {sum / total, fired};
   }
 };
@@ -91,6 +93,14 @@ fuzzy::ForceModel everyFeature() {
   second.rules.push_back({{{"speed", "fast"}, {"depth", "stomach"}}, "very_large"});
   second.rules.push_back({{{"speed", "slow"}}, "small"});
   model.experts.push_back(second);
+  // The only one who speaks everywhere.
+  fuzzy::Expert weightless;
+  weightless.id = "S3";
+  weightless.weight = 0;
+  for (const fuzzy::Term& term : model.inputs[0].terms) {
+    weightless.rules.push_back({{{model.inputs[0].id, term.id}}, "large"});
+  }
+  model.experts.push_back(weightless);
   return model;
 }
 
@@ -127,6 +137,8 @@ TEST(WrongReaders, EachIsCaughtByTheChecksOfTheFile) {
   EXPECT_GT(caught(model, Reader{.abstains = false}), 0);
   EXPECT_GT(caught(model, Reader{.expert_weights = false}), 0);
   EXPECT_GT(caught(model, Reader{.default_force = false}), 0);
+  EXPECT_GT(caught(model, Reader{.least = false}), 0);
+  EXPECT_GT(caught(model, Reader{.weightless_are_silent = false}), 0);
 }
 
 }  // namespace
