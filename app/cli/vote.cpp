@@ -77,6 +77,11 @@ std::string why(const VoteStep& step) {
     case elicitation::VoteReason::kNoVotes:
       return "no participant chose a term";
   }
+  if (elicitation::isUnsaid(step)) {
+    text += "; nobody said it";
+  } else if (!elicitation::isMostFrequent(step)) {
+    text += "; not the most frequent";
+  }
   if (step.monotone_raised) text += "; raised, because terms never fall";
   if (step.below_quorum) text += "; less than half of the participants voted";
   return text;
@@ -162,6 +167,8 @@ std::string asJson(const VoteOptions& options, const std::vector<VoteStep>& step
     step.term ? json.value(ids[*step.term]) : json.null();
     json.key("reason").value(std::string(name(step.reason)));
     json.key("monotone_raised").value(step.monotone_raised).key("below_quorum").value(step.below_quorum);
+    json.key("unsaid").value(elicitation::isUnsaid(step));
+    json.key("most_frequent").value(elicitation::isMostFrequent(step));
     json.key("votes").beginArray();
     for (const int votes : step.votes) json.value(votes);
     json.endArray().endObject();
@@ -189,6 +196,10 @@ Result<Output> vote(const VoteOptions& options) {
   if (!frequency) return inFile(frequency.error(), options.judgements);
   auto& warnings = count->warnings;
   warnings.insert(warnings.end(), terms->notes.begin(), terms->notes.end());
+  if (options.force_terms == elicitation::ForceTermsFrom::kVote) {
+    const auto unsaid = elicitation::unsaidNotes(output, steps, options.force_end_n);
+    warnings.insert(warnings.end(), unsaid.begin(), unsaid.end());
+  }
   if (options.json) return Output{asJson(options, steps, *terms, *frequency, ids, warnings), {}};
   return Output{asText(options, steps, *terms, *frequency, ids), warnings};
 }

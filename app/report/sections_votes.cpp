@@ -4,6 +4,7 @@
 
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::report {
 
@@ -117,7 +118,10 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
     }
     row.push_back({.text = strong(*step.term < terms.size() ? terms[*step.term].label : ""), .group_start = true});
     row.push_back({.text = Markup(words(step.reason)) + (step.monotone_raised ? Markup(", raised") : Markup()) +
-                           (step.below_quorum ? Markup(", below quorum") : Markup())});
+                           (step.below_quorum ? Markup(", below quorum") : Markup()) +
+                           (elicitation::isUnsaid(step)          ? strong(", nobody said it")
+                            : !elicitation::isMostFrequent(step) ? Markup(", not the most frequent")
+                                                                 : Markup())});
     reasons.insert(step.reason);
     table.body.push_back(std::move(row));
   }
@@ -142,6 +146,11 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
         "; no term is given there and the universe ends below.";
   }
   if (!origin.empty()) page.paragraph(origin);
+  if (context.in.build_settings.force_terms == elicitation::ForceTermsFrom::kVote) {
+    const auto unsaid = elicitation::unsaidNotes(elicitation::ngtOutput(), context.in.built.votes,
+                                                 context.in.build_settings.force_end_n);
+    page.list({unsaid.begin(), unsaid.end()});
+  }
 
   Table points{
       .caption = strong("Terms of the force.") + " " + marks(context, {Badge::kComputed}) + termsOrigin(context),

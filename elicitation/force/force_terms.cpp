@@ -123,4 +123,42 @@ base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<con
   return out;
 }
 
+std::vector<std::string> unsaidNotes(const fuzzy::Variable& output, std::span<const VoteStep> steps,
+                                     std::optional<double> end_n) {
+  std::vector<std::string> notes;
+  std::vector<VoteStep> said(steps.begin(), steps.end());
+  std::size_t decided = 0;
+  std::size_t others = 0;
+  std::size_t level = 0;
+  for (VoteStep& step : said) {
+    if (!step.term) continue;
+    ++decided;
+    if (isUnsaid(step)) {
+      notes.push_back("Nobody said " + output.terms[*step.term].label + " at " + base::roundedNumber(step.force_n) +
+                      " N: the rule of the vote gives the word.");
+    }
+    if (!isMostFrequent(step)) ++others;
+    const auto most = std::max_element(step.votes.rbegin(), step.votes.rend());
+    level = std::max(level, static_cast<std::size_t>(step.votes.rend() - most) - 1);
+    step.term = level;
+  }
+  if (others == 0) return notes;
+  const auto by_rule = forceTerms(output, steps, end_n);
+  const auto by_count = forceTerms(output, said, end_n);
+  double moved_n = 0;
+  if (by_rule && by_count) {
+    for (const fuzzy::Term& term : by_rule->output.terms) {
+      const fuzzy::Term* const other = findTerm(by_count->output.terms, term.id);
+      if (other == nullptr || other->points.size() != term.points.size()) continue;
+      for (std::size_t p = 0; p < term.points.size(); ++p)
+        moved_n = std::max(moved_n, std::abs(term.points[p] - other->points[p]));
+    }
+  }
+  notes.push_back(std::to_string(others) + " of " + std::to_string(decided) +
+                  (others == 1 ? " winners is" : " winners are") +
+                  " not the most frequent word; with those the words move by up to " + base::roundedNumber(moved_n) +
+                  " N. The frequency, the thresholds and the probit (--force-terms) use every answer as it was given.");
+  return notes;
+}
+
 }  // namespace tactus::elicitation

@@ -45,4 +45,11 @@ struct ForceTerms {
 base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<const VoteStep> steps,
                                     std::optional<double> end_n = std::nullopt);
 
+/// What the rule of the vote gives against what was said, one sentence each: the forces whose word nobody said, the
+/// winners that are not the most frequent word, and by how many newtons the corners move if the most frequent words
+/// (the higher of several, never falling) took their place. Nothing where each winner is a most frequent word.
+/// Arguments as for `forceTerms`.
+std::vector<std::string> unsaidNotes(const fuzzy::Variable& output, std::span<const VoteStep> steps,
+                                     std::optional<double> end_n = std::nullopt);
+
 }  // namespace tactus::elicitation

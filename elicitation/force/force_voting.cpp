@@ -91,4 +91,10 @@ std::vector<VoteStep> vote(std::span<const VoteCounts> steps, std::optional<int>
   return out;
 }
 
+bool isUnsaid(const VoteStep& step) { return step.term && step.votes[*step.term] == 0; }
+
+bool isMostFrequent(const VoteStep& step) {
+  return !step.term || step.votes[*step.term] == *std::max_element(step.votes.begin(), step.votes.end());
+}
+
 }  // namespace tactus::elicitation

@@ -51,6 +51,12 @@ struct VoteStep {
 /// `enrolled`: number of participants for the quorum; without it, the largest number of votes at a step.
 std::vector<VoteStep> vote(std::span<const VoteCounts> steps, std::optional<int> enrolled = std::nullopt);
 
+/// Whether the step's term has no vote at all: it follows from the rule alone. Such a term is named wherever it is
+/// used.
+bool isUnsaid(const VoteStep& step);
+/// Whether no other term has more votes than the step's. True for a step without a term.
+bool isMostFrequent(const VoteStep& step);
+
 /// Counts the judgements of one `series` at each commanded force. Forces closer than kSameForceN are one step.
 /// `not_felt`, `beyond_practice` and missing answers are not votes, but their step stays. Returns an error for: a
 /// series without judgements, a term that is not in `terms` (ids, lowest first), a participant with two judgements of

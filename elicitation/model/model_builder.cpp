@@ -213,7 +213,8 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   auto terms = forceTermsFrom(settings.force_terms, out.model.output, study.judgements, settings.series, out.votes,
                               settings.force_end_n);
   if (!terms) return study::inTable(terms.error(), study::kJudgementsTable, study.judgements.front().line);
-  const double default_max_n = out.model.output.max;
+  const fuzzy::Variable default_output = out.model.output;
+  const double default_max_n = default_output.max;
   out.force_terms = std::move(*terms);
   out.model.output = out.force_terms->output;
   append(out.notes, out.force_terms->notes);
@@ -224,6 +225,8 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
                         ".");
   }
   append(out.notes, voteNotes(out.votes, settings.force_terms));
+  if (settings.force_terms == ForceTermsFrom::kVote)
+    append(out.notes, unsaidNotes(default_output, out.votes, settings.force_end_n));
   return {};
 }
 

@@ -193,5 +193,29 @@ TEST(ForceTerms, RandomVotesGiveTermsThatSumToOne) {
   }
 }
 
+// At 0.2 N three words have one vote each, none of them half: the rule gives one above that of 0.1 N, which is small
+// and which nobody said. By hand: with the most frequent word (the higher of several, so large) the core of small is
+// gone and that of large begins at 0.2 N.
+TEST(UnsaidWords, AreNamedWithWhatTheyMove) {
+  const fuzzy::Variable output = ngtOutput();
+  const std::vector<VoteCounts> counts = {
+      {0.1, {3, 0, 0, 0, 0}}, {0.2, {1, 0, 1, 1, 0}}, {0.3, {0, 0, 2, 1, 0}}, {0.4, {0, 0, 0, 3, 0}}};
+  const auto steps = vote(counts);
+  ASSERT_EQ(steps[1].term, 1U);
+  EXPECT_TRUE(isUnsaid(steps[1]));
+  EXPECT_FALSE(isMostFrequent(steps[1]));
+  EXPECT_FALSE(isUnsaid(steps[0]));
+  EXPECT_TRUE(isMostFrequent(steps[2]));
+  const auto notes = unsaidNotes(output, steps);
+  ASSERT_EQ(notes.size(), 2U);
+  EXPECT_EQ(notes[0], "Nobody said " + output.terms[1].label + " at 0.2 N: the rule of the vote gives the word.");
+  EXPECT_EQ(notes[1].find("1 of 4 winners is not the most frequent word; with those the words move by up to 0."), 0U)
+      << notes[1];
+  EXPECT_NE(notes[1].find("--force-terms"), std::string::npos);
+  // Nothing to say where each winner is a most frequent word.
+  EXPECT_TRUE(
+      unsaidNotes(output, vote(std::vector<VoteCounts>{{0.1, {2, 1, 0, 0, 0}}, {0.2, {0, 3, 0, 0, 0}}})).empty());
+}
+
 }  // namespace
 }  // namespace tactus::elicitation

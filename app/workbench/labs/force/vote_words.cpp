@@ -36,6 +36,11 @@ QString shortReason(VoteReason reason) {
 
 QString reasonText(const elicitation::VoteStep& step) {
   QString out = shortReason(step.reason);
+  if (elicitation::isUnsaid(step)) {
+    out += VoteWords::tr(", nobody said it");
+  } else if (!elicitation::isMostFrequent(step)) {
+    out += VoteWords::tr(", not the most frequent");
+  }
   if (step.monotone_raised) out += VoteWords::tr(", raised");
   if (step.below_quorum) out += VoteWords::tr(", below quorum");
   return out;
@@ -63,6 +68,11 @@ QString reasonRule(const elicitation::VoteStep& step) {
     case VoteReason::kNoVotes:
       out = VoteWords::tr("No participant chose a word.");
       break;
+  }
+  if (elicitation::isUnsaid(step)) {
+    out += VoteWords::tr(" Nobody said this word here.");
+  } else if (!elicitation::isMostFrequent(step)) {
+    out += VoteWords::tr(" Another word was said more often.");
   }
   if (step.monotone_raised) out += VoteWords::tr(" Raised to the word of a smaller force: words must not fall.");
   if (step.below_quorum) out += VoteWords::tr(" Fewer than half of the participants voted.");
