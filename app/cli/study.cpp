@@ -132,7 +132,8 @@ Result<Output> studyCheck(const StudyCheckOptions& options) {
 }
 
 Result<Output> studyMerge(const StudyMergeOptions& options) {
-  auto file = store::StudyFile::open(options.file);
+  std::vector<std::string> warnings;
+  auto file = openToWrite(options.file, warnings);
   if (!file) return tl::unexpected(file.error());
   study::RecordIds ids;
   std::vector<NamedMerge> merges;
@@ -145,7 +146,7 @@ Result<Output> studyMerge(const StudyMergeOptions& options) {
     if (!merge) return tl::unexpected(merge.error());
     merges.push_back({other, std::move(*merge)});
   }
-  auto warnings = noticesOf(*file);
+  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
   std::string text = options.json ? mergesAsJson(options.file, merges, warnings) : mergesAsText(merges);
   for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
   return Output{std::move(text), std::move(warnings)};

@@ -35,11 +35,12 @@ Result<Imported> intoStudy(const std::string& path, const study::Study& tables, 
     if (!imported) return tl::unexpected(imported.error());
     return Imported{std::move(*imported)};
   }
-  auto file = store::StudyFile::open(path);
+  std::vector<std::string> notices;
+  auto file = openToWrite(path, notices);
   if (!file) return tl::unexpected(file.error());
   auto imported = session::importTables(tables, *file, source);
   if (!imported) return base::inFile(imported.error(), path);
-  auto notices = noticesOf(*file);
+  for (auto& notice : noticesOf(*file)) notices.push_back(std::move(notice));
   return Imported{std::move(*imported), std::move(notices), closeSaved(*file)};
 }
 
@@ -98,11 +99,12 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
 
 /// Adds a full export to a study that is there.
 Result<Output> importRecords(const StudyImportOptions& options, const std::string& records) {
-  auto file = store::StudyFile::open(options.file);
+  std::vector<std::string> warnings;
+  auto file = openToWrite(options.file, warnings);
   if (!file) return tl::unexpected(file.error());
   const auto merge = store::importRecords(*file, records, study::RecordIds().next(), utcNowMs());
   if (!merge) return tl::unexpected(merge.error());
-  auto warnings = noticesOf(*file);
+  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
   const auto notices = warnings;
   for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
   if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(*merge), std::move(warnings)};

@@ -110,13 +110,14 @@ Result<Output> previewOf(const StudyWithdrawOptions& options) {
 }  // namespace
 
 Result<Output> studyRecode(const StudyRecodeOptions& options) {
-  auto file = store::StudyFile::open(options.file);
+  std::vector<std::string> notices;
+  auto file = openToWrite(options.file, notices);
   if (!file) return tl::unexpected(file.error());
   const auto person = store::personNamed(*file, options.person);
   if (!person) return tl::unexpected(person.error());
   auto recoded = store::recode(*file, person->id, options.code, study::RecordIds().next(), utcNowMs());
   if (!recoded) return tl::unexpected(recoded.error());
-  auto notices = noticesOf(*file);
+  for (auto& notice : noticesOf(*file)) notices.push_back(std::move(notice));
   if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
   return Output{"The participant " + base::oneLine(person->code) + " (" + toText(person->id) + ") has the code " +
                     base::oneLine(options.code + " in " + options.file) + " now\n",

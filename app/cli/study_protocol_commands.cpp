@@ -121,7 +121,9 @@ Result<std::string> readKey(const StudyKeyOptions& options) {
 
 Result<Output> studyProtocol(const StudyProtocolOptions& options) {
   const bool changes = !options.set.empty() || !options.consent.empty() || !options.from.empty();
-  auto file = store::StudyFile::open(options.file, {changes ? store::Access::kReadWrite : store::Access::kReadOnly});
+  std::vector<std::string> copying;
+  auto file = changes ? openToWrite(options.file, copying)
+                      : store::StudyFile::open(options.file, {store::Access::kReadOnly, {}});
   if (!file) return tl::unexpected(file.error());
   if (!changes) return shown(*file, options);
   const auto state = store::protocolState(*file);
@@ -134,6 +136,7 @@ Result<Output> studyProtocol(const StudyProtocolOptions& options) {
   const auto stored = session::setProtocol(*file, *protocol, options.author, options.reason, tools);
   if (!stored) return tl::unexpected(stored.error());
   auto output = shown(*file, options);
+  if (output) output->warnings.insert(output->warnings.end(), copying.begin(), copying.end());
   if (auto closed = file->close(); output && !closed) output->warnings.push_back(closed.error().message());
   return output;
 }
@@ -145,10 +148,11 @@ Result<Output> studyKey(const StudyKeyOptions& options) {
     if (!read) return tl::unexpected(read.error());
     key = std::move(*read);
   }
-  auto file = store::StudyFile::open(options.file);
+  std::vector<std::string> warnings;
+  auto file = openToWrite(options.file, warnings);
   if (!file) return tl::unexpected(file.error());
   if (auto ok = store::setResearchKey(*file, key, utcNowMs()); !ok) return tl::unexpected(ok.error());
-  auto warnings = noticesOf(*file);
+  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
   for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
   const std::string name = base::oneLine(options.file);
   return Output{options.remove ? "The research key of " + name +

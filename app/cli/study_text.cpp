@@ -4,6 +4,7 @@
 
 #include "app/version.h"
 #include "core/base/clock.h"
+#include "core/store/rolling_copies.h"
 
 namespace tactus::cli {
 
@@ -18,6 +19,14 @@ std::string utcText(std::int64_t utc_ms) {
 
 base::Result<store::StudyFile> newStudy(const std::string& path, const std::string& name) {
   return store::StudyFile::create(path, {study::RecordIds().next(), name, utcNowMs(), std::string(kGenerator)});
+}
+
+base::Result<store::StudyFile> openToWrite(const std::string& path, std::vector<std::string>& warnings) {
+  auto file = store::StudyFile::open(path);
+  if (!file) return file;
+  if (const auto kept = store::keepCopy(*file); !kept)
+    warnings.push_back("no copy of the study was kept: " + kept.error().message());
+  return file;
 }
 
 std::vector<std::string> noticesOf(const store::StudyFile& file) {

@@ -57,6 +57,7 @@ bool hasKnownEnding(const fs::path& path) {
 /// What a name that begins with the study's is, after that beginning.
 std::string describeTail(std::string_view tail) {
   if (tail.starts_with(".before-v")) return "a copy made before an upgrade";
+  if (tail.starts_with(".copy-")) return "a copy made when the study was opened";
   if (tail.find("wal") != std::string_view::npos || tail.find("journal") != std::string_view::npos) {
     return "a journal that was kept aside";
   }

@@ -7,6 +7,7 @@
 #include "core/store/query.h"
 #include "core/store/removal.h"
 #include "core/store/rewriting.h"
+#include "core/store/rolling_copies.h"
 #include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
@@ -68,7 +69,8 @@ Result<void> eraseTraces(StudyFile& file) {
   // Only now, so that an erasure that was interrupted is known as such.
   auto noted = inTransaction(connection, [&] { connection.database().exec("DELETE FROM erasure"); });
   if (!noted) return noted;
-  return guarded(connection, [&] { emptyJournal(connection); });
+  if (auto emptied = guarded(connection, [&] { emptyJournal(connection); }); !emptied) return emptied;
+  return removeCopies(file.path());
 }
 
 Result<Erasure> erase(StudyFile& file) {

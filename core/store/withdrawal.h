@@ -34,8 +34,9 @@ struct Withdrawal {
 base::Result<Withdrawal> withdraw(StudyFile& file, const study::RecordId& person, std::int64_t utc_ms);
 
 /// The second part of `withdraw`: rewrites the file and empties its journal, so that no data remains in unused pages,
-/// and notes that the erasure is finished. Memory use does not grow with the study. Needs disk space for two more
-/// copies. Can be interrupted at any point and repeated.
+/// notes that the erasure is finished, and removes the copies that were kept when the study was opened
+/// (rolling_copies.h). Memory use does not grow with the study. Needs disk space for two more copies. Can be
+/// interrupted at any point and repeated.
 base::Result<void> eraseTraces(StudyFile& file);
 
 struct Erasure {

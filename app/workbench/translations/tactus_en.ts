@@ -2007,6 +2007,22 @@
         <source>Ordered probit over all answers.</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>, nobody said it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>, not the most frequent</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Nobody said this word here.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source> Another word was said more often.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::AgreementTable</name>
@@ -8288,6 +8304,10 @@ mean (SD)</source>
     </message>
     <message>
         <source>it or its folder is read-only</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No copy of the study was kept at this opening: %1.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

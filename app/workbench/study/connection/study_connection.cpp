@@ -11,6 +11,7 @@
 #include "core/store/backup.h"
 #include "core/store/persons.h"
 #include "core/store/read_only.h"
+#include "core/store/rolling_copies.h"
 #include "core/store/withdrawal.h"
 
 namespace tactus::workbench {
@@ -263,6 +264,12 @@ void StudyConnection::begin(const QString& path, bool make) {
     })
                        : openAsItMay(path);
     auto contents = opened ? readContents(opened->file) : tl::unexpected(opened.error());
+    if (contents && !make && opened->read_only.isEmpty()) {
+      if (const auto kept = store::keepCopy(opened->file); !kept) {
+        const QString sentence = tr("No copy of the study was kept at this opening: %1.");
+        contents->notices.now.push_back({sentence.arg(harmless(text(kept.error().message()))), false});
+      }
+    }
     auto take = !contents ? tl::unexpected(contents.error()) : share ? share(opened->file) : StudyKeeper::Take();
     if (!take) {
       answer([this, path = text(path), sentence = text(take.error().message())] {
