@@ -157,6 +157,7 @@ std::vector<Column> wrongColumns(const UnitFactors& by) {
 
 using Strokes = std::vector<const TableStroke*>;
 
+/// Refused only where all strokes of the participant say the same: a single short stroke may be true.
 DataFinding unitFinding(const UnitFactors& by, const Strokes& strokes, std::size_t of) {
   const auto columns = wrongColumns(by);
   const std::string who(strokes.front()->participant);
@@ -168,9 +169,55 @@ DataFinding unitFinding(const UnitFactors& by, const Strokes& strokes, std::size
   }
   const auto& row = *strokes.front()->rows.front();
   const Kind kind = columns.size() == 1 ? columns.front().kind : Kind::kSeveralUnits;
-  return study::refusal(kind, who, {study::kSpeedsTable, row.line, columns.front().name},
-                        "in " + strokesText(strokes, of) + " of " + who + " " + base::joined(looks, " and "),
-                        base::joined(remedies, ", ") + " there, so that s, mm and mm/s fit each other");
+  DataFinding finding =
+      study::refusal(kind, who, {study::kSpeedsTable, row.line, columns.front().name},
+                     "in " + strokesText(strokes, of) + " of " + who + " " + base::joined(looks, " and "),
+                     base::joined(remedies, ", ") + " there, so that s, mm and mm/s fit each other");
+  if (strokes.size() == of) return finding;
+  finding.severity = Severity::kWarning;
+  finding.found.clear();
+  finding.wanted.clear();
+  return finding;
+}
+
+/// By how much the mean speed of the stroke lies above the change of its depth over its time; nothing where the times
+/// do not say.
+std::optional<double> offsetOf(const TableStroke& stroke) {
+  const auto& rows = stroke.in_time;
+  if (rows.size() < kFewestRows) return std::nullopt;
+  const double length_s = rows.back()->time_s - rows.front()->time_s;
+  if (!(length_s > 0) || rows.back()->depth_mm == rows.front()->depth_mm) return std::nullopt;
+  double way_mm = 0;
+  for (std::size_t i = 0; i + 1 < rows.size(); ++i)
+    way_mm += 0.5 * (rows[i]->speed_mm_s + rows[i + 1]->speed_mm_s) * (rows[i + 1]->time_s - rows[i]->time_s);
+  return (way_mm - (rows.back()->depth_mm - rows.front()->depth_mm)) / length_s;
+}
+
+/// The same constant on the speeds of all strokes: slow and fast ones are as far off, which no unit explains.
+void addOffset(std::span<const TableStroke* const> all, std::vector<DataFinding>& out) {
+  constexpr std::size_t kFewest = 4;
+  constexpr double kLeastMmS = 5;
+  constexpr double kAlike = 0.25;
+  std::vector<double> offsets;
+  for (const auto* stroke : all) {
+    if (const auto offset = offsetOf(*stroke)) offsets.push_back(*offset);
+  }
+  if (offsets.size() < kFewest || offsets.size() < all.size()) return;
+  const double usual = base::median(offsets);
+  if (std::abs(usual) < kLeastMmS) return;
+  const bool alike = std::all_of(offsets.begin(), offsets.end(),
+                                 [&](double one) { return std::abs(one - usual) <= kAlike * std::abs(usual); });
+  if (!alike) return;
+  const std::string who(all.front()->participant);
+  out.push_back({Kind::kSpeedAgainstDepth,
+                 Severity::kWarning,
+                 who,
+                 {study::kSpeedsTable, all.front()->line(), "speed_mm_s"},
+                 "The speeds of " + who + " lie " + base::formatFixed(std::abs(usual), 1) + " mm/s " +
+                     (usual > 0 ? "above" : "below") +
+                     " what the depths and times say, alike in all strokes: a constant was added, or a zero is off.",
+                 {},
+                 {}});
 }
 
 void addSigns(std::span<const TableStroke* const> all, std::span<const UnitFit> fits, std::vector<DataFinding>& out) {
@@ -306,6 +353,9 @@ std::vector<DataFinding> unitFindings(std::span<const TableStroke* const> stroke
                    {},
                    {}});
   }
+  const bool all_fit =
+      std::all_of(fits.begin(), fits.end(), [](const UnitFit& fit) { return fit.verdict != UnitFit::Verdict::kOther; });
+  if (all_fit && odd.empty()) addOffset(strokes, out);
   addSigns(strokes, fits, out);
   return out;
 }

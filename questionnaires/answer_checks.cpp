@@ -29,6 +29,10 @@ constexpr std::size_t kFewestOthers = 2;
 // Correlations of well-made answers: tests/app/session/false_alarms_test.cpp.
 constexpr double kShifted = 0.5;
 constexpr double kShiftedBetter = 0.3;
+// The same where two or more levels of an input are exchanged: few items say it, so it must be plain.
+constexpr double kExchanged = 0.6;
+constexpr std::size_t kFewestMoved = 9;
+constexpr int kNoItem = -1;
 // A pattern of three can be meant: the form asks about three levels of one input after another.
 constexpr std::array<std::size_t, 3> kPatterns = {2, 4, 5};
 
@@ -63,7 +67,7 @@ class FormChecks {
     for (std::size_t i = 0; i < sheets_.size(); ++i) {
       if (checkOneAnswer(sheets_[i]) || checkPattern(sheets_[i])) continue;
       checkOpposite(i);
-      if (!checkCopied(i)) checkShifted(i);
+      if (!checkCopied(i) && !checkShifted(i)) checkExchanged(i);
     }
     return std::move(out_);
   }
@@ -140,22 +144,96 @@ class FormChecks {
     return false;
   }
 
-  /// Correlation of the answers of one participant with the mean that the others gave to the item `shift` further on,
-  /// over items that two others answered.
-  std::optional<double> agreement(std::size_t i, int shift) const {
+  /// Correlation of the answers of one participant with the mean that the others gave to the item `of(item)`, over
+  /// items that two others answered.
+  template <class Of>
+  std::optional<double> agreementWith(std::size_t i, Of of, std::size_t fewest = kFewest) const {
     std::vector<std::pair<double, double>> pairs;
     for (const auto& [item, term] : sheets_[i].terms) {
       double sum = 0;
       std::size_t count = 0;
       for (std::size_t k = 0; k < sheets_.size(); ++k) {
-        const auto other = sheets_[k].terms.find(item + shift);
+        const auto other = sheets_[k].terms.find(of(item));
         if (k == i || other == sheets_[k].terms.end()) continue;
         sum += other->second;
         ++count;
       }
       if (count >= kFewestOthers) pairs.emplace_back(term, sum / static_cast<double>(count));
     }
-    return pairs.size() < kFewest ? std::nullopt : correlation(pairs);
+    return pairs.size() < fewest ? std::nullopt : correlation(pairs);
+  }
+
+  std::optional<double> agreement(std::size_t i, int shift) const {
+    return agreementWith(i, [shift](int item) { return item + shift; });
+  }
+
+  /// The item that asks for the same situation but for the levels of `input`, which are exchanged as `levels` says.
+  std::map<int, int> exchanged(const std::string& input, const std::map<std::string, std::string>& levels) const {
+    std::map<int, int> out;
+    for (const study::FormItem& item : form_.items) {
+      auto wanted = item.conditions;
+      for (auto& condition : wanted) {
+        const auto level = condition.input == input ? levels.find(condition.term) : levels.end();
+        if (level != levels.end()) condition.term = level->second;
+      }
+      const auto found = std::find_if(form_.items.begin(), form_.items.end(),
+                                      [&](const study::FormItem& other) { return other.conditions == wanted; });
+      if (found != form_.items.end()) out[item.number] = found->number;
+    }
+    return out;
+  }
+
+  /// The inputs of the form with their levels, in the order in which they are asked for first.
+  std::vector<std::pair<std::string, std::vector<std::string>>> inputs() const {
+    std::vector<std::pair<std::string, std::vector<std::string>>> out;
+    for (const study::FormItem& item : form_.items) {
+      for (const study::ItemCondition& condition : item.conditions) {
+        auto input =
+            std::find_if(out.begin(), out.end(), [&](const auto& one) { return one.first == condition.input; });
+        if (input == out.end()) input = out.insert(out.end(), {condition.input, {}});
+        auto& levels = input->second;
+        if (std::find(levels.begin(), levels.end(), condition.term) == levels.end()) levels.push_back(condition.term);
+      }
+    }
+    return out;
+  }
+
+  /// Whether the answers fit those of the others far better with the levels of one input in the reverse order, or two
+  /// of them exchanged. Only the items that would be others say something of it.
+  void checkExchanged(std::size_t i) {
+    std::optional<double> best;
+    double best_own = 0;
+    std::string what;
+    const auto look = [&](const std::string& input, const std::map<std::string, std::string>& levels,
+                          const std::string& words) {
+      auto items = exchanged(input, levels);
+      std::erase_if(items, [](const auto& one) { return one.first == one.second; });
+      const auto moved = [&items](int item) { return items.contains(item) ? items.at(item) : kNoItem; };
+      const auto own = agreementWith(
+          i, [&](int item) { return items.contains(item) ? item : kNoItem; }, kFewestMoved);
+      const auto r = agreementWith(i, moved, kFewestMoved);
+      if (!own || !r || *r < kExchanged || *r < *own + kExchanged || (best && *r - *own <= *best - best_own)) return;
+      best = r;
+      best_own = *own;
+      what = words;
+    };
+    for (const auto& [input, levels] : inputs()) {
+      std::map<std::string, std::string> reversed;
+      for (std::size_t k = 0; k < levels.size(); ++k) reversed[levels[k]] = levels[levels.size() - 1 - k];
+      look(input, reversed, "the levels of " + base::quoted(input) + " in the reverse order");
+      for (std::size_t a = 0; a < levels.size(); ++a) {
+        for (std::size_t b = a + 1; b < levels.size(); ++b) {
+          look(input, {{levels[a], levels[b]}, {levels[b], levels[a]}},
+               base::quoted(levels[a]) + " and " + base::quoted(levels[b]) + " of " + base::quoted(input) +
+                   " exchanged");
+        }
+      }
+    }
+    if (!best) return;
+    out_.push_back(study::remark(Kind::kAnswersShifted, Severity::kWarning, *sheets_[i].rows.front(), "item",
+                                 "The answers of " + sheets_[i].who() + " fit those of the others far better with " +
+                                     what + " (correlation " + base::formatFixed(*best, 2) + " instead of " +
+                                     base::formatFixed(best_own, 2) + " there): typed in another order?"));
   }
 
   void checkOpposite(std::size_t i) {
@@ -167,9 +245,9 @@ class FormChecks {
   }
 
   /// Whether the answers fit the items before or after far better than their own.
-  void checkShifted(std::size_t i) {
+  bool checkShifted(std::size_t i) {
     const auto own = agreement(i, 0);
-    if (!own) return;
+    if (!own) return false;
     for (const int shift : {1, -1}) {
       const auto r = agreement(i, shift);
       if (!r || *r < kShifted || *r < *own + kShiftedBetter) continue;
@@ -178,8 +256,9 @@ class FormChecks {
                                        (shift > 0 ? "after" : "before") + " (correlation " + base::formatFixed(*r, 2) +
                                        ") far better than of the same item (" + base::formatFixed(*own, 2) +
                                        "): shifted by a row?"));
-      return;
+      return true;
     }
+    return false;
   }
 
   static std::optional<double> correlation(const std::vector<std::pair<double, double>>& pairs) {

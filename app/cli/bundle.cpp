@@ -5,6 +5,7 @@
 #include "app/cli/commands.h"
 #include "app/version.h"
 #include "core/base/clock.h"
+#include "core/base/files/sha256.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/model_io/model_file.h"
@@ -22,12 +23,13 @@ std::string asText(const std::string& folder, const bundle::Bundle& made) {
     }
     text += '\n';
   }
-  return text;
+  return text + "  fingerprint " + base::sha256(made.files.back().second) + '\n';
 }
 
 std::string asJson(const std::string& folder, const bundle::Bundle& made) {
   base::JsonWriter json;
   json.beginObject().key("bundle").value(folder).key("warnings").values(made.warnings);
+  json.key("fingerprint").value(base::sha256(made.files.back().second));
   json.key("manifest").raw(model_io::formatManifest(made.manifest)).endObject();
   return json.text();
 }

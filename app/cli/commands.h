@@ -158,6 +158,7 @@ base::Result<Output> bundle(const BundleOptions& options);
 
 struct VerifyOptions {
   std::string folder;
+  std::string expect;  ///< the fingerprint that the sender told; empty: any
   bool json = false;
 };
 /// Reads a bundle back. A file that is missing, altered or beyond its tolerance is a failure.

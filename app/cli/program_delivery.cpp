@@ -20,6 +20,9 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
              [](CLI::App& command, VerifyOptions& o) {
                command.add_option("DIR", o.folder, "Folder of the bundle")->required()->check(notEmpty());
+               command
+                   .add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
+                   ->check(notEmpty());
                addJson(command, o.json);
              });
   addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,

@@ -1,14 +1,21 @@
+#include <filesystem>
+
 #include "app/bundle/verify_bundle.h"
 #include "app/cli/commands.h"
 #include "app/version.h"
+#include "core/base/files/file.h"
+#include "core/base/files/sha256.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {
 namespace {
 
-std::string asText(const std::string& folder, const model_io::BundleCheck& bundle) {
-  std::string text = base::oneLine(folder) + ": " + (bundle.ok() ? "verified" : "not verified") + '\n';
+constexpr std::size_t kMostManifestBytes = std::size_t{64} << 20U;
+
+std::string asText(const std::string& folder, const model_io::BundleCheck& bundle, const std::string& fingerprint) {
+  std::string text = base::oneLine(folder) + ": " + (bundle.ok() ? "verified" : "not verified") + "\n  fingerprint " +
+                     fingerprint + '\n';
   for (const model_io::FileCheck& check : bundle.files) {
     text += std::string(check.ok ? "  ok     " : "  wrong  ") + base::oneLine(check.file.path);
     if (check.file.promise) {
@@ -21,9 +28,10 @@ std::string asText(const std::string& folder, const model_io::BundleCheck& bundl
   return text;
 }
 
-std::string asJson(const std::string& folder, const model_io::BundleCheck& bundle) {
+std::string asJson(const std::string& folder, const model_io::BundleCheck& bundle, const std::string& fingerprint) {
   base::JsonWriter json;
-  json.beginObject().key("bundle").value(folder).key("ok").value(bundle.ok()).key("files").beginArray();
+  json.beginObject().key("bundle").value(folder).key("ok").value(bundle.ok());
+  json.key("fingerprint").value(fingerprint).key("files").beginArray();
   for (const model_io::FileCheck& check : bundle.files) {
     json.beginObject().key("path").value(check.file.path).key("kind").value(check.file.kind);
     json.key("largest_error_n");
@@ -42,7 +50,17 @@ std::string asJson(const std::string& folder, const model_io::BundleCheck& bundl
 base::Result<Output> verify(const VerifyOptions& options) {
   const auto bundle = bundle::verifyBundle(options.folder, kGenerator);
   if (!bundle) return tl::unexpected(bundle.error());
-  Output output{options.json ? asJson(options.folder, *bundle) : asText(options.folder, *bundle), {}};
+  const std::string manifest = (std::filesystem::path(options.folder) / model_io::kManifestName).string();
+  const auto bytes = base::readFile(manifest, kMostManifestBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  const std::string fingerprint = base::sha256(*bytes);
+  Output output{
+      options.json ? asJson(options.folder, *bundle, fingerprint) : asText(options.folder, *bundle, fingerprint), {}};
+  if (!options.expect.empty() && base::lowered(options.expect) != fingerprint) {
+    output.failure = base::oneLine(manifest) + ": found the fingerprint " + fingerprint + ", wanted " +
+                     base::oneLine(options.expect);
+    return output;
+  }
   for (const model_io::FileCheck& check : bundle->files) {
     if (!check.ok && output.failure.empty()) output.failure = check.wrong;
   }

@@ -49,6 +49,9 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
   connect(&models, &ModelController::opened, this, [this, &window] {
     if (std::exchange(leads_to_bench_, false)) window.enter(Stage::kTune);
   });
+  connect(&study_models, &StudyModels::backOffered, this, [this, &window] {
+    if (std::exchange(leads_to_bench_, false)) window.enter(Stage::kTune);
+  });
   connect(&study_models, &StudyModels::failed, this, [this] { leads_to_bench_ = false; });
   screen_->watch(experts_.work(), tr("Comparing the weights"));
   screen_->watch(experts_.bands().work(), tr("Drawing participants again"));

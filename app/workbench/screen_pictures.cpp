@@ -48,6 +48,7 @@ base::Result<void> openStudy(Workbench& bench, const QString& path) {
   QObject::connect(&bench.study_models, &StudyModels::failed, &loop, fail);
   QObject::connect(&bench.study, &StudyConnection::opened, &loop, [&bench] { bench.study_models.buildModel(); });
   QObject::connect(&bench.study_models, &StudyModels::said, &loop, &QEventLoop::quit);
+  QObject::connect(&bench.study_models, &StudyModels::backOffered, &loop, &QEventLoop::quit);
   bench.files.open(path);
   loop.exec();
   return opened;

@@ -108,6 +108,9 @@ void StudyParts::connectAll() {
     if (isToRecord() && !study_models_.hasModel()) return;  // the model that is felt is open already
     study_.isReadOnly() && !study_models_.hasModel() ? showReadOnly({sentence, {}}) : note(sentence);
   });
+  connect(&study_models_, &StudyModels::backOffered, this, [this](const QString& sentence, const MessageAct& act) {
+    study_.isReadOnly() ? showReadOnly({sentence, act}) : window_.banner().showOffer(sentence, act);
+  });
   connect(&study_models_, &StudyModels::buildOffered, this, [this](const QString& sentence) {
     const MessageAct build{tr("Build the averaged model"), [this] { buildModel(); }};
     study_.isReadOnly() ? showReadOnly({sentence, build}) : window_.banner().showOffer(sentence, build);

@@ -1,6 +1,7 @@
 #include "app/workbench/study/study_models.h"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -35,6 +36,12 @@ std::shared_ptr<const fuzzy::ForceModel> modelOf(const editing::EditHistory& his
   auto model = history.modelOf(state);
   TACTUS_CHECK(model.has_value());  // a state leaves the memory only once it is stored
   return std::make_shared<const fuzzy::ForceModel>(std::move(*model));
+}
+
+// For a button.
+QString elided(const QString& name) {
+  constexpr qsizetype kMost = 32;
+  return name.size() <= kMost ? name : name.first(kMost - 1) + QChar(0x2026);
 }
 
 // Beside the study where that can be written to.
@@ -114,9 +121,11 @@ void StudyModels::buildModelWith(const elicitation::BuildSettings& settings) {
       const auto made = std::make_shared<Result<BuiltFromStudy>>(buildFromStudy(file, stamp, settings));
       return [this, made] {
         if (*made) {
-          show(std::move((*made)->history));
+          const editing::EditHistory& built = (*made)->history;
+          const bool beside = putBeside(built.model(), built.labelOf(built.current()), (*made)->sentence);
+          if (!beside) show(std::move((*made)->history));
           review_.set(std::move((*made)->notes));
-          emit said((*made)->sentence);
+          if (!beside) emit said((*made)->sentence);
         } else {
           review_.begin(modelVersion());  // what is in the way stands there too
           emit failed(study_.path(), tr("No model was built. %1").arg(text(made->error().message())), {});
@@ -205,6 +214,27 @@ void StudyModels::show(editing::EditHistory history) {
   events_ordered_ = 0;
   storeEvents();
   emit savedChanged();
+}
+
+// A study has one history: a model that is built anew is its next state, and what was tuned stays in sight. Returns
+// false where there is no history to put it into, or one of other inputs.
+bool StudyModels::putBeside(const fuzzy::ForceModel& built, const std::string& label, const QString& sentence) {
+  if (!keepsModel() || !edits_.isOpen()) return false;
+  const auto& inputs = edits_.model().inputs;
+  const bool same = std::equal(inputs.begin(), inputs.end(), built.inputs.begin(), built.inputs.end(),
+                               [](const fuzzy::Variable& a, const fuzzy::Variable& b) { return a.id == b.id; });
+  if (!same) return false;
+  edits_.commit();
+  const editing::StateId before = edits_.history().current();
+  const QString name = harmless(text(edits_.history().labelOf(before)));
+  if (!edits_.apply(editing::finished(built, label))) return false;
+  if (edits_.history().current() == before) {
+    emit said(tr("%1 It is the model that is open already.").arg(sentence));
+    return true;
+  }
+  emit backOffered(tr("%1 What was open before stays in the history.").arg(sentence),
+                   {tr("Back to %1").arg(elided(name)), [this, before] { edits_.returnTo(before); }});
+  return true;
 }
 
 void StudyModels::storeEvents() {

@@ -62,6 +62,8 @@ class StudyModels : public QObject, private StudyKeeper {
   void said(const QString& sentence);
   /// The study has no model, but answers: one sentence, beside which `buildModel` is offered.
   void buildOffered(const QString& sentence);
+  /// A model was built beside the one that was open, which stays in the history: one sentence, and the way back.
+  void backOffered(const QString& sentence, const tactus::workbench::MessageAct& act);
   /// `savedText`, `keepsModel` or the state of the connection changed.
   void savedChanged();
   void notesChanged();
@@ -75,6 +77,7 @@ class StudyModels : public QObject, private StudyKeeper {
 
   void adopt(ModelInStudy& model);
   void show(editing::EditHistory history);
+  bool putBeside(const fuzzy::ForceModel& built, const std::string& label, const QString& sentence);
   void storeNow();
   void storeEvents();
   void moveOut();

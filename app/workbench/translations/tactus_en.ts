@@ -8479,6 +8479,18 @@ mean (SD)</source>
         <source>No model was built. %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>%1 It is the model that is open already.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 What was open before stays in the history.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Back to %1</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::StudyNoticeStrip</name>

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/base/files/sha256.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/app/cli/run_program.h"
@@ -35,6 +36,14 @@ TEST_F(DeliveryTest, ABundleIsWrittenAndVerified) {
   ASSERT_EQ(verified.status, 0) << verified.err;
   const Json result = Json::parse(verified.out);
   EXPECT_EQ(result["ok"], true);
+  // The fingerprint is that of the manifest, and the way to see that somebody wrote another one.
+  const std::string fingerprint = result["fingerprint"];
+  EXPECT_EQ(fingerprint, base::sha256(readText(out + "/manifest.json")));
+  EXPECT_NE(made.out.find(fingerprint), std::string::npos) << made.out;
+  EXPECT_EQ(ProgramRun({"verify", out, "--expect", fingerprint}).status, 0);
+  const ProgramRun other({"verify", out, "--expect", std::string(64, '0')});
+  EXPECT_EQ(other.status, 1);
+  EXPECT_NE(other.err.find("found the fingerprint " + fingerprint), std::string::npos) << other.err;
   for (const Json& file : result["files"]) {
     EXPECT_EQ(file["ok"], true) << file;
     EXPECT_TRUE(file.contains("path") && file.contains("largest_error_n") && file.contains("tolerance_n"));

@@ -1,5 +1,7 @@
 // Mistakes in judgements, answers, rules and participants are named.
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "app/session/known_forms.h"
@@ -15,6 +17,36 @@ void moveAnswers(Study& study, std::size_t rows) {
   eachAnswer(study, [&terms](Answer& row) { terms.push_back(row.term); });
   std::size_t next = rows;
   eachAnswer(study, [&terms, &next](Answer& row) { row.term = terms[next++ % terms.size()]; });
+}
+
+/// The answers of kWho for each level of `input` become those that they gave for the level that `levels` names.
+void exchangeLevels(Study& study, const std::string& input, const std::map<std::string, std::string>& levels) {
+  const auto items = knownForms().front().items;
+  std::map<int, std::string> terms;
+  eachAnswer(study, [&terms](Answer& row) { terms[row.item] = row.term; });
+  eachAnswer(study, [&](Answer& row) {
+    auto wanted = items[static_cast<std::size_t>(row.item - 1)].conditions;
+    for (auto& condition : wanted) {
+      if (condition.input == input && levels.contains(condition.term)) condition.term = levels.at(condition.term);
+    }
+    for (const auto& item : items) {
+      if (item.conditions == wanted) row.term = terms.at(item.number);
+    }
+  });
+}
+
+/// The levels of an input in the order of the form, each with the one at the mirrored place.
+std::map<std::string, std::string> mirrored(const std::string& input) {
+  std::vector<std::string> levels;
+  for (const auto& item : knownForms().front().items) {
+    for (const auto& condition : item.conditions) {
+      if (condition.input == input && std::find(levels.begin(), levels.end(), condition.term) == levels.end())
+        levels.push_back(condition.term);
+    }
+  }
+  std::map<std::string, std::string> out;
+  for (std::size_t k = 0; k < levels.size(); ++k) out[levels[k]] = levels[levels.size() - 1 - k];
+  return out;
 }
 
 /// Gives `who` the answers of `source` as rules.
@@ -129,6 +161,29 @@ std::vector<Mistake> answerMistakes() {
        "answers_copied"},
       {"AnswersOneRowUp", [](Study& study) { moveAnswers(study, 1); }, "answers_shifted"},
       {"AnswersOneRowDown", [](Study& study) { moveAnswers(study, 44); }, "answers_shifted"},
+      {"RegionsExchanged",
+       [](Study& study) {
+         exchangeLevels(study, "depth", {{"nasopharynx", "oropharynx"}, {"oropharynx", "nasopharynx"}});
+       },
+       "answers_shifted"},
+      // The regions of these studies are alike from both ends, so all participants get a slope first.
+      {"RegionsInReverseOrder",
+       [](Study& study) {
+         const auto items = knownForms().front().items;
+         for (auto& answer : study.answers) {
+           for (const auto& condition : items[static_cast<std::size_t>(answer.item - 1)].conditions) {
+             if (condition.term == "nasal_cavity" || condition.term == "nasopharynx") answer.term = "very_small";
+             if (condition.term == "esophagus") answer.term = "large";
+           }
+         }
+         exchangeLevels(study, "depth", mirrored("depth"));
+       },
+       "answers_shifted"},
+      {"LubricationWordsExchanged",
+       [](Study& study) {
+         exchangeLevels(study, "lubrication", {{"poor", "well"}, {"well", "poor"}});
+       },
+       "answers_shifted"},
       {"AnswersSorted",
        [](Study& study) {
          std::vector<std::string> terms;

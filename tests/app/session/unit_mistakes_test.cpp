@@ -54,14 +54,16 @@ std::vector<Mistake> unitMistakes() {
            if (row.level == "fast") row.speed_mm_s *= 0.1;
          });
        },
-       "speed_unit", Severity::kRefused},
+       "speed_unit"},
       {"OneStrokeInCmPerS",
        [](Study& study) {
          eachSample(study, [](SpeedSample& row) {
            if (row.level == "slow" && row.stroke == 2) row.speed_mm_s *= 0.1;
          });
        },
-       "speed_unit", Severity::kRefused},
+       "speed_unit"},
+      {"AConstantAddedToTheSpeeds",
+       [](Study& study) { eachSample(study, [](SpeedSample& row) { row.speed_mm_s += 12; }); }, "speed_against_depth"},
       {"ForcesInMn", [](Study& study) { eachJudgement(study, [](ForceJudgement& row) { row.force_n *= 1000; }); },
        "force_unit", Severity::kRefused},
       {"ForcesInGrams",
@@ -75,6 +77,18 @@ std::vector<Mistake> unitMistakes() {
 class UnitMistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(UnitMistakes, AreNamedOnceAtTheParticipantWhoHasThem) { expectNamedOnce(GetParam()); }
+
+// 25 samples in 125 ms: minutes and cm would fit as well, but no other stroke says so.
+TEST(UnitFindings, OneShortStrokeIsNoReasonToRefuse) {
+  Study study = support::tableStudy(1);
+  removeRows<SpeedSample>(study.speeds, [](const SpeedSample& row) { return row.level == "fast" && row.stroke == 2; });
+  const auto line = study.speeds.back().line;
+  for (int i = 0; i < 25; ++i) {
+    SpeedSample row{kWho, "fast", 2, i * 0.125 / 24, 20 + i * 0.125 / 24 * 20, 20, line};
+    study.speeds.push_back(row);
+  }
+  EXPECT_TRUE(study::refuseData(dataFindings(study)));
+}
 
 INSTANTIATE_TEST_SUITE_P(Units, UnitMistakes, testing::ValuesIn(unitMistakes()), nameOf);
 

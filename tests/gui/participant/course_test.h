@@ -17,6 +17,8 @@ namespace tactus::workbench {
 inline ParticipantPlan shortPlan() {
   ParticipantPlan plan;
   plan.seed = 5;
+  // The device in virtual time stands for one whose forces are felt; nothing is scored on the virtual one.
+  plan.device = QStringLiteral("hid:stands-for-a-device");
   plan.settings.speed.levels = {"slow"};
   plan.settings.speed.practice = 1;
   plan.settings.speed.strokes = 2;

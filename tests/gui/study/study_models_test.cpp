@@ -203,8 +203,26 @@ TEST_F(StudyModelsTest, AnswersWithoutAModelGiveTheAveragedOneWhenItIsAskedFor) 
   EXPECT_EQ(models.current()->model.experts[0].id, "velvet-otter");
   EXPECT_EQ(study->people().size(), 2U);
   ASSERT_TRUE(allWritten());
+  // What is tuned stays in sight when the model is built anew, and the way back is a button.
+  const auto state_of = [this] { return edits.history().current(); };
+  fuzzy::ForceModel tuned = edits.model();
+  tuned.default_force_n = 0.125;
+  ASSERT_TRUE(edits.apply(editing::finished(tuned, "my tuned version")));
+  const auto before = state_of();
+  std::optional<MessageAct> back;
+  QObject::connect(kept.get(), &StudyModels::backOffered, [&](const QString&, const MessageAct& act) { back = act; });
+  kept->buildModel();
+  ASSERT_TRUE(comesTrue([&] { return back.has_value(); })) << failed.toStdString();
+  EXPECT_EQ(edits.history().states().size(), 3U);
+  EXPECT_EQ(edits.model().default_force_n, 0);
+  EXPECT_EQ(edits.history().states()[state_of()].parent, before);
+  EXPECT_EQ(back->text, QStringLiteral("Back to my tuned version"));
+  back->run();
+  EXPECT_EQ(state_of(), before);
+  EXPECT_EQ(edits.model().default_force_n, 0.125);
+  ASSERT_TRUE(allWritten());
   end();
-  ASSERT_EQ(versions().size(), 1U);
+  ASSERT_EQ(versions().size(), 4U);
   EXPECT_TRUE(versions()[0].label.starts_with("opened: Built from the study")) << versions()[0].label;
 }
 
