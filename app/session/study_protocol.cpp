@@ -30,6 +30,9 @@ Result<void> validateLanguages(const StudyProtocol& protocol) {
     if (std::count(protocol.languages.begin(), protocol.languages.end(), language) > 1) {
       return fail(ErrorCode::kValue, place, "twice", "each language once");
     }
+    if (std::find(kScreenLanguages.begin(), kScreenLanguages.end(), language) == kScreenLanguages.end()) {
+      return fail(ErrorCode::kReference, place, "no screens in it", "one of en, zh-Hant, zh-Hans");
+    }
     if (has(protocol.settings, Block::kForm) && std::find(known.begin(), known.end(), language) == known.end()) {
       return fail(ErrorCode::kReference, place, "no wording of " + base::quoted(protocol.settings.form),
                   "one of " + base::joined(known, ", "));

@@ -1,6 +1,7 @@
 // The study's protocol: what each participant is asked, and its text in the study file.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -13,6 +14,9 @@
 #include "core/store/protocols.h"
 
 namespace tactus::session {
+
+/// The languages in which the participant's screens are written.
+inline constexpr std::array<std::string_view, 3> kScreenLanguages = {"en", "zh-Hant", "zh-Hans"};
 
 /// The device that the forces are meant for. The defaults are those of a Touch.
 struct ProtocolDevice {
@@ -30,8 +34,8 @@ struct StudyProtocol {
   ProtocolDevice device;
 };
 
-/// Refuses, with one sentence: invalid settings, a language that the form lacks or that stands twice, no consent
-/// version, a language without a consent text, forces that the device cannot hold.
+/// Refuses, with one sentence: invalid settings, a language that the screens or the form lack or that stands twice, no
+/// consent version, a language without a consent text, forces that the device cannot hold.
 base::Result<void> validate(const StudyProtocol& protocol);
 
 /// A JSON object on one line.

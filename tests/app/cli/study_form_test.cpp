@@ -47,8 +47,8 @@ TEST_F(StudyFormTest, InEnglishWithoutAProtocol) {
 TEST_F(StudyFormTest, InTheLanguagesOfTheProtocol) {
   const std::string consent = folder_.file("consent.txt");
   writeText(consent, "I agree.");
-  const ProgramRun set({"study", "protocol", study_, "--set", "languages=en,de", "--set", "consent_version=1",
-                        "--consent", "en=" + consent, "--consent", "de=" + consent, "--author", "Test"});
+  const ProgramRun set({"study", "protocol", study_, "--set", "languages=en,zh-Hant", "--set", "consent_version=1",
+                        "--consent", "en=" + consent, "--consent", "zh-Hant=" + consent, "--author", "Test"});
   ASSERT_EQ(set.status, 0) << set.err;
   const FormJson redcap = FormJson::parse(form("redcap").out);
   EXPECT_EQ(redcap["files"].size(), 4U);

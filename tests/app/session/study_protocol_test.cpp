@@ -57,7 +57,13 @@ TEST(StudyProtocol, IsRefusedWithTheReason) {
   EXPECT_NE(refusal(protocol).find("found twice"), std::string::npos);
   protocol = good();
   protocol.languages = {"fi"};
-  EXPECT_NE(refusal(protocol).find("no wording of 'ngt-force-v1'"), std::string::npos);
+  EXPECT_EQ(refusal(protocol), "language 'fi': found no screens in it, wanted one of en, zh-Hant, zh-Hans");
+  // A form may be worded in more languages than the screens.
+  protocol = good();
+  protocol.languages = {"de"};
+  protocol.consent["de"] = "Text";
+  protocol.settings.blocks = {Block::kSpeed, Block::kForce};
+  EXPECT_NE(refusal(protocol).find("no screens in it"), std::string::npos);
   protocol = good();
   protocol.settings.force.ladder.highest_n = 2.5;
   EXPECT_EQ(refusal(protocol), "ladder.highest_n: found 2.5 N, wanted at most 2 N, the force cap of the device");
