@@ -181,7 +181,10 @@ void SessionProxy::open(Opening opening) {
   room_ = room;
   snapshot_.reset();
   unanswered_ = moving_on_ = 0;  // what is still on its way for another room is not waited for
-  study_.beforeClosing([room] { room->session.reset(); });
+  // It must not keep the room: a study may stay open for the sessions of months.
+  study_.beforeClosing([its = std::weak_ptr(room)] {
+    if (const auto still = its.lock()) still->session.reset();
+  });
   send(room, Asks::kNext, [opening = std::move(opening)](Room& its, store::StudyFile& file) -> Result<void> {
     session::SessionTools tools{[at = &its] { return at->now; }, study::RecordIds()};
     auto session = opening(file, std::move(tools));
