@@ -8,8 +8,10 @@
 
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/screens/about_you_screen.h"
 #include "app/workbench/participant/screens/force_screen.h"
 #include "app/workbench/participant/screens/question_screen.h"
+#include "app/workbench/participant/screens/scale_screen.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -174,6 +176,105 @@ TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
   QTest::keyClick(&screen, Qt::Key_Return);
   EXPECT_EQ(picks.count(), 4);
   EXPECT_EQ(confirms.count(), 1);
+}
+
+/// The pixels of the answers of `screen` in `state`, on a screen that nobody has touched.
+template <class Screen, class State>
+QImage untouched(const Look& look, const State& state) {
+  Screen screen(look);
+  screen.resize(1280, 720);
+  screen.setState(state);
+  screen.setVisible(true);
+  return screen.grab().toImage();
+}
+
+Button* buttonOf(const QWidget& screen, const QString& text) {
+  for (auto* button : screen.findChildren<Button*>()) {
+    if (button->text() == text) return button;
+  }
+  return nullptr;
+}
+
+AnswerCard* cardOf(QWidget& screen, const char* id) {
+  for (auto* card : screen.findChildren<AnswerCard*>()) {
+    if (card->id() == QLatin1String(id)) return card;
+  }
+  return nullptr;
+}
+
+/// What the controller does: the answer is shown, and confirming brings the next question, without one.
+template <class Screen, class State>
+class AnsweredScreen {
+ public:
+  AnsweredScreen(const Look& look, const State& first, const State& next) : screen(look), now_(first) {
+    QObject::connect(&screen, &Screen::picked, &screen, [this](const QString& id) {
+      now_.chosen = id;
+      screen.setState(now_);
+    });
+    QObject::connect(&screen, &Screen::confirmed, &screen, [this, next] {
+      now_ = next;
+      screen.setState(now_);
+    });
+    screen.resize(1280, 720);
+    screen.setState(now_);
+    screen.setVisible(true);
+    screen.activateWindow();
+    EXPECT_TRUE(QTest::qWaitForWindowActive(&screen));
+  }
+
+  Screen screen;
+
+ private:
+  State now_;
+};
+
+QuestionState item(int number) {
+  QuestionState state;
+  state.part = state.parts = 3;
+  state.number = number;
+  state.count = 45;
+  state.condition = QStringLiteral("lubrication");
+  state.term = QStringLiteral("poor");
+  state.region = QStringLiteral("oropharynx");
+  return state;
+}
+
+TEST_F(NurseKit, AfterAnAnswerByMouseNoCardOfTheNextQuestionStandsOut) {
+  AnsweredScreen<QuestionScreen, QuestionState> question(look, item(7), item(8));
+  QTest::mouseClick(cardOf(question.screen, "large"), Qt::LeftButton);
+  EXPECT_NE(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(7)))) << "the choice is seen";
+  QTest::mouseClick(buttonOf(question.screen, QStringLiteral("Confirm")), Qt::LeftButton);
+  EXPECT_EQ(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(8))));
+
+  ScaleState effort;
+  effort.title = effort.sentence = plain(QStringLiteral("Effort"));
+  ScaleState comfort = effort;
+  comfort.sentence = plain(QStringLiteral("Comfort"));
+  AnsweredScreen<ScaleScreen, ScaleState> scale(look, effort, comfort);
+  QTest::mouseClick(cardOf(scale.screen, "6"), Qt::LeftButton);
+  QTest::mouseClick(buttonOf(scale.screen, QStringLiteral("Confirm")), Qt::LeftButton);
+  EXPECT_EQ(scale.screen.grab().toImage(), (untouched<ScaleScreen>(look, comfort)));
+
+  AboutYouState years;
+  AboutYouState hand;
+  hand.question = AboutQuestion::kHand;
+  AnsweredScreen<AboutYouScreen, AboutYouState> about(look, years, hand);
+  QTest::mouseClick(cardOf(about.screen, "years_2"), Qt::LeftButton);
+  QTest::mouseClick(buttonOf(about.screen, QStringLiteral("Next")), Qt::LeftButton);
+  EXPECT_EQ(about.screen.grab().toImage(), (untouched<AboutYouScreen>(look, hand)));
+}
+
+TEST_F(NurseKit, WhoMovesByKeysSeesTheRingAndTheNextQuestionBeginsWithoutIt) {
+  AnsweredScreen<QuestionScreen, QuestionState> question(look, item(7), item(8));
+  AnswerCard* const card = cardOf(question.screen, "very_small");
+  for (int presses = 0; !card->hasFocus() && presses < 10; ++presses) {
+    QTest::keyClick(question.screen.window()->focusWidget(), Qt::Key_Tab);
+  }
+  ASSERT_TRUE(card->hasFocus());
+  EXPECT_NE(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(7)))) << "the ring is seen";
+  QTest::keyClick(card, Qt::Key_Space);
+  QTest::keyClick(card, Qt::Key_Return);
+  EXPECT_EQ(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(8))));
 }
 
 }  // namespace

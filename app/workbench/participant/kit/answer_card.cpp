@@ -113,7 +113,7 @@ void AnswerCard::paintEvent(QPaintEvent* /*event*/) {
     painter.setPen(Qt::white);
     drawTick(painter, badge, tick / 8);
   }
-  if (hasFocus() || lit_) drawRing(painter, face, corner);
+  if (isRinged(*this) || lit_) drawRing(painter, face, corner);
 }
 
 }  // namespace tactus::workbench::nurse

@@ -42,6 +42,8 @@ void Button::setPhrase(const Phrase& text) {
 void Button::waitFor(const std::optional<Phrase>& reason) {
   if (reason == reason_) return;
   reason_ = reason;
+  // Qt would hand the keyboard of a disabled button to a neighbour.
+  if (reason) giveKeyboardBack(*this);
   setEnabled(!reason);
   follow();
 }
@@ -118,7 +120,7 @@ void Button::paintEvent(QPaintEvent* /*event*/) {
   painter.setPen(plain ? colors::kInk : QColor(Qt::white));
   const double padding = look_.mm(kButtonPaddingMm);
   painter.drawText(face.adjusted(padding / 2, 0, -padding / 2, 0), kButtonTextFlags, text());
-  if (hasFocus()) drawRing(painter, face, corner);
+  if (isRinged(*this)) drawRing(painter, face, corner);
 }
 
 }  // namespace tactus::workbench::nurse

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/workbench/participant/kit/ring.h"
+
 namespace tactus::workbench::nurse {
 namespace {
 
@@ -43,6 +45,7 @@ void Choices::setAnswers(std::vector<Answer> answers) {
   const bool same = std::equal(answers.begin(), answers.end(), cards_.begin(), cards_.end(),
                                [](const Answer& answer, const AnswerCard* card) { return answer.id == card->id(); });
   if (same) return;
+  giveKeyboardBack(*this);
   qDeleteAll(cards_);
   cards_.clear();
   const auto on_scale = static_cast<int>(
@@ -60,6 +63,7 @@ void Choices::setAnswers(std::vector<Answer> answers) {
 }
 
 void Choices::choose(const QString& id) {
+  if (id != chosen()) giveKeyboardBack(*this);
   for (AnswerCard* card : cards_) {
     if (card->isChecked() == (card->id() == id)) continue;
     card->setAutoExclusive(false);

@@ -1,9 +1,10 @@
-// The ring around what has the keyboard, and the room that every control leaves for it.
+// The ring around what the keyboard has reached, and the room that every control leaves for it.
 #pragma once
 
 #include <QRectF>
 
 class QPainter;
+class QWidget;
 
 namespace tactus::workbench::nurse {
 
@@ -14,6 +15,15 @@ inline constexpr int kRingRoom = 6;
 inline QRectF faceOf(const QSizeF& size) {
   return QRectF(QPointF(), size).adjusted(kRingRoom, kRingRoom, -kRingRoom, -kRingRoom);
 }
+
+/// Whether `control` has the keyboard and somebody moves it there by keys: after Tab or an arrow in its window, until a
+/// press of the mouse, of a finger or of a pen. Whoever never moves by keys sees no ring, which would look like a
+/// choice.
+bool isRinged(const QWidget& control);
+
+/// Gives the keyboard of `within`, or of a part of it, back to its screen. A next question begins so: the card that was
+/// chosen before must not stand out.
+void giveKeyboardBack(const QWidget& within);
 
 void drawRing(QPainter& painter, const QRectF& face, double corner_radius);
 

@@ -91,7 +91,7 @@ void ReviewCell::paintEvent(QPaintEvent* /*event*/) {
   painter.setFont(look_.font());
   painter.setPen(colors::kInk);
   painter.drawText(text_area, (level > 0 ? Qt::AlignLeft : Qt::AlignHCenter) | Qt::AlignVCenter, text());
-  if (hasFocus()) drawRing(painter, face, corner);
+  if (isRinged(*this)) drawRing(painter, face, corner);
 }
 
 }  // namespace tactus::workbench::nurse
