@@ -310,14 +310,43 @@ class FormChecks {
   std::vector<DataFinding> out_;
 };
 
+/// Whether all were asked the same: two wordings of a form are two questions.
+std::optional<DataFinding> mixedWordings(std::span<const Answer> answers, const std::string& form) {
+  std::map<std::string, std::vector<std::string>> people;  // by wording; empty: not known
+  const Answer* first = nullptr;
+  for (const Answer& answer : answers) {
+    if (answer.form != form || answer.status != Answer::Status::kAnswered) continue;
+    auto& asked = people[answer.wording];
+    if (std::find(asked.begin(), asked.end(), answer.participant) == asked.end()) asked.push_back(answer.participant);
+    if (first == nullptr) first = &answer;
+  }
+  const std::size_t known = people.size() - people.count({});
+  if (people.size() < 2) return std::nullopt;
+  std::vector<std::string> parts;
+  for (const auto& [wording, codes] : people) {
+    if (!wording.empty()) parts.push_back(base::quoted(wording) + " (" + base::joined(codes, ", ") + ")");
+  }
+  if (const auto it = people.find({}); it != people.end())
+    parts.push_back("words that are not known (" + base::joined(it->second, ", ") + ")");
+  const std::string asked = base::joined(parts, ", ");
+  DataFinding mixed;
+  mixed.kind = Kind::kWordingsMixed;
+  mixed.severity = known > 1 ? Severity::kWarning : Severity::kNote;
+  mixed.cell = study::cellOf(*first, "wording");
+  mixed.sentence = "The form " + base::quoted(form) + " was asked in " + asked +
+                   (known > 1 ? ": these are two questions; compare the models of each group before they are averaged."
+                              : "; give the column `wording` where it is known.");
+  return mixed;
+}
+
 }  // namespace
 
 std::vector<DataFinding> answerFindings(std::span<const Answer> answers, std::span<const study::Form> forms) {
   std::vector<DataFinding> out;
   for (const auto& form : forms) {
     if (form.items.empty()) continue;
-    auto own = FormChecks(form).check(answers);
-    out.insert(out.end(), std::make_move_iterator(own.begin()), std::make_move_iterator(own.end()));
+    study::append(out, FormChecks(form).check(answers));
+    if (auto mixed = mixedWordings(answers, form.id)) out.push_back(std::move(*mixed));
   }
   return out;
 }

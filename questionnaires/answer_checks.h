@@ -14,6 +14,7 @@ namespace tactus::questionnaires {
 /// - nine tenths of the answers are one term;
 /// - a pattern of two, four or five answers repeats;
 /// - the answers are opposite to the mean of at least two other participants (correlation below -0.5);
+/// - a form was asked in two wordings, or in one beside answers of which it is not known (any number of answers);
 /// - in 19 of 20 items the answers equal those of another participant, or differ by one term in the same direction.
 std::vector<study::DataFinding> answerFindings(std::span<const study::Answer> answers,
                                                std::span<const study::Form> forms);

@@ -58,7 +58,7 @@ std::string contents(const Survey& survey) {
 
 std::string limeSurveyLanguage(std::string_view language) {
   if (language == "zh-Hant") return "zh-Hant-TW";
-  return std::string(language.substr(0, language.find("-x-")));
+  return std::string(language);
 }
 
 std::string limeSurveyStructure(std::span<const Survey> languages) {

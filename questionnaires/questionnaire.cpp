@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/text.h"
 #include "questionnaires/embedded_data.h"
 #include "questionnaires/form_file.h"
 
@@ -16,30 +17,32 @@ using base::fail;
 using base::Result;
 
 constexpr std::string_view kPrinted = "en";
+constexpr std::string_view kPlain = "plain";
 constexpr std::string_view kForceForm = "ngt-force-v1";
 constexpr std::string_view kUsabilityForm = "usability-v1";
 
-/// A wording that the program carries.
+/// Words that the program carries, besides those of the paper in English, which are the form itself.
 struct CarriedWording {
   std::string_view form;
+  std::string_view wording;
   std::string_view language;
   std::string_view (*text)();
 };
 
 constexpr std::array kCarried = {
-    CarriedWording{kForceForm, "en-x-plain", &ngtForcePlainWordingJson},
-    CarriedWording{kForceForm, "de", &ngtForceGermanWordingJson},
-    CarriedWording{kForceForm, "zh-Hant", &ngtForceTraditionalChineseWordingJson},
-    CarriedWording{kForceForm, "zh-Hans", &ngtForceSimplifiedChineseWordingJson},
-    CarriedWording{kUsabilityForm, "de", &usabilityGermanWordingJson},
-    CarriedWording{kUsabilityForm, "zh-Hant", &usabilityTraditionalChineseWordingJson},
-    CarriedWording{kUsabilityForm, "zh-Hans", &usabilitySimplifiedChineseWordingJson},
+    CarriedWording{kForceForm, kPlain, "en", &ngtForcePlainWordingJson},
+    CarriedWording{kForceForm, kPlain, "de", &ngtForceGermanWordingJson},
+    CarriedWording{kForceForm, kPlain, "zh-Hant", &ngtForceTraditionalChineseWordingJson},
+    CarriedWording{kForceForm, kPlain, "zh-Hans", &ngtForceSimplifiedChineseWordingJson},
+    CarriedWording{kUsabilityForm, kPublishedWording, "de", &usabilityGermanWordingJson},
+    CarriedWording{kUsabilityForm, kPublishedWording, "zh-Hant", &usabilityTraditionalChineseWordingJson},
+    CarriedWording{kUsabilityForm, kPublishedWording, "zh-Hans", &usabilitySimplifiedChineseWordingJson},
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const auto& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
+Wording parsed(const CarriedWording& carried) {
+  auto wording = parseWording(carried.text(), "wording in " + std::string(carried.language));
+  TACTUS_CHECK(wording.has_value());
+  return std::move(*wording);
 }
 
 Result<Questionnaire> framed(const std::string& form, int version, const Wording& wording) {
@@ -48,7 +51,8 @@ Result<Questionnaire> framed(const std::string& form, int version, const Wording
                 base::quoted(wording.form) + " version " + std::to_string(wording.version),
                 base::quoted(form) + " version " + std::to_string(version));
   }
-  return Questionnaire{form, version, wording.language, wording.title, wording.instructions, wording.remark, {}, {}};
+  return Questionnaire{
+      form, version, wording.wording, wording.language, wording.title, wording.instructions, wording.remark, {}, {}};
 }
 
 tl::unexpected<base::Error> noWords(const Wording& wording, const std::string& what) {
@@ -73,14 +77,16 @@ const Choice* Questionnaire::choice(std::string_view value) const {
 }
 
 Questionnaire asPrinted(const study::Form& form) {
-  Questionnaire printed{form.id, form.version, std::string(kPrinted), form.title, {}, {}, {}, {}};
+  Questionnaire printed{
+      form.id, form.version, std::string(kPublishedWording), std::string(kPrinted), form.title, {}, {}, {}, {}};
   for (const auto& answer : form.answers) printed.choices.push_back({answer.term, answer.word});
   for (const auto& item : form.items) printed.questions.push_back({item.number, item.text});
   return printed;
 }
 
 Questionnaire asPrinted(const ScaleForm& form) {
-  Questionnaire printed{form.id, form.version, std::string(kPrinted), form.title, {}, {}, {}, {}};
+  Questionnaire printed{
+      form.id, form.version, std::string(kPublishedWording), std::string(kPrinted), form.title, {}, {}, {}, {}};
   printed.choices = scaleChoices(form, form.low, form.high);
   for (const auto& item : form.items) printed.questions.push_back({item.number, item.text});
   return printed;
@@ -120,30 +126,52 @@ Result<Questionnaire> inWords(const ScaleForm& form, const Wording& wording) {
 
 std::vector<std::string> questionnaireIds() { return {std::string(kForceForm), std::string(kUsabilityForm)}; }
 
-std::vector<std::string> languagesOf(std::string_view form) {
+std::vector<std::string> wordingsOf(std::string_view form) {
+  if (form == kForceForm) return {std::string(kPlain), std::string(kPublishedWording)};
+  if (form == kUsabilityForm) return {std::string(kPublishedWording)};
+  return {};
+}
+
+std::vector<std::string> languagesOf(std::string_view form, std::string_view wording) {
+  const auto wordings = wordingsOf(form);
+  if (wordings.empty()) return {};
+  if (wording.empty()) wording = wordings.front();
   std::vector<std::string> languages;
-  if (form == kForceForm || form == kUsabilityForm) languages.emplace_back(kPrinted);
+  if (wording == kPublishedWording) languages.emplace_back(kPrinted);
   for (const auto& carried : kCarried) {
-    if (carried.form == form) languages.emplace_back(carried.language);
+    if (carried.form == form && carried.wording == wording) languages.emplace_back(carried.language);
   }
   return languages;
 }
 
-Result<Questionnaire> questionnaire(std::string_view form, std::string_view language) {
-  const auto languages = languagesOf(form);
-  if (languages.empty()) {
-    return fail(ErrorCode::kReference, "form", base::quoted(form), "one of " + joined(questionnaireIds()));
+Result<Questionnaire> questionnaire(std::string_view form, std::string_view language, std::string_view wording) {
+  const auto wordings = wordingsOf(form);
+  if (wordings.empty()) {
+    return fail(ErrorCode::kReference, "form", base::quoted(form), "one of " + base::joined(questionnaireIds(), ", "));
+  }
+  if (wording.empty()) wording = wordings.front();
+  if (std::find(wordings.begin(), wordings.end(), wording) == wordings.end()) {
+    return fail(ErrorCode::kReference, "wording of " + base::quoted(form), base::quoted(wording),
+                "one of " + base::joined(wordings, ", "));
   }
   const bool is_force = form == kForceForm;
-  if (language == kPrinted) return is_force ? asPrinted(ngtForceForm()) : asPrinted(usabilityForm());
   for (const auto& carried : kCarried) {
-    if (carried.form != form || carried.language != language) continue;
-    const auto wording = parseWording(carried.text(), "wording in " + std::string(language));
-    TACTUS_CHECK(wording.has_value());
-    return is_force ? inWords(ngtForceForm(), *wording) : inWords(usabilityForm(), *wording);
+    if (carried.form != form || carried.wording != wording || carried.language != language) continue;
+    return is_force ? inWords(ngtForceForm(), parsed(carried)) : inWords(usabilityForm(), parsed(carried));
   }
-  return fail(ErrorCode::kReference, "language of " + base::quoted(form), base::quoted(language),
-              "one of " + joined(languages));
+  if (wording == kPublishedWording && language == kPrinted) {
+    return is_force ? asPrinted(ngtForceForm()) : asPrinted(usabilityForm());
+  }
+  return fail(ErrorCode::kReference, "language of " + base::quoted(form) + " in the wording " + base::quoted(wording),
+              base::quoted(language), "one of " + base::joined(languagesOf(form, wording), ", "));
+}
+
+Result<Wording> plainForceWording(std::string_view language) {
+  for (const auto& carried : kCarried) {
+    if (carried.form == kForceForm && carried.wording == kPlain && carried.language == language) return parsed(carried);
+  }
+  return fail(ErrorCode::kReference, "language of " + base::quoted(kForceForm), base::quoted(language),
+              "one of " + base::joined(languagesOf(kForceForm, kPlain), ", "));
 }
 
 }  // namespace tactus::questionnaires

@@ -29,8 +29,9 @@ struct Question {
 };
 
 struct Questionnaire {
-  std::string form;  ///< form id
-  int version = 1;   ///< of the form
+  std::string form;     ///< form id
+  int version = 1;      ///< of the form
+  std::string wording;  ///< id of the words
   std::string language;
   std::string title;
   std::string instructions;  ///< may be empty
@@ -44,7 +45,10 @@ struct Questionnaire {
   const Choice* choice(std::string_view value) const;
 };
 
-/// `form` in its original wording, in the language `en`.
+/// Id of the paper's own words.
+inline constexpr std::string_view kPublishedWording = "published";
+
+/// `form` in the paper's words, in the language `en`.
 Questionnaire asPrinted(const study::Form& form);
 Questionnaire asPrinted(const ScaleForm& form);
 
@@ -56,11 +60,20 @@ base::Result<Questionnaire> inWords(const ScaleForm& form, const Wording& wordin
 /// The ids of the forms to fill in: `ngt-force-v1` (Table A1), `usability-v1` (paper, Section 5.4).
 std::vector<std::string> questionnaireIds();
 
-/// The embedded languages of a form. The first is `en`, the paper's wording.
-std::vector<std::string> languagesOf(std::string_view form);
+/// The ids of the embedded wordings of a form, first the one in which it is asked where nobody says otherwise: `plain`,
+/// `published`. Empty for an unknown form.
+std::vector<std::string> wordingsOf(std::string_view form);
 
-/// An embedded form in one of its languages. For an unknown form or language returns an error with the list of known
-/// ones.
-base::Result<Questionnaire> questionnaire(std::string_view form, std::string_view language);
+/// The languages of one of a form's wordings; an empty `wording` is the form's first. `en` comes first.
+std::vector<std::string> languagesOf(std::string_view form, std::string_view wording = {});
+
+/// An embedded form in one of its wordings and languages; an empty `wording` is the form's first. So the screens, paper
+/// and each survey system ask the same. For an unknown form, wording or language returns an error with the list of
+/// known ones.
+base::Result<Questionnaire> questionnaire(std::string_view form, std::string_view language,
+                                          std::string_view wording = {});
+
+/// The plain words of `ngt-force-v1` in `language`, for screens that show condition, region and question apart.
+base::Result<Wording> plainForceWording(std::string_view language);
 
 }  // namespace tactus::questionnaires

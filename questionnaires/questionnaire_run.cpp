@@ -59,6 +59,7 @@ Result<study::AnswerRecord> QuestionnaireRun::draft(const Reply& reply) const {
   record.position = static_cast<int>(open->position);
   record.status = reply.status;
   record.value = reply.value;
+  record.wording = form_.wording;
   return record;
 }
 

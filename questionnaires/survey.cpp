@@ -16,9 +16,8 @@ struct SurveyWords {
   std::string_view cannot_tell;
 };
 
-constexpr std::array<SurveyWords, 5> kWords = {{
+constexpr std::array<SurveyWords, 4> kWords = {{
     {"en", "Participant code", "I can't tell"},
-    {"en-x-plain", "Participant code", "I can't tell"},
     {"de", "Code der teilnehmenden Person", "Kann ich nicht sagen"},
     {"zh-Hant", "參加者代碼", "我無法判斷"},
     {"zh-Hans", "参加者代码", "我无法判断"},
@@ -34,11 +33,11 @@ std::string numbered(std::string_view letter, std::size_t number) {
   return std::string(letter) + (number < 10 ? "0" : "") + std::to_string(number);
 }
 
-/// `ngt_force` for `ngt-force-v1`.
-std::string nameOf(std::string_view form) {
+/// `ngt_force` for `ngt-force-v1`; another wording than the usual one is named, so that two are never taken for one.
+std::string nameOf(std::string_view form, const std::string& wording) {
   std::string name(form.substr(0, form.rfind("-v")));
   std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return wording == wordingsOf(form).front() ? name : name + '_' + wording;
 }
 
 /// Terms count from the smallest force; points of a scale are codes already.
@@ -56,20 +55,14 @@ std::vector<SurveyChoice> choicesOf(const Questionnaire& words, bool scale) {
 
 }  // namespace
 
-base::Result<Survey> survey(std::string_view form, std::string_view language) {
-  const auto words = questionnaire(form, language);
+base::Result<Survey> survey(std::string_view form, std::string_view language, std::string_view wording) {
+  const auto words = questionnaire(form, language, wording);
   if (!words) return tl::unexpected(words.error());
   const study::Form rules = ngtForceForm();
   const bool scale = rules.id != form;
-  Survey out{words->form,
-             words->version,
-             nameOf(form),
-             words->language,
-             words->title,
-             words->instructions,
-             std::string(wordsIn(language).code),
-             choicesOf(*words, scale),
-             {}};
+  Survey out{
+      words->form,  words->version,      nameOf(form, words->wording),        words->wording,           words->language,
+      words->title, words->instructions, std::string(wordsIn(language).code), choicesOf(*words, scale), {}};
   std::vector<study::ItemCondition> common;  // to all fields of the last matrix
   for (const Question& question : words->questions) {
     SurveyField field{numbered("q", static_cast<std::size_t>(question.number)), question.number, question.text, {}};

@@ -35,7 +35,8 @@ struct SurveyMatrix {
 struct Survey {
   std::string form;  ///< form id
   int version = 1;
-  std::string name;  ///< of files and instruments: a to z, 0 to 9, `_`
+  std::string name;     ///< of files and instruments: a to z, 0 to 9, `_`; `ngt_force`, `ngt_force_published`
+  std::string wording;  ///< id of the words
   std::string language;
   std::string title;
   std::string instructions;  ///< may be empty
@@ -44,8 +45,9 @@ struct Survey {
   std::vector<SurveyMatrix> matrices;
 };
 
-/// The embedded form `form` in `language`. Returns an error for an unknown form or language.
-base::Result<Survey> survey(std::string_view form, std::string_view language);
+/// The embedded form `form` in `language`; `wording` as for `questionnaire`. Returns an error for an unknown form,
+/// language or wording.
+base::Result<Survey> survey(std::string_view form, std::string_view language, std::string_view wording = {});
 
 /// Two tables that lead from responses back to answers: `field,form,item` and one column per input; `code,term,status`.
 std::string fieldTable(const Survey& survey);

@@ -13,7 +13,7 @@ namespace tactus::questionnaires {
 /// The 18 columns are those of REDCap 13.
 std::string redcapDictionary(const Survey& survey);
 
-/// The code under which LimeSurvey knows a language: `zh-Hant-TW` for `zh-Hant`, `en` for `en-x-plain`.
+/// The code under which LimeSurvey knows a language: `zh-Hant-TW` for `zh-Hant`, otherwise the same.
 std::string limeSurveyLanguage(std::string_view language);
 
 /// A survey structure for LimeSurvey (tab-separated), the first language as its base. All are of one form.

@@ -42,6 +42,7 @@ Wording readWording(JsonMembers& json, std::optional<base::Error>& error) {
   json.format("tactus-form-wording");
   json.text(required("form"), wording.form);
   json.text(required("language"), wording.language);
+  json.text(required("wording"), wording.wording);
   json.text(required("title"), wording.title);
   json.text(required("instructions"), wording.instructions);
   json.integer(required("form_version"), wording.version, kWordingNumbers);

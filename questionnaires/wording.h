@@ -1,4 +1,4 @@
-// A form's wording in another language, or in plainer words of the same one. Data, never code.
+// A form's wording: in another language, or in plainer words than the paper's. Data, never code.
 #pragma once
 
 #include <optional>
@@ -29,6 +29,8 @@ struct Wording {
 
   std::string form;  ///< form id
   int version = 1;   ///< of the form
+  /// Id of the words, the same in all languages into which they are put: `plain`; `published`, those of the paper.
+  std::string wording;
   std::string language;
   std::string title;
   std::string instructions;

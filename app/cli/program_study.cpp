@@ -76,6 +76,11 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                auto* const to = command.add_option("--to", o.to, "What it is for; no default")
                                     ->check(oneOf({"redcap", "limesurvey", "print"}));
                command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+               command
+                   .add_option("--wording", o.wording,
+                               "The words of the items: plain, as on the screens, or published, those of the paper; "
+                               "default: plain, and of responses not known")
+                   ->check(oneOf({"plain", "published"}));
                auto* const responses = command
                                            .add_option("--responses", o.responses,
                                                        "Table of answers that a survey system exported; no default")

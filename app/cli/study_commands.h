@@ -63,6 +63,7 @@ struct StudyFormOptions {
   std::string study;                 ///< a study file, or a folder with CSV tables, which has no protocol
   std::string to;                    ///< `redcap`, `limesurvey`, `print`; empty: `responses` are read
   std::string out;                   ///< folder
+  std::string wording;               ///< `plain` or `published`; empty: the form's usual one, of responses not known
   std::string responses;             ///< CSV table that a survey system exported
   std::string participants;          ///< CSV table `record,participant`; empty: the record ids are the codes
   std::vector<std::string> missing;  ///< cells of the responses that mean no answer

@@ -1,7 +1,7 @@
 // `tactus study form`: the questionnaire of a study for survey systems, and on paper; the way back:
 // study_responses.cpp.
+#include <algorithm>
 #include <filesystem>
-#include <set>
 #include <utility>
 
 #include "app/cli/study_commands.h"
@@ -39,29 +39,39 @@ base::Result<AskedForm> askedForm(const std::string& path) {
   return AskedForm{protocol.settings.form, protocol.languages, std::move(notices)};
 }
 
-base::Result<std::vector<Survey>> surveysOf(const AskedForm& asked) {
+/// The form in the languages of the study in which it has these words. Says which it has not.
+base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string& wording) {
+  const auto known = questionnaires::languagesOf(asked.form, wording);
   std::vector<Survey> out;
+  std::vector<std::string> without;
   for (const std::string& language : asked.languages) {
-    auto one = questionnaires::survey(asked.form, language);
+    if (!wording.empty() && std::find(known.begin(), known.end(), language) == known.end()) {
+      without.push_back(language);
+      continue;
+    }
+    auto one = questionnaires::survey(asked.form, language, wording);
     if (!one) return tl::unexpected(one.error());
     out.push_back(std::move(*one));
   }
+  if (out.empty()) {
+    return base::fail(
+        base::ErrorCode::kReference, "--wording", base::quoted(wording) + " in " + base::joined(without, ", "),
+        known.empty() ? "a wording of " + base::quoted(asked.form) : "a study in " + base::joined(known, " or "));
+  }
+  if (!without.empty())
+    asked.notices.push_back("not written in " + base::joined(without, ", ") + ": the wording " + base::quoted(wording) +
+                            " is there in " + base::joined(known, ", ") + " only");
+  asked.languages.clear();
+  for (const Survey& survey : out) asked.languages.push_back(survey.language);
   return out;
 }
 
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
-base::Result<NamedFiles> filesFor(const std::string& to, const std::vector<Survey>& surveys) {
+NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
   NamedFiles out;
   const std::string& name = surveys.front().name;
   if (to == "limesurvey") {
-    std::set<std::string> codes;
-    for (const Survey& survey : surveys) {
-      const std::string code = questionnaires::limeSurveyLanguage(survey.language);
-      if (codes.insert(code).second) continue;
-      return base::fail(base::ErrorCode::kValue, "--to limesurvey", "two wordings that LimeSurvey calls " + code,
-                        "one wording for each language in the protocol");
-    }
     out.emplace_back(name + ".txt", questionnaires::limeSurveyStructure(surveys));
   } else {
     for (const Survey& survey : surveys) {
@@ -83,13 +93,12 @@ base::Result<Output> studyForm(const StudyFormOptions& options) {
   auto asked = askedForm(options.study);
   if (!asked) return tl::unexpected(asked.error());
   if (!options.responses.empty()) return studyResponses(options, asked->form, std::move(asked->notices));
-  const auto surveys = surveysOf(*asked);
+  const auto surveys = surveysOf(*asked, options.wording);
   if (!surveys) return base::inFile(surveys.error(), options.study);
-  const auto files = filesFor(options.to, *surveys);
-  if (!files) return tl::unexpected(files.error());
+  const NamedFiles files = filesFor(options.to, *surveys);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
   std::vector<std::string> paths;
-  for (const auto& [name, text] : *files) {
+  for (const auto& [name, text] : files) {
     paths.push_back(options.out + "/" + name);
     if (const auto written = base::writeFileAtomically(paths.back(), text); !written)
       return tl::unexpected(written.error());
@@ -105,6 +114,7 @@ base::Result<Output> studyForm(const StudyFormOptions& options) {
   }
   base::JsonWriter json;
   json.beginObject().key("study").value(options.study).key("form").value(asked->form);
+  json.key("wording").value(surveys->front().wording);
   json.key("languages").values(asked->languages).key("files").values(paths).key("warnings").values(warnings);
   return Output{json.endObject().text(), std::move(warnings)};
 }

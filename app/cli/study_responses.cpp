@@ -51,15 +51,26 @@ Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const std::
   settings.participants = std::move(*participants);
   settings.missing = options.missing;
   std::vector<questionnaires::Survey> languages;
-  for (const std::string& language : questionnaires::languagesOf(form)) {
-    auto one = questionnaires::survey(form, language);
-    if (!one) return tl::unexpected(one.error());
-    languages.push_back(std::move(*one));
+  for (const std::string& wording : questionnaires::wordingsOf(form)) {
+    if (!options.wording.empty() && wording != options.wording) continue;
+    for (const std::string& language : questionnaires::languagesOf(form, wording)) {
+      auto one = questionnaires::survey(form, language, wording);
+      if (!one) return tl::unexpected(one.error());
+      languages.push_back(std::move(*one));
+    }
+  }
+  if (languages.empty()) {
+    return base::fail(base::ErrorCode::kReference, "--wording", base::quoted(options.wording),
+                      "one of " + base::joined(questionnaires::wordingsOf(form), ", "));
   }
   const auto table = base::CsvTable::read(options.responses);
   if (!table) return tl::unexpected(table.error());
   auto out = questionnaires::surveyResponses(*table, languages, settings);
-  if (out && table->note()) out->notes.insert(out->notes.begin(), *table->note());
+  if (!out) return out;
+  for (study::Answer& answer : out->answers) answer.wording = options.wording;
+  if (options.wording.empty() && questionnaires::wordingsOf(form).size() > 1)
+    out->notes.push_back("in which words the items were asked is not known; --wording plain or published says it");
+  if (table->note()) out->notes.insert(out->notes.begin(), *table->note());
   return out;
 }
 

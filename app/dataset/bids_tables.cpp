@@ -109,7 +109,7 @@ std::string itemColumn(int item) { return (item < 10 ? "q0" : "q") + std::to_str
 /// Of one form: the value of each participant's item.
 using FormAnswers = std::map<std::string, std::map<int, std::string>>;
 
-std::string formSidecar(const std::string& form, const std::vector<int>& items) {
+std::string formSidecar(const std::string& form, const std::vector<int>& items, bool worded) {
   const auto words = questionnaires::questionnaire(form, "en");
   Levels levels;
   if (words) {
@@ -131,6 +131,10 @@ std::string formSidecar(const std::string& form, const std::vector<int>& items) 
     }
     sidecar.column(itemColumn(item), text, levels);
   }
+  if (worded) {
+    sidecar.column("wording", "The words in which the participant was asked",
+                   {{"plain", "as in the descriptions here"}, {"published", "as in the paper's Table A1"}});
+  }
   return sidecar.text();
 }
 
@@ -145,10 +149,12 @@ void writeBehavior(const PublishedStudy& published, FileSet& files) {
 
 void writePhenotype(const PublishedStudy& published, FileSet& files) {
   std::map<std::string, FormAnswers> forms;
+  std::map<std::string, std::map<std::string, std::string>> wordings;  // of a form, by participant
   for (const auto& answer : published.study().answers) {
     const bool is_answered = answer.status == study::Answer::Status::kAnswered;
     forms[answer.form][answer.participant][answer.item] =
         is_answered ? answer.term : std::string(study::statusText(answer.status));
+    if (!answer.wording.empty()) wordings[answer.form][answer.participant] = answer.wording;
   }
   std::set<std::string> taken;
   for (const auto& [form, answers] : forms) {
@@ -160,17 +166,20 @@ void writePhenotype(const PublishedStudy& published, FileSet& files) {
     items.erase(std::unique(items.begin(), items.end()), items.end());
     std::vector<std::string> columns = {"participant_id"};
     for (const int item : items) columns.push_back(itemColumn(item));
+    const bool worded = wordings.contains(form);
+    if (worded) columns.emplace_back("wording");
     TsvWriter table(columns);
     for (const auto& participant : published.study().participants) {
       const auto found = answers.find(participant.code);
       const std::map<int, std::string> values = found == answers.end() ? std::map<int, std::string>() : found->second;
       std::vector<std::string> cells = {subject(participant.code)};
       for (const int item : items) cells.push_back(values.contains(item) ? values.at(item) : std::string());
+      if (worded) cells.push_back(wordings.at(form)[participant.code]);
       table.row(cells);
     }
     const std::string path = "phenotype/" + tableName(form, taken);
     files.add(path + ".tsv", table.text());
-    files.add(path + ".json", formSidecar(form, items));
+    files.add(path + ".json", formSidecar(form, items, worded));
   }
 }
 

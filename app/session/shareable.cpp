@@ -12,6 +12,7 @@
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "elicitation/variables/ngt_variables.h"
+#include "questionnaires/questionnaire.h"
 
 namespace tactus::session {
 namespace {
@@ -129,6 +130,10 @@ ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {
   startAtZero(out.study.speeds);
   out.study.judgements = renamer.renamed(study.judgements);
   out.study.answers = renamer.renamed(study.answers);
+  for (auto& answer : out.study.answers) {
+    const auto known = questionnaires::wordingsOf(answer.form);
+    if (std::find(known.begin(), known.end(), answer.wording) == known.end()) answer.wording.clear();
+  }
   out.study.rules = renamer.renamed(study.rules);
   return out;
 }

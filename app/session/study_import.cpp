@@ -130,6 +130,7 @@ void addAnswer(const study::Answer& answer, Rows& rows) {
   record.item = answer.item;
   record.status = answer.status;
   record.value = answer.term;
+  record.wording = answer.wording;
   Digest(rows.text) << "answer" << record.form << record.item << static_cast<int>(record.status) << record.value;
   rows.answers.push_back(std::move(record));
 }

@@ -228,6 +228,7 @@ class StudyReader {
       out.item = answer.item;
       out.term = std::move(answer.value);
       out.status = answer.status;
+      out.wording = std::move(answer.wording);
       view_.study.answers.push_back(std::move(out));
       view_.answer_ids.push_back(answer.entry.id);
     }

@@ -113,7 +113,7 @@ void putColumns(Query& query, const study::AnswerRecord& record) {
   query.put(plainName(record.form, "form")).put(record.form_version).put(record.item).put(record.position);
   const bool is_number = base::parseNumber(record.value).has_value();  // on a rating scale
   query.put(wordFor(record.status)).put(is_number ? record.value : plainName(record.value, "answer"));
-  query.put(record.response_s);
+  query.put(record.response_s).put(plainName(record.wording, "wording"));
 }
 void takeColumns(Query& query, study::AnswerRecord& record) {
   record.form = query.text();
@@ -123,6 +123,7 @@ void takeColumns(Query& query, study::AnswerRecord& record) {
   record.status = fromWord<study::Answer::Status>(query.text());
   record.value = query.text();
   record.response_s = query.number();
+  record.wording = query.text();
 }
 
 void putColumns(Query& query, const study::RatingRecord& record) {

@@ -39,7 +39,7 @@ inline constexpr EntryTable kEntryTable<study::JudgementRecord>{
     "forward_mm, forward_speed_mm_s, response_s, delivered_share"};
 template <>
 inline constexpr EntryTable kEntryTable<study::AnswerRecord>{
-    "answer", "form, form_version, item, position, status, value, response_s"};
+    "answer", "form, form_version, item, position, status, value, response_s, wording"};
 template <>
 inline constexpr EntryTable kEntryTable<study::RatingRecord>{"rating", "block, effort, comfort"};
 template <>

@@ -183,7 +183,9 @@ std::vector<RecordTable> makeTables() {
        {"position", Kind::kInteger, "", "Place in the order in which the items were shown, from 1"},
        {"status", Kind::kText, "", "answered, skipped, cant_tell or cleared (answered, then taken back)"},
        {"value", Kind::kText, "", "Id of a term, or a number on a rating scale; empty unless answered", "", true},
-       {"response_s", Kind::kNumber, "s", "From showing the item to the answer"}}));
+       {"response_s", Kind::kNumber, "s", "From showing the item to the answer"},
+       {"wording", Kind::kText, "", "Id of the words in which the item was asked: plain, published; empty: not known",
+        "", true, 5}}));
   tables.push_back(entryTable("rating", "ratings.csv", "How a participant felt after a block",
                               {{"block", Kind::kText, "", "speed, force, questionnaire, …"},
                                {"effort", Kind::kInteger, "", "1 (none) to 7 (very much)"},

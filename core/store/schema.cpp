@@ -16,6 +16,8 @@ std::string_view tablesOfVersion3();
 std::string_view guardsOfVersion3();
 std::string_view tablesOfVersion4();
 std::string_view guardsOfVersion4();
+std::string_view tablesOfVersion5();
+std::string_view guardsOfVersion5();
 
 std::span<const Migration> schemaSteps() {
   static const std::vector<Migration> steps = {
@@ -23,6 +25,7 @@ std::span<const Migration> schemaSteps() {
       {2, std::string(tablesOfVersion2()) + std::string(guardsOfVersion2()) + std::string(viewsOfVersion2())},
       {3, std::string(tablesOfVersion3()) + std::string(guardsOfVersion3())},
       {4, std::string(tablesOfVersion4()) + std::string(guardsOfVersion4())},
+      {5, std::string(tablesOfVersion5()) + std::string(guardsOfVersion5())},
   };
   return steps;
 }

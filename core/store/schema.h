@@ -16,6 +16,7 @@ std::span<const Migration> schemaSteps();
 std::string_view readingVersion1();
 std::string_view readingVersion2();
 std::string_view readingVersion3();
+std::string_view readingVersion4();
 std::string viewsForReading();
 
 }  // namespace tactus::store

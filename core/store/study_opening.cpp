@@ -178,6 +178,7 @@ void readAsNewest(Connection& connection, int version) {
   if (version == 1) connection.database().exec(std::string(readingVersion1()));
   if (version == 2) connection.database().exec(std::string(readingVersion2()));
   if (version <= 3) connection.database().exec(std::string(readingVersion3()));
+  if (version >= 2 && version <= 4) connection.database().exec(std::string(readingVersion4()));
   connection.database().exec(viewsForReading());
   connection.database().exec("PRAGMA query_only = ON");
 }

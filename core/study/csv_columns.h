@@ -12,15 +12,18 @@ inline constexpr std::array<std::string_view, 6> kSpeedColumns = {"participant",
                                                                   "time_s",      "depth_mm", "speed_mm_s"};
 inline constexpr std::array<std::string_view, 5> kJudgementColumns = {"participant", "series", "step", "force_n",
                                                                       "term"};
-inline constexpr std::array<std::string_view, 5> kAnswerColumns = {"participant", "form", "item", "term", "status"};
+/// `wording` is written only where one is known.
+inline constexpr std::array<std::string_view, 6> kAnswerColumns = {"participant", "form",   "item",
+                                                                   "term",        "status", "wording"};
 /// rules.csv also has one column per input and optionally `form`.
 inline constexpr std::array<std::string_view, 3> kRuleColumns = {"participant", "then", "weight"};
 
-/// Columns that may be absent, and the meaning of their absence. rules.csv may lack some input columns, but not all.
+/// Columns that may be absent, and the meaning of their absence; empty: as usual, and nothing is said of it. rules.csv
+/// may lack some input columns, but not all.
 struct OptionalColumn {
   std::string_view table, column, meaning;
 };
-inline constexpr std::array<OptionalColumn, 8> kOptionalColumns = {{
+inline constexpr std::array<OptionalColumn, 9> kOptionalColumns = {{
     {"participants.csv", "years_experience", "not known"},
     {"participants.csv", "category", "not known"},
     {"participants.csv", "handedness", "not known"},
@@ -28,6 +31,7 @@ inline constexpr std::array<OptionalColumn, 8> kOptionalColumns = {{
     {"participants.csv", "simulated", "the data count as given by persons"},
     {"judgements.csv", "series", "all judgements count as 'ascending'"},
     {"answers.csv", "status", "an item with a term counts as answered, others as skipped"},
+    {"answers.csv", "wording", ""},
     {"rules.csv", "weight", "each rule has the weight 1"},
 }};
 

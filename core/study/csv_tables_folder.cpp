@@ -120,7 +120,7 @@ class FolderReader {
     }
     std::vector<std::string> absent;
     for (const auto& optional : kOptionalColumns) {
-      if (optional.table != name || csv.find(optional.column)) continue;
+      if (optional.table != name || optional.meaning.empty() || csv.find(optional.column)) continue;
       absent.push_back(std::string(optional.column) + " (" + std::string(optional.meaning) + ")");
     }
     if (!absent.empty()) notes_.push_back(table + ": without the columns " + base::joined(absent, ", ") + ".");

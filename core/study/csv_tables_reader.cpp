@@ -275,6 +275,7 @@ Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
     answer.item = cells.integer(column[2]);
     answer.term = cells.term(column[3]);
     answer.status = statusOf(cells, column[4], !answer.term.empty());
+    answer.wording = cells.text(column[5]);
     const bool answered = answer.status == Answer::Status::kAnswered;
     if (answered && answer.term.empty()) {
       cells.refuse(column[3], ErrorCode::kValue, "a term, as the status is 'answered'");

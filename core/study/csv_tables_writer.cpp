@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "core/base/files/file.h"
+#include "core/study/csv_columns.h"
 #include "core/study/csv_tables.h"
 
 namespace tactus::study {
@@ -45,10 +46,15 @@ std::string judgementsText(const std::vector<ForceJudgement>& judgements) {
 }
 
 std::string answersText(const std::vector<Answer>& answers) {
-  CsvWriter csv({"participant", "form", "item", "term", "status"});
+  const bool worded = std::any_of(answers.begin(), answers.end(), [](const auto& one) { return !one.wording.empty(); });
+  std::vector<std::string> columns(kAnswerColumns.begin(), kAnswerColumns.end());
+  if (!worded) columns.pop_back();
+  CsvWriter csv{std::span<const std::string>(columns)};
   for (const auto& answer : answers) {
     csv.cell(answer.participant).cell(answer.form).cell(answer.item);
-    csv.cell(answer.term).cell(statusText(answer.status)).endRow();
+    csv.cell(answer.term).cell(statusText(answer.status));
+    if (worded) csv.cell(answer.wording);
+    csv.endRow();
   }
   return csv.text();
 }

@@ -70,6 +70,7 @@ constexpr std::array<std::string_view, kKinds> kNames = {"codes_alike",
                                                          "answers_reversed",
                                                          "answers_copied",
                                                          "answers_shifted",
+                                                         "wordings_mixed",
                                                          "one_consequent",
                                                          "rules_copied"};
 

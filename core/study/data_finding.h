@@ -81,6 +81,7 @@ struct DataFinding {
     kAnswersReversed,
     kAnswersCopied,
     kAnswersShifted,
+    kWordingsMixed,
     // rules
     kOneConsequent,
     kRulesCopied,

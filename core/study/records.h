@@ -64,6 +64,7 @@ struct Answer {
   std::string term;  ///< term id; empty unless answered
   Status status = Status::kSkipped;
   TableLine line = {};
+  std::string wording = {};  ///< id of the words in which the item was asked (questionnaires/); empty: not known
 
   bool operator==(const Answer&) const = default;
 };

@@ -166,6 +166,7 @@ struct AnswerRecord {
   Answer::Status status = Answer::Status::kSkipped;
   std::string value;      ///< a term id, or a number on a rating scale; empty unless answered
   double response_s = 0;  ///< from the display of the item to the answer
+  std::string wording;    ///< id of the words in which the item was asked; empty: not known
 
   bool operator==(const AnswerRecord&) const = default;
 };

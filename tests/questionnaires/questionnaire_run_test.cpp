@@ -12,7 +12,7 @@ namespace {
 using Status = study::Answer::Status;
 
 Questionnaire smallForm() {
-  Questionnaire form{"f", 1, "en", "t", {}, {}, {{"a", "A"}, {"b", "B"}}, {}};
+  Questionnaire form{"f", 1, "plain", "en", "t", {}, {}, {{"a", "A"}, {"b", "B"}}, {}};
   for (int number = 1; number <= 4; ++number) form.questions.push_back({number, "q" + std::to_string(number)});
   return form;
 }

@@ -36,8 +36,9 @@ TEST(Questionnaire, EveryFormComesInEachOfItsLanguages) {
 }
 
 TEST(Questionnaire, ThePrintedFormHasThePapersWords) {
-  const auto form = questionnaire("ngt-force-v1", "en");
+  const auto form = questionnaire("ngt-force-v1", "en", "published");
   ASSERT_TRUE(form.has_value());
+  EXPECT_EQ(form->wording, "published");
   EXPECT_EQ(form->questions[0].text,
             "IF Tube Lubrication IS Poor AND Tube Tip Position IS in Nasal Cavity, THEN Force Change IS:");
   ASSERT_EQ(form->choices.size(), 5U);
@@ -45,8 +46,9 @@ TEST(Questionnaire, ThePrintedFormHasThePapersWords) {
 }
 
 TEST(Questionnaire, PlainWordsSayTheSameCondition) {
-  const auto form = questionnaire("ngt-force-v1", "en-x-plain");
+  const auto form = questionnaire("ngt-force-v1", "en");
   ASSERT_TRUE(form.has_value());
+  EXPECT_EQ(form->wording, "plain");
   EXPECT_EQ(form->questions[0].text,
             "The tube is poorly lubricated. The tip of the tube is in the nasal cavity. How large is the force?");
   ASSERT_NE(form->choice("medium"), nullptr);
@@ -110,10 +112,15 @@ TEST(Questionnaire, UnknownOnesAreRefusedWithTheKnown) {
   ASSERT_FALSE(language.has_value());
   EXPECT_NE(language.error().message().find("en, de"), std::string::npos) << language.error().message();
   EXPECT_TRUE(languagesOf("other").empty());
+  EXPECT_EQ(languagesOf("ngt-force-v1", "published"), std::vector<std::string>{"en"});
+  for (const auto& unknown :
+       {questionnaire("ngt-force-v1", "en", "plainer"), questionnaire("usability-v1", "en", "plain")})
+    EXPECT_FALSE(unknown.has_value());
+  EXPECT_FALSE(questionnaire("ngt-force-v1", "zh-Hant", "published").has_value());
 }
 
 constexpr std::string_view kHalfAWording = R"({"format": "tactus-form-wording", "form": "ngt-force-v1",
-  "form_version": 1, "language": "xx", "title": "t", "instructions": "i", "question": "?",
+  "form_version": 1, "wording": "plain", "language": "xx", "title": "t", "instructions": "i", "question": "?",
   "phrases": {"lubrication": {"poor": "P."}, "depth": {"nasal_cavity": "N."}},
   "answers": {"very_small": "1", "small": "2", "medium": "3", "large": "4", "very_large": "5"}})";
 
@@ -147,7 +154,7 @@ TEST(Wording, BrokenFilesAreRefusedWithTheirPlace) {
   refused(R"({"format": "tactus-form"})", "tactus-form-wording");
   refused(R"({"format": "tactus-form-wording", "form": "f"})", "'language'");
   const std::string head =
-      R"({"format": "tactus-form-wording", "form": "f", "form_version": 1, "language": "l", "title": "t", "instructions": "i")";
+      R"({"format": "tactus-form-wording", "form": "f", "form_version": 1, "wording": "plain", "language": "l", "title": "t", "instructions": "i")";
   refused(head + "}", "'phrases'");
   refused(head + R"(, "items": [{"number": 1, "text": "a"}]})", "'answers'");
   refused(head + R"(, "items": [{"number": 1, "text": "a"}, {"number": 1, "text": "b"}], "answers": {}})",

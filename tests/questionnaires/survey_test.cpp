@@ -65,6 +65,15 @@ TEST(SurveyForm, NineTablesOfFiveItems) {
   EXPECT_EQ(form.matrices[8].fields[4].name, "q45");
 }
 
+TEST(SurveyForm, TwoWordingsHaveTwoNames) {
+  EXPECT_EQ(forceSurvey().wording, "plain");
+  EXPECT_NE(forceSurvey().matrices[0].fields[0].text.find("How large is the force?"), std::string::npos);
+  const auto published = survey("ngt-force-v1", "en", "published");
+  ASSERT_TRUE(published.has_value());
+  EXPECT_EQ(published->name, "ngt_force_published");
+  EXPECT_NE(published->matrices[0].fields[0].text.find("THEN Force Change IS"), std::string::npos);
+}
+
 TEST(SurveyForm, CodesLeadBackToTerms) {
   const auto codes = tableOf(codeTable(forceSurvey()));
   ASSERT_EQ(codes.rowCount(), 6U);
@@ -136,8 +145,12 @@ TEST(SurveyForm, RedcapRows) {
     EXPECT_EQ(table.cell(46, 15), "m09");
   }
   const auto table = tableOf(redcapDictionary(forceSurvey()));
-  EXPECT_EQ(table.cell(2, 5), "1, Very Small | 2, Small | 3, Medium | 4, Large | 5, Very Large | 9, I can't tell");
-  EXPECT_EQ(table.cell(2, 4), ngtForceForm().items[0].text);
+  EXPECT_EQ(table.cell(2, 5), "1, Very small | 2, Small | 3, Medium | 4, Large | 5, Very large | 9, I can't tell");
+  EXPECT_EQ(table.cell(2, 4),
+            "The tube is poorly lubricated. The tip of the tube is in the nasal cavity. How large is the force?");
+  const auto published = tableOf(redcapDictionary(*survey("ngt-force-v1", "en", "published")));
+  EXPECT_EQ(published.cell(2, 5), "1, Very Small | 2, Small | 3, Medium | 4, Large | 5, Very Large | 9, I can't tell");
+  EXPECT_EQ(published.cell(2, 4), ngtForceForm().items[0].text);
 }
 
 TEST(SurveyForm, LimeSurveyStructureInTwoLanguages) {

@@ -9,7 +9,11 @@ CREATE TEMP VIEW profile AS SELECT *, NULL AS crc32, '' AS comfort FROM main.pro
 CREATE TEMP VIEW event AS SELECT *, NULL AS crc32 FROM main.event;
 CREATE TEMP VIEW stroke AS SELECT *, NULL AS crc32 FROM main.stroke;
 CREATE TEMP VIEW judgement AS SELECT *, NULL AS crc32, NULL AS delivered_share FROM main.judgement;
-CREATE TEMP VIEW answer AS SELECT *, NULL AS crc32 FROM main.answer;
+CREATE TEMP VIEW answer AS
+SELECT *, NULL AS crc32,
+  CASE WHEN form = 'ngt-force-v1' AND session_id IN (SELECT s.id FROM main.session AS s WHERE s.kind <> 'import') THEN 'plain'
+    ELSE '' END AS wording
+FROM main.answer;
 CREATE TEMP VIEW rating AS SELECT *, NULL AS crc32 FROM main.rating;
 CREATE TEMP VIEW rule AS SELECT *, NULL AS crc32 FROM main.rule;
 CREATE TEMP VIEW recording AS SELECT *, NULL AS crc32 FROM main.recording;

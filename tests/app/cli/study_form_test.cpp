@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 
 #include "tests/app/cli/run_program.h"
@@ -42,6 +43,40 @@ TEST_F(StudyFormTest, InEnglishWithoutAProtocol) {
       {"study", "form", std::filesystem::path(study_).parent_path().string(), "--to", "print", "--out", out_});
   EXPECT_EQ(folder.status, 0) << folder.err;
   EXPECT_EQ(folder.out, out_ + "/ngt_force.en.html\n");
+}
+
+TEST_F(StudyFormTest, ThePublishedWordsHaveFilesOfTheirOwnAndAnswersKeepThem) {
+  const auto textOf = [&](const char* wording, const char* name) {
+    const ProgramRun run({"study", "form", study_, "--to", "redcap", "--wording", wording, "--out", out_});
+    EXPECT_EQ(run.status, 0) << run.err;
+    return base::readFile(out_ + "/" + name, 1 << 20).value_or("");
+  };
+  EXPECT_NE(textOf("plain", "ngt_force.en.csv").find("How large is the force?"), std::string::npos);
+  const std::string published = textOf("published", "ngt_force_published.en.csv");
+  EXPECT_NE(published.find("THEN Force Change IS"), std::string::npos);
+  EXPECT_EQ(published.find("How large is the force?"), std::string::npos);
+
+  std::string head = "record_id";
+  std::string row = "velvet-otter";
+  for (int item = 1; item <= 45; ++item) {
+    head += (item < 10 ? ",q0" : ",q") + std::to_string(item);
+    row += ",3";
+  }
+  writeText(folder_.file("responses.csv"), head + '\n' + row + '\n');
+  for (const std::string wording : {"", "published"}) {
+    const std::string answers = folder_.file("answers" + wording);
+    std::vector<std::string> words = {"study", "form", study_, "--responses", folder_.file("responses.csv"),
+                                      "--out", answers};
+    if (!wording.empty()) words.insert(words.end(), {"--wording", wording});
+    const ProgramRun run(words);
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_EQ(run.err.find("in which words the items were asked is not known") == std::string::npos, !wording.empty());
+    const auto table = base::CsvTable::read(answers + "/answers.csv");
+    ASSERT_TRUE(table.has_value());
+    EXPECT_EQ(table->find("wording").has_value(), !wording.empty());
+    if (wording.empty()) continue;
+    EXPECT_EQ(table->cell(0, *table->find("wording")), "published");
+  }
 }
 
 TEST_F(StudyFormTest, InTheLanguagesOfTheProtocol) {

@@ -242,6 +242,24 @@ class AnswerMistakes : public testing::TestWithParam<Mistake> {};
 
 TEST_P(AnswerMistakes, AreNamedOnceAtTheParticipantWhoHasThem) { expectNamedOnce(GetParam()); }
 
+// One form asked in two wordings is two questions.
+TEST(Wordings, ThoseOfTheOthersAreNamedOnce) {
+  const auto findingsFor = [](const std::string& others) {
+    Study study = support::tableStudy(1);
+    for (Answer& row : study.answers) row.wording = row.participant == kWho ? "plain" : others;
+    return dataFindings(study);
+  };
+  EXPECT_TRUE(findingsFor("plain").empty());
+  const auto mixed = findingsFor("published");
+  ASSERT_EQ(mixed.size(), 1U);
+  EXPECT_EQ(name(mixed[0].kind), "wordings_mixed");
+  EXPECT_EQ(mixed[0].severity, Severity::kWarning);
+  EXPECT_NE(mixed[0].sentence.find("'plain' (" + std::string(kWho) + ")"), std::string::npos) << mixed[0].sentence;
+  const auto unknown = findingsFor("");
+  ASSERT_EQ(unknown.size(), 1U);
+  EXPECT_EQ(unknown[0].severity, Severity::kNote);
+}
+
 INSTANTIATE_TEST_SUITE_P(Judgements, AnswerMistakes, testing::ValuesIn(judgementMistakes()), nameOf);
 INSTANTIATE_TEST_SUITE_P(Answers, AnswerMistakes, testing::ValuesIn(answerMistakes()), nameOf);
 

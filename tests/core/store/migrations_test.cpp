@@ -41,7 +41,8 @@ class Migrations : public testing::Test {
     std::vector<Migration> steps = {{1, "this must not run again"},
                                     {2, "this must not run again"},
                                     {3, "this must not run again"},
-                                    {4, "this must not run again"}};
+                                    {4, "this must not run again"},
+                                    {5, "this must not run again"}};
     for (const auto& sql : later) steps.push_back({static_cast<int>(steps.size()) + 1, sql});
     const auto done = migrateFile(path_, steps);
     return done ? "" : done.error().message();
@@ -50,9 +51,9 @@ class Migrations : public testing::Test {
   support::TempFolder folder_;
   SampleRecords records_;
   std::string path_ = folder_.file("study.tactus");
-  const std::string fifth_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
+  const std::string later_ = "ALTER TABLE answer ADD COLUMN certainty REAL";
   // The rebuild of a table, as SQLite's manual describes it for what ALTER cannot do.
-  const std::string sixth_ =
+  const std::string second_later_ =
       "CREATE TABLE person_new (id BLOB NOT NULL PRIMARY KEY, code TEXT NOT NULL, simulated INTEGER NOT NULL,"
       " note TEXT NOT NULL) STRICT, WITHOUT ROWID;"
       "INSERT INTO person_new SELECT id, code, simulated, '' FROM person;"
@@ -60,25 +61,25 @@ class Migrations : public testing::Test {
 };
 
 TEST_F(Migrations, EachStepRunsOnceInOrder) {
-  ASSERT_EQ(migrateTo({fifth_, sixth_}), "");
+  ASSERT_EQ(migrateTo({later_, second_later_}), "");
   {
     PlainSql sql(path_);
-    EXPECT_EQ(sql.number("PRAGMA user_version"), 6);
+    EXPECT_EQ(sql.number("PRAGMA user_version"), 7);
     EXPECT_EQ(sql.number("SELECT count(*) FROM answer WHERE certainty IS NULL"), 1);
     EXPECT_EQ(sql.text("SELECT code || note FROM person"), "velvet-otter");
     EXPECT_EQ(sql.lines("PRAGMA foreign_key_check"), "");
     EXPECT_NE(sql.complaint("UPDATE answer SET certainty = 1"), "");  // new columns are guarded too
   }
-  EXPECT_EQ(migrateTo({fifth_, sixth_}), "");
+  EXPECT_EQ(migrateTo({later_, second_later_}), "");
 }
 
 TEST_F(Migrations, ACopyIsMadeBeforeAndOnlyWhenNeeded) {
   ASSERT_EQ(migrateTo({}), "");
-  EXPECT_FALSE(fs::exists(path_ + ".before-v5"));
-  ASSERT_EQ(migrateTo({fifth_}), "");
-  const auto copy = StudyFile::open(path_ + ".before-v5");
+  EXPECT_FALSE(fs::exists(path_ + ".before-v6"));
+  ASSERT_EQ(migrateTo({later_}), "");
+  const auto copy = StudyFile::open(path_ + ".before-v6");
   ASSERT_TRUE(copy) << copy.error().message();
-  EXPECT_EQ(copy->version(), 4);
+  EXPECT_EQ(copy->version(), 5);
   EXPECT_EQ(answers(*copy)->size(), 1U);
 }
 
@@ -86,7 +87,7 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   std::string schema;
   schema = PlainSql(path_).lines(kSchema);
   const std::vector<std::pair<std::string, std::string>> failing = {
-      {fifth_ + "; SELECT nonsense FROM nowhere", "no such table"},
+      {later_ + "; SELECT nonsense FROM nowhere", "no such table"},
       {"INSERT INTO recording VALUES (1, randomblob(16), randomblob(16), 1000, 0, '', zeroblob(24), 0)",
        "found a row of recording without the row it belongs to"},
       {"UPDATE answer SET value = 'small'", "never changed"},
@@ -95,20 +96,20 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   for (const auto& [sql, complaint] : failing) {
     EXPECT_NE(migrateTo({sql}).find(complaint), std::string::npos) << migrateTo({sql});
     PlainSql plain(path_);
-    EXPECT_EQ(plain.number("PRAGMA user_version"), 4);
+    EXPECT_EQ(plain.number("PRAGMA user_version"), 5);
     EXPECT_EQ(plain.lines(kSchema), schema);
     EXPECT_EQ(plain.number("SELECT count(*) FROM answer WHERE value = 'very_large'"), 1);
-    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v5" : ".before-v5-" + std::to_string(copies))));
+    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v6" : ".before-v6-" + std::to_string(copies))));
   }
   const auto file = StudyFile::open(path_);
   ASSERT_TRUE(file) << file.error().message();
 }
 
 TEST_F(Migrations, TheStepsBeforeAFailingOneStay) {
-  EXPECT_NE(migrateTo({fifth_, "nonsense"}), "");
-  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 5);
-  ASSERT_EQ(migrateTo({fifth_, sixth_}), "");
+  EXPECT_NE(migrateTo({later_, "nonsense"}), "");
   EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 6);
+  ASSERT_EQ(migrateTo({later_, second_later_}), "");
+  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 7);
 }
 
 TEST_F(Migrations, OnlyOfStudies) {
@@ -163,7 +164,7 @@ TEST_P(Version1, IsReadInFull) {
   const auto findings = checkStudy(*file);
   ASSERT_TRUE(findings) << findings.error().message();
   EXPECT_TRUE(findings->empty());
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 4 : 1);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 1);
   EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
 }
 INSTANTIATE_TEST_SUITE_P(Both, Version1, testing::Values(Access::kReadWrite, Access::kReadOnly));
@@ -183,7 +184,7 @@ TEST_P(Version2, IsReadInFull) {
   EXPECT_FALSE(*hasResearchKey(*file));
   EXPECT_EQ(*checkStudy(*file),
             std::vector<std::string>{"incident: the journal was missing when the study was opened"});
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 4 : 2);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 2);
   EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
 }
 
@@ -206,7 +207,7 @@ TEST_P(Version3, IsReadInFull) {
   const support::TempFolder folder;
   const auto file = StudyFile::open(makeFixture(folder, "v3"), {GetParam(), {}});
   EXPECT_EQ(*depthMeasurement(*file), std::nullopt);
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 4 : 3);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 3);
   EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
   expectRecords(file);
   EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 3");
@@ -227,15 +228,64 @@ TEST_P(Version3, IsReadInFull) {
 
 INSTANTIATE_TEST_SUITE_P(Both, Version3, testing::Values(Access::kReadWrite, Access::kReadOnly));
 
-TEST(StoredVersions, Version4IsReadInFull) {
+class Version4 : public testing::TestWithParam<Access> {};
+
+TEST_P(Version4, IsReadInFull) {
   const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v4"));
+  const auto file = StudyFile::open(makeFixture(folder, "v4"), {GetParam(), {}});
   expectRecords(file);
+  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 4);
   EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 4");
+  EXPECT_EQ(answers(*file)->front().wording, "") << "of a form of others";
+  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
   const auto measured = depthMeasurement(*file);
   ASSERT_TRUE(measured && *measured);
   EXPECT_EQ((*measured)->text, R"({"mm_per_px":0.5})");
   EXPECT_EQ((*measured)->image, "\x89PNG") << "of the record before";
+  EXPECT_EQ(*checkStudy(*file),
+            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
+}
+
+TEST_P(Version4, TheScreensAskedInPlainWordsAndOfTablesItIsNotKnown) {
+  for (const std::string kind : {"elicitation", "import"}) {
+    const support::TempFolder folder;
+    const auto path = makeFixture(folder, "v4");
+    for (const std::string change :
+         {"answer SET form = 'ngt-force-v1', crc32 = record_crc32('answer', id, session_id, "
+          "sequence, utc_ms, monotonic_ns, entered_by, supersedes, reason, 'ngt-force-v1', "
+          "form_version, item, position, status, value, response_s)",
+          "session SET kind = 'KIND', crc32 = record_crc32('session', id, person_id, 'KIND', "
+          "started_utc_ms, started_monotonic_ns, consent_version, seed, language, station, "
+          "program, device, device_friction_n, settings, protocol_id)"}) {
+      std::string sql = "UPDATE " + change;
+      for (auto at = sql.find("KIND"); at != std::string::npos; at = sql.find("KIND")) sql.replace(at, 4, kind);
+      ASSERT_EQ(PlainSql(path).complaintWithoutGuards(sql), "");
+    }
+    const auto file = StudyFile::open(path, {GetParam(), {}});
+    ASSERT_TRUE(file) << file.error().message();
+    const auto read = answers(*file);
+    ASSERT_TRUE(read) << read.error().message();
+    EXPECT_EQ(read->front().wording, kind == "import" ? "" : "plain");
+  }
+}
+
+TEST_P(Version4, ADamagedAnswerStaysDamaged) {
+  const support::TempFolder folder;
+  const auto path = makeFixture(folder, "v4");
+  ASSERT_EQ(PlainSql(path).complaintWithoutGuards("UPDATE answer SET value = 'medium' WHERE value = 'small'"), "");
+  const auto file = StudyFile::open(path, {GetParam(), {}});
+  ASSERT_TRUE(file) << file.error().message();
+  EXPECT_FALSE(answers(*file));
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Version4, testing::Values(Access::kReadWrite, Access::kReadOnly));
+
+TEST(StoredVersions, Version5IsReadInFull) {
+  const support::TempFolder folder;
+  const auto file = StudyFile::open(makeFixture(folder, "v5"));
+  expectRecords(file);
+  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 5");
+  EXPECT_EQ(answers(*file)->front().wording, "published");
   EXPECT_EQ(*checkStudy(*file),
             std::vector<std::string>{"incident: the journal was missing when the study was opened"});
 }
@@ -251,7 +301,7 @@ TEST(StoredVersions, TheStepsOfTheProgramStillMakeTheSameTables) {
   SampleRecords records;
   auto made = StudyFile::create(folder.file("new.tactus"), records.study());
   ASSERT_TRUE(made && made->close());
-  for (const char* version : {"v1", "v2", "v3", "v4"}) {
+  for (const char* version : {"v1", "v2", "v3", "v4", "v5"}) {
     const auto fixture = makeFixture(folder, version);
     ASSERT_TRUE(StudyFile::open(fixture));  // brings it to the newest version
     EXPECT_EQ(PlainSql(fixture).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema)) << version;

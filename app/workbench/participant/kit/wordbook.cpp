@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "core/base/check.h"
+#include "questionnaires/questionnaire.h"
 
 namespace tactus::workbench::nurse {
 
@@ -31,9 +32,32 @@ Wordbook::Wordbook() {
       continue;
     }
     TACTUS_CHECK(!texts_.contains(fields[0]));
-    ids_ << fields[0];
-    for (std::size_t i = 0; i < kLanguages.size(); ++i) texts_[fields[0]][i] = fields[static_cast<qsizetype>(i) + 1];
+    for (std::size_t i = 0; i < kLanguages.size(); ++i)
+      add(fields[0], kLanguages[i], fields[static_cast<qsizetype>(i) + 1]);
   }
+  for (const Language language : kLanguages) addForms(language);
+}
+
+void Wordbook::add(const QString& id, Language language, const QString& text) {
+  if (!texts_.contains(id)) ids_ << id;
+  texts_[id][static_cast<std::size_t>(language)] = text;
+}
+
+void Wordbook::addForms(Language language) {
+  const std::string code = idOf(language).toStdString();
+  const auto put = [&](const std::string& id, const std::string& text) {
+    add(QString::fromStdString(id), language, QString::fromStdString(text));
+  };
+  const auto force = questionnaires::plainForceWording(code);
+  const auto usability = questionnaires::questionnaire("usability-v1", code);
+  TACTUS_CHECK(force.has_value() && usability.has_value());
+  put("q.instructions", force->instructions);
+  for (const auto& [condition, text] : force->phrases) put("q." + condition.input + '.' + condition.term, text);
+  put("q.question", force->question);
+  for (const auto& [term, text] : force->answers) put("w." + term, text);
+  for (const auto& [number, text] : usability->questions) put("u." + std::to_string(number), text);
+  put("u.low", usability->choices.front().label);
+  put("u.high", usability->choices.back().label);
 }
 
 QString Wordbook::say(const Phrase& phrase, Language language) const {

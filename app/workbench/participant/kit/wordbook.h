@@ -1,4 +1,5 @@
-// All texts of the nurse's screens in all languages, by id (strings.tsv).
+// All texts of the nurse's screens in all languages, by id: those of strings.tsv, and the questions as the forms word
+// them everywhere (questionnaires/).
 #pragma once
 
 #include <QHash>
@@ -20,8 +21,12 @@ class Wordbook {
   QStringList ids() const { return ids_; }
 
  private:
+  void add(const QString& id, Language language, const QString& text);
+  /// `q.depth.oropharynx`, `q.question`, `w.very_small`, `u.1`, …
+  void addForms(Language language);
+
   QHash<QString, std::array<QString, kLanguages.size()>> texts_;
-  QStringList ids_;  ///< in the order of the file
+  QStringList ids_;  ///< in the order of the file, then those of the forms
 };
 
 }  // namespace tactus::workbench::nurse
