@@ -13,6 +13,7 @@
 #include "core/base/clock.h"
 #include "core/base/tables/csv.h"
 #include "core/study/table_line.h"
+#include "elicitation/model/published_settings.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
@@ -105,6 +106,7 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   auto built = terms_only ? elicitation::buildTerms(tables->study, settings)
                           : elicitation::buildModel(tables->study, session::knownForms(), settings);
   if (!built) return explainedError(built.error(), options, weights_file);
+  elicitation::noteUnlikePublished(*built, tables->study, session::knownForms(), settings);
   out.built = std::move(*built);
   out.tables = std::move(*tables);
   out.accepted = std::move(*accepted);

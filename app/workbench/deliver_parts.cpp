@@ -14,12 +14,14 @@
 #include "app/workbench/deliver/readiness_controller.h"
 #include "app/workbench/deliver/readiness_panel.h"
 #include "app/workbench/history_parts.h"
+#include "app/workbench/kit/note_groups.h"
 #include "app/workbench/kit/notes_popup.h"
 #include "app/workbench/link_parts.h"
 #include "app/workbench/model/finding_words.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
+#include "app/workbench/study/study_models.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
@@ -43,17 +45,23 @@ DeliverFindings summary(const FindingsController& findings) {
   if (!out.current) return out;
   out.complete = findings.lint()->model.coverage_complete;
   double most_apart = 0;
+  double largest_step = 0;
   for (const ShownFinding& shown : findings.findings()) {
     if (const analysis::Hole* hole = holeOfMean(shown)) {
       out.holes.push_back(
           {describe(*hole, *model), holeText(*model, *hole), shown.acceptance == Acceptance::kAccepted});
     }
     if (shown.finding.kind == Kind::kConflict) ++out.conflicts;
+    if (shown.finding.kind == Kind::kForceStep) {
+      ++out.steps;
+      largest_step = std::max(largest_step, shown.finding.newtons.value_or(0));
+    }
     if (shown.finding.kind != Kind::kExpertsApart) continue;
     ++out.apart;
     most_apart = std::max(most_apart, shown.finding.newtons.value_or(0));
   }
   out.most_apart = forceText(most_apart, model->output.unit);
+  out.largest_step = forceText(largest_step, model->output.unit);
   return out;
 }
 
@@ -61,6 +69,8 @@ bool isAbout(const ShownFinding& shown, ReadinessTopic topic) {
   switch (topic) {
     case ReadinessTopic::kHoles:
       return holeOfMean(shown) != nullptr;
+    case ReadinessTopic::kForceSteps:
+      return shown.finding.kind == Kind::kForceStep;
     case ReadinessTopic::kConflicts:
       return shown.finding.kind == Kind::kConflict;
     default:
@@ -72,14 +82,15 @@ bool isAbout(const ShownFinding& shown, ReadinessTopic topic) {
 
 DeliverParts::DeliverParts(MainWindow& window, const ModelController& models, FindingsController& findings,
                            Panel& findings_panel, HistoryParts& history, BundleMaker& maker,
-                           ReadinessController& readiness, const LinkController& link, LinkParts& link_parts,
-                           QSettings& settings)
+                           ReadinessController& readiness, StudyModels& study_models, const LinkController& link,
+                           LinkParts& link_parts, QSettings& settings)
     : window_(window),
       models_(models),
       findings_(findings),
       findings_panel_(findings_panel),
       history_(history),
       maker_(maker),
+      readiness_(readiness),
       settings_(settings) {
   auto* lines = new ReadinessPanel(readiness);
   auto* bundle = new BundlePanel(maker, readiness);
@@ -94,11 +105,18 @@ DeliverParts::DeliverParts(MainWindow& window, const ModelController& models, Fi
   connect(&findings_, &FindingsController::changed, &readiness,
           [this, &readiness] { readiness.setFindings(summary(findings_)); });
   readiness.setFindings(summary(findings_));
+  const auto take_notes = [&study_models, &readiness] {
+    readiness.setNotes(study_models.keepsModel() ? study_models.notes() : BuildNotes());
+  };
+  connect(&study_models, &StudyModels::notesChanged, &readiness, take_notes);
+  connect(&study_models, &StudyModels::savedChanged, &readiness, take_notes);
+  take_notes();
 }
 
 void DeliverParts::lead(ReadinessTopic topic) {
   switch (topic) {
     case ReadinessTopic::kHoles:
+    case ReadinessTopic::kForceSteps:
     case ReadinessTopic::kConflicts:
     case ReadinessTopic::kExpertsApart:
       showFindings(topic);
@@ -107,7 +125,11 @@ void DeliverParts::lead(ReadinessTopic topic) {
       window_.enter(Stage::kTune);
       history_.askSignOff();
       break;
-    case ReadinessTopic::kSimulated:
+    case ReadinessTopic::kData:
+      showNotes();
+      break;
+    case ReadinessTopic::kMethod:
+    case ReadinessTopic::kOrigin:
       showOrigin();
       break;
     case ReadinessTopic::kChecks:
@@ -126,6 +148,19 @@ void DeliverParts::showFindings(ReadinessTopic topic) {
   if (first != all.end()) findings_.choose(static_cast<std::size_t>(first - all.begin()));
 }
 
+void DeliverParts::popUp(const QVector<NoteGroup>& groups) {
+  showNotesPopup(window_, readiness_panel_->mapToGlobal(readiness_panel_->rect().center()), groups);
+}
+
+void DeliverParts::showNotes() {
+  QVector<NoteGroup> groups;
+  for (NoteGroup& group : QVector{dataGroup(readiness_.notes()), buildGroup(readiness_.notes())}) {
+    if (!group.sentences.isEmpty()) groups << std::move(group);
+  }
+  if (groups.isEmpty()) groups << NoteGroup{tr("Notes on the data"), {tr("The open study has no note on this model.")}};
+  popUp(groups);
+}
+
 void DeliverParts::showOrigin() {
   const auto open = models_.current();
   if (!open) return;
@@ -133,11 +168,13 @@ void DeliverParts::showOrigin() {
   if (const auto& origin = open->model.provenance) {
     if (!origin->study.empty()) group.sentences << tr("Study: %1").arg(harmless(text(origin->study)));
     if (!origin->notes.empty()) group.sentences << harmless(text(origin->notes));
-    for (const fuzzy::NamedJson& source : origin->sources)
-      group.sentences << tr("%1: %2").arg(harmless(text(source.key)), harmless(text(source.json)));
+    for (const auto* members : {&origin->sources, &origin->settings}) {
+      for (const fuzzy::NamedJson& member : *members)
+        group.sentences << tr("%1: %2").arg(harmless(text(member.key)), harmless(text(member.json)));
+    }
   }
   if (group.sentences.isEmpty()) group.sentences << tr("The file does not say what data the model is from.");
-  showNotesPopup(window_, readiness_panel_->mapToGlobal(readiness_panel_->rect().center()), {group});
+  popUp({group});
 }
 
 QString DeliverParts::askFolder(const QString& title) {

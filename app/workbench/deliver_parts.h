@@ -19,6 +19,8 @@ class MainWindow;
 class ModelController;
 class Panel;
 class ReadinessController;
+class StudyModels;
+struct NoteGroup;
 
 class DeliverParts : public QObject {
   Q_OBJECT
@@ -26,8 +28,8 @@ class DeliverParts : public QObject {
  public:
   /// `findings_panel` shows the findings, `link_parts` the panel of `link`.
   DeliverParts(MainWindow& window, const ModelController& models, FindingsController& findings, Panel& findings_panel,
-               HistoryParts& history, BundleMaker& maker, ReadinessController& readiness, const LinkController& link,
-               LinkParts& link_parts, QSettings& settings);
+               HistoryParts& history, BundleMaker& maker, ReadinessController& readiness, StudyModels& study_models,
+               const LinkController& link, LinkParts& link_parts, QSettings& settings);
 
   Panel& readinessPanel() { return *readiness_panel_; }
   Panel& bundlePanel() { return *bundle_panel_; }
@@ -36,6 +38,8 @@ class DeliverParts : public QObject {
   void lead(ReadinessTopic topic);
   void showFindings(ReadinessTopic topic);
   void showOrigin();
+  void showNotes();
+  void popUp(const QVector<NoteGroup>& groups);
   void make();
   void readBack();
   /// Empty if the user chose none.
@@ -47,6 +51,7 @@ class DeliverParts : public QObject {
   Panel& findings_panel_;
   HistoryParts& history_;
   BundleMaker& maker_;
+  ReadinessController& readiness_;
   QSettings& settings_;
   Panel* readiness_panel_;
   Panel* bundle_panel_;

@@ -96,23 +96,28 @@ std::string notesOn(const study::Study& study) {
 
 }  // namespace
 
+std::vector<fuzzy::NamedJson> methodSettings(const BuildSettings& settings) {
+  return {{"alpha", base::jsonNumber(settings.speed.alpha)},
+          {"m", base::jsonNumber(settings.speed.fcm.m)},
+          {"clusters", std::to_string(settings.speed.fcm.clusters)},
+          {"centres", base::jsonString(name(settings.speed.centres))},
+          {"trim", base::jsonNumber(settings.speed.trim)},
+          {"averaging", base::jsonString(name(settings.averaging))},
+          {"terms", base::jsonString(name(settings.terms))},
+          {"weights", base::jsonString(name(settings.weights.policy))},
+          {"series", base::jsonString(settings.series)},
+          {"force_terms", base::jsonString(name(settings.force_terms))}};
+}
+
 fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const ExpertRules> experts,
                                   const BuildSettings& settings) {
   fuzzy::Provenance out;
   out.study = study.name;
-  out.settings = {
-      {"alpha", base::jsonNumber(settings.speed.alpha)},
-      {"m", base::jsonNumber(settings.speed.fcm.m)},
-      {"clusters", std::to_string(settings.speed.fcm.clusters)},
-      {"centres", base::jsonString(name(settings.speed.centres))},
-      {"trim", base::jsonNumber(settings.speed.trim)},
-      {"averaging", base::jsonString(name(settings.averaging))},
-      {"terms", base::jsonString(name(settings.terms))},
-      {"weights", base::jsonString(name(settings.weights.policy))},
-      {"series", base::jsonString(settings.series)},
-      {"force_terms", base::jsonString(study.judgements.empty() ? "default" : name(settings.force_terms))},
-      {"forms", jsonByExpert(experts, formsOf)},
-      {"depth_terms", jsonByExpert(experts, [](const ExpertRules& e) { return base::jsonString(e.depth_terms); })}};
+  out.settings = methodSettings(settings);
+  if (study.judgements.empty()) out.settings.back().json = base::jsonString("default");
+  out.settings.push_back({"forms", jsonByExpert(experts, formsOf)});
+  out.settings.push_back(
+      {"depth_terms", jsonByExpert(experts, [](const ExpertRules& e) { return base::jsonString(e.depth_terms); })});
   if (settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
     out.settings.push_back({"depths", base::jsonString(name(settings.depths))});
     // A model leaves the study; the name of an image or the length of a person may say who it was.

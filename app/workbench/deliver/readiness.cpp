@@ -39,6 +39,27 @@ ReadinessLine holes(const ReadinessFacts& facts) {
   return line;
 }
 
+ReadinessLine forceSteps(const ReadinessFacts& facts) {
+  ReadinessLine line{Topic::kForceSteps,
+                     Readiness::kReady,
+                     ReadinessText::tr("Steps of the force"),
+                     {},
+                     ReadinessText::tr("Show findings")};
+  if (!facts.findings.current) {
+    line.state = Readiness::kUnknown;
+    line.sentence = ReadinessText::tr("Looking for steps of the force…");
+  } else if (facts.findings.steps > 0) {
+    line.state = Readiness::kLook;
+    line.sentence =
+        ReadinessText::tr("At %n place(s) the force steps within 1 mm or faster than it can be rendered, by up to %1.",
+                          nullptr, static_cast<int>(facts.findings.steps))
+            .arg(facts.findings.largest_step);
+  } else {
+    line.sentence = ReadinessText::tr("The force steps nowhere by more than can be felt.");
+  }
+  return line;
+}
+
 ReadinessLine conflicts(const ReadinessFacts& facts) {
   ReadinessLine line{
       Topic::kConflicts, Readiness::kReady, ReadinessText::tr("Conflicts"), {}, ReadinessText::tr("Show findings")};
@@ -98,20 +119,67 @@ ReadinessLine signOff(const ReadinessFacts& facts) {
   return line;
 }
 
-ReadinessLine simulated(const ReadinessFacts& facts) {
-  ReadinessLine line{Topic::kSimulated,
-                     Readiness::kReady,
-                     ReadinessText::tr("Origin of the data"),
-                     {},
-                     ReadinessText::tr("Show origin")};
-  if (facts.simulated) {
+ReadinessLine dataNotes(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kData, Readiness::kReady, ReadinessText::tr("Notes on the data"), {}, ReadinessText::tr("Show notes")};
+  const auto on_data = static_cast<int>(facts.data_notes);
+  const auto of_build = static_cast<int>(facts.build_notes);
+  if (on_data > 0) {
     line.state = Readiness::kLook;
-    line.sentence = ReadinessText::tr("Some data are simulated: the model and the report of the bundle say so.");
-  } else if (!facts.origin_known) {
+    line.sentence = ReadinessText::tr("%n note(s) on the data and %1 of the build, first: %2", nullptr, on_data)
+                        .arg(of_build)
+                        .arg(facts.first_note);
+  } else if (of_build > 0) {
     line.state = Readiness::kLook;
-    line.sentence = ReadinessText::tr("The file does not say what data the model is from.");
+    line.sentence = ReadinessText::tr("%n note(s) of the build.", nullptr, of_build);
   } else {
-    line.sentence = ReadinessText::tr("No data are marked as simulated.");
+    line.sentence = ReadinessText::tr("The open study has no note on this model.");
+  }
+  return line;
+}
+
+ReadinessLine method(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kMethod, Readiness::kReady, ReadinessText::tr("Method"), {}, ReadinessText::tr("Show origin")};
+  if (!facts.origin_known) {
+    line.state = Readiness::kLook;
+    line.sentence = ReadinessText::tr("The file does not say with which settings the model was built.");
+  } else if (facts.unlike_published.isEmpty()) {
+    line.sentence = ReadinessText::tr("It was built with the published settings.");
+  } else {
+    line.state = Readiness::kLook;
+    const auto count = static_cast<int>(facts.unlike_published.size());
+    const QString names = facts.unlike_published.join(QStringLiteral(", "));
+    line.sentence = facts.newtons_unlike_published
+                        ? ReadinessText::tr(
+                              "%n setting(s) of the build differ from the published ones (%1); as built, "
+                              "they move the force by up to %2.",
+                              nullptr, count)
+                              .arg(names, *facts.newtons_unlike_published)
+                        : ReadinessText::tr(
+                              "%n setting(s) of the build differ from the published ones (%1); by how much "
+                              "they move the force is not known.",
+                              nullptr, count)
+                              .arg(names);
+  }
+  return line;
+}
+
+ReadinessLine origin(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kOrigin, Readiness::kReady, ReadinessText::tr("Origin of the data"), {}, ReadinessText::tr("Show origin")};
+  QStringList sentences;
+  if (facts.simulated)
+    sentences << ReadinessText::tr("Some data are simulated: the model and the report of the bundle say so.");
+  if (!facts.without_force.isEmpty())
+    sentences << ReadinessText::tr("VIRTUAL, a device that gives no force: %1.")
+                     .arg(facts.without_force.join(QStringLiteral(", ")));
+  if (!facts.origin_known) sentences << ReadinessText::tr("The file does not say what data the model is from.");
+  if (sentences.isEmpty()) {
+    line.sentence = ReadinessText::tr("No data are marked as simulated or as given on a device without force.");
+  } else {
+    line.state = Readiness::kLook;
+    line.sentence = sentences.join(QLatin1Char(' '));
   }
   return line;
 }
@@ -136,7 +204,8 @@ ReadinessLine checks(const ReadinessFacts& facts) {
 }  // namespace
 
 std::vector<ReadinessLine> readinessLines(const ReadinessFacts& facts) {
-  return {holes(facts), conflicts(facts), apart(facts), signOff(facts), simulated(facts), checks(facts)};
+  return {holes(facts),     forceSteps(facts), conflicts(facts), apart(facts), signOff(facts),
+          dataNotes(facts), method(facts),     origin(facts),    checks(facts)};
 }
 
 QString readinessSummary(const std::vector<ReadinessLine>& lines) {
@@ -148,8 +217,8 @@ QString readinessSummary(const std::vector<ReadinessLine>& lines) {
     return ReadinessText::tr("%n thing(s) to settle first", nullptr, blocks);
   if (count(Readiness::kUnknown) > 0) return ReadinessText::tr("Looking…");
   if (const int look = count(Readiness::kLook); look > 0)
-    return ReadinessText::tr("Ready, with %n thing(s) to know", nullptr, look);
-  return ReadinessText::tr("Ready");
+    return ReadinessText::tr("%n thing(s) open; a bundle can be made", nullptr, look);
+  return ReadinessText::tr("Nothing open");
 }
 
 QString readinessName(Readiness state) {

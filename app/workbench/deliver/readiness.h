@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,7 +10,18 @@
 
 namespace tactus::workbench {
 
-enum class ReadinessTopic { kHoles, kConflicts, kExpertsApart, kSignOff, kSimulated, kChecks };
+enum class ReadinessTopic {
+  kHoles,
+  kForceSteps,
+  kConflicts,
+  kExpertsApart,
+  kSignOff,
+  kData,
+  kMethod,
+  kOrigin,
+  kChecks,
+};
+inline constexpr std::size_t kReadinessTopics = 9;
 
 enum class Readiness {
   kReady,
@@ -45,6 +57,8 @@ struct DeliverFindings {
   std::size_t conflicts = 0;
   std::size_t apart = 0;  ///< places where two experts are more than two just-noticeable differences apart
   QString most_apart;     ///< the largest of these differences, with its unit
+  std::size_t steps = 0;  ///< places where the force steps as it is felt, or steeper than the renderer can
+  QString largest_step;   ///< with its unit
 
   bool operator==(const DeliverFindings&) const = default;
 };
@@ -52,12 +66,18 @@ struct DeliverFindings {
 struct ReadinessFacts {
   DeliverFindings findings;
   std::size_t experts = 0;
-  QString default_force;             ///< where no rule fires
-  std::size_t edits = 0;             ///< since the last sign-off on the way to the current state
-  std::optional<QString> signed_by;  ///< of the current state
-  bool signed_felt = true;           ///< that sign-off says that the state was felt
+  QString default_force;                            ///< where no rule fires
+  std::size_t edits = 0;                            ///< since the last sign-off on the way to the current state
+  std::optional<QString> signed_by;                 ///< of the current state
+  bool signed_felt = true;                          ///< that sign-off says that the state was felt
+  std::size_t data_notes = 0;                       ///< on the study's data, where the open study keeps the model
+  std::size_t build_notes = 0;                      ///< of the build from them
+  QString first_note;                               ///< the weightiest on the data
+  QStringList unlike_published;                     ///< settings of the build that are not those of the paper
+  std::optional<QString> newtons_unlike_published;  ///< by which they move the force, with its unit
   bool simulated = false;
-  bool origin_known = true;  ///< the file says what data the model is from
+  QStringList without_force;  ///< real persons on a device that gives no force
+  bool origin_known = true;   ///< the file says what data the model is from
   /// The bundle that was made or read back last.
   struct Bundle {
     QString folder;      ///< its name
@@ -70,7 +90,7 @@ struct ReadinessFacts {
 /// A line for each topic, in the order of the topics.
 std::vector<ReadinessLine> readinessLines(const ReadinessFacts& facts);
 
-/// The lines in one heading: what stops the bundle, or else how many lines to look at.
+/// The lines in one heading: what stops the bundle, or else how many things are open.
 QString readinessSummary(const std::vector<ReadinessLine>& lines);
 
 /// `Ready`, `Look at it`, …: the state for people who do not see its sign.

@@ -1,5 +1,7 @@
 #include "app/workbench/deliver/readiness_controller.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <algorithm>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
+#include "elicitation/model/published_settings.h"
 
 namespace tactus::workbench {
 namespace {
@@ -33,6 +36,23 @@ std::size_t unsignedEdits(const editing::EditHistory& history) {
   return edits;
 }
 
+/// The texts of a JSON list of texts; empty for other JSON.
+QStringList textsIn(const std::string& json) {
+  QStringList out;
+  for (const QJsonValue value : QJsonDocument::fromJson(QByteArray::fromStdString(json)).array())
+    out << harmless(value.toString());
+  return out;
+}
+
+void addOrigin(const fuzzy::Provenance& origin, const std::string& unit, ReadinessFacts& facts) {
+  for (const auto& name : elicitation::settingsUnlikePublished(origin)) facts.unlike_published << text(name);
+  if (const auto newtons = elicitation::newtonsUnlikePublished(origin))
+    facts.newtons_unlike_published = forceText(*newtons, unit);
+  for (const fuzzy::NamedJson& source : origin.sources) {
+    if (source.key == "virtual") facts.without_force = textsIn(source.json);
+  }
+}
+
 }  // namespace
 
 ReadinessController::ReadinessController(const ModelController& models, EditController& edits, const BundleMaker& maker,
@@ -47,6 +67,12 @@ ReadinessController::ReadinessController(const ModelController& models, EditCont
 void ReadinessController::setFindings(DeliverFindings findings) {
   if (findings == findings_) return;
   findings_ = std::move(findings);
+  update();
+}
+
+void ReadinessController::setNotes(BuildNotes notes) {
+  if (notes == notes_) return;
+  notes_ = std::move(notes);
   update();
 }
 
@@ -73,7 +99,11 @@ ReadinessFacts ReadinessController::facts() const {
     facts.signed_felt = editing::saysFelt(sign_off->label);
   }
   facts.simulated = models_.current() && models_.current()->simulated;
+  facts.data_notes = notes_.data.size();
+  facts.build_notes = notes_.build.size();
+  if (!notes_.data.empty()) facts.first_note = notes_.data.front().sentence;
   facts.origin_known = model.provenance.has_value();
+  if (model.provenance) addOrigin(*model.provenance, model.output.unit, facts);
   if (const auto& delivered = maker_.delivered())
     facts.bundle = {shownFileName(delivered->folder), delivered->ok, maker_.isOld()};
   return facts;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/base/build_note.h"
 #include "app/workbench/deliver/readiness.h"
 
 namespace tactus::workbench {
@@ -26,6 +27,10 @@ class ReadinessController : public QObject {
   void setFindings(DeliverFindings findings);
   const DeliverFindings& findings() const { return findings_; }
 
+  /// What the open study says about the model that it keeps; empty where it keeps another one.
+  void setNotes(BuildNotes notes);
+  const BuildNotes& notes() const { return notes_; }
+
   /// Empty if no model is open.
   const std::vector<ReadinessLine>& lines() const { return lines_; }
   /// A line says that something has to be settled before a bundle can be made.
@@ -46,6 +51,7 @@ class ReadinessController : public QObject {
   EditController& edits_;
   const BundleMaker& maker_;
   DeliverFindings findings_;
+  BuildNotes notes_;
   std::vector<ReadinessLine> lines_;
 };
 

@@ -28,7 +28,7 @@ class ReadinessPanel : public Card {
 
   ReadinessController& readiness_;
   QLabel* summary_;
-  std::array<ReadinessRow*, 6> rows_{};  ///< one for each topic
+  std::array<ReadinessRow*, kReadinessTopics> rows_{};  ///< one for each topic
 };
 
 }  // namespace tactus::workbench

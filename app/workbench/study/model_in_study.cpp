@@ -17,6 +17,7 @@
 #include "core/store/model_versions.h"
 #include "core/store/study_info.h"
 #include "elicitation/model/model_builder.h"
+#include "elicitation/model/published_settings.h"
 
 namespace tactus::workbench {
 namespace {
@@ -74,8 +75,9 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
   settings.created_utc =
       base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
   settings.generator = kGenerator;
-  const auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
+  auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
   if (!built) return base::inFile(built.error(), file.path());
+  elicitation::noteUnlikePublished(*built, view->study, session::knownForms(), settings);
   const QString experts = expertsText(built->model, view->study.participants);
   auto history = editing::EditHistory::open(built->model,
                                             ModelInStudyText::tr("Built from the study: %1").arg(experts).toStdString(),

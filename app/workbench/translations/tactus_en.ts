@@ -1504,10 +1504,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No data are marked as simulated.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Checks</source>
         <translation type="unfinished"></translation>
     </message>
@@ -1542,13 +1538,6 @@
         <source>Looking…</source>
         <translation type="unfinished"></translation>
     </message>
-    <message numerus="yes">
-        <source>Ready, with %n thing(s) to know</source>
-        <translation>
-            <numerusform>Ready, with %n thing to know</numerusform>
-            <numerusform>Ready, with %n things to know</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Ready</source>
         <translation type="unfinished"></translation>
@@ -1578,6 +1567,96 @@
         <translation>
             <numerusform>0 of 1 expert have approved this version.</numerusform>
             <numerusform>0 of %n experts have approved this version.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Steps of the force</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Looking for steps of the force…</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>At %n place(s) the force steps within 1 mm or faster than it can be rendered, by up to %1.</source>
+        <translation>
+            <numerusform>At %n place the force steps within 1 mm or faster than it can be rendered, by %1.</numerusform>
+            <numerusform>At %n places the force steps within 1 mm or faster than it can be rendered, by up to %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The force steps nowhere by more than can be felt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes on the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Show notes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open study has no note on this model.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The file does not say with which settings the model was built.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It was built with the published settings.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) of the build differ from the published ones (%1); as built, they move the force by up to %2.</source>
+        <translation>
+            <numerusform>%n setting of the build differs from the published one (%1); as built, it moves the force by up to %2.</numerusform>
+            <numerusform>%n settings of the build differ from the published ones (%1); as built, they move the force by up to %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) of the build differ from the published ones (%1); by how much they move the force is not known.</source>
+        <translation>
+            <numerusform>%n setting of the build differs from the published one (%1); by how much it moves the force is not known.</numerusform>
+            <numerusform>%n settings of the build differ from the published ones (%1); by how much they move the force is not known.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>VIRTUAL, a device that gives no force: %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No data are marked as simulated or as given on a device without force.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n thing(s) open; a bundle can be made</source>
+        <translation>
+            <numerusform>%n thing open; a bundle can be made</numerusform>
+            <numerusform>%n things open; a bundle can be made</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Nothing open</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) on the data and %1 of the build, first: %2</source>
+        <translation>
+            <numerusform>%n note on the data and %1 of the build: %2</numerusform>
+            <numerusform>%n notes on the data and %1 of the build, first: %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s) of the build.</source>
+        <translation>
+            <numerusform>%n note of the build.</numerusform>
+            <numerusform>%n notes of the build.</numerusform>
         </translation>
     </message>
 </context>
@@ -2990,6 +3069,14 @@
     </message>
     <message>
         <source>Folder of a bundle</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Notes on the data</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The open study has no note on this model.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

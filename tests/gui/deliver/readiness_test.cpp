@@ -21,14 +21,14 @@ ReadinessLine lineOf(const ReadinessFacts& facts, ReadinessTopic topic) {
 
 TEST(Readiness, HasALineWithASentenceAndAnActForEachTopic) {
   const auto lines = readinessLines(cleanFacts());
-  ASSERT_EQ(lines.size(), 6U);
+  ASSERT_EQ(lines.size(), kReadinessTopics);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     EXPECT_EQ(static_cast<std::size_t>(lines[i].topic), i);
     EXPECT_FALSE(lines[i].name.isEmpty());
     EXPECT_TRUE(lines[i].sentence.endsWith(QLatin1Char('.'))) << lines[i].sentence.toStdString();
     EXPECT_FALSE(lines[i].act.isEmpty());
   }
-  EXPECT_TRUE(readinessSummary(lines).startsWith(QStringLiteral("Ready, with 1 thing")));
+  EXPECT_TRUE(readinessSummary(lines).startsWith(QStringLiteral("1 thing"))) << "no bundle was made";
 }
 
 TEST(Readiness, OnlyAHoleThatNobodyAcceptedStopsABundle) {
@@ -52,7 +52,8 @@ TEST(Readiness, DoesNotSayThatThereIsNoHoleWhereTheSearchWasCutOff) {
 TEST(Readiness, KnowsNothingBeforeTheLintHasEnded) {
   ReadinessFacts facts = cleanFacts();
   facts.findings.current = false;
-  for (const auto topic : {ReadinessTopic::kHoles, ReadinessTopic::kConflicts, ReadinessTopic::kExpertsApart})
+  for (const auto topic :
+       {ReadinessTopic::kHoles, ReadinessTopic::kForceSteps, ReadinessTopic::kConflicts, ReadinessTopic::kExpertsApart})
     EXPECT_EQ(lineOf(facts, topic).state, Readiness::kUnknown);
   EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("Looking…"));
 }
@@ -90,17 +91,51 @@ TEST(Readiness, AsksForASignOffOfEdits) {
 TEST(Readiness, NeverCallsSimulatedOrUnknownDataReady) {
   ReadinessFacts facts = cleanFacts();
   facts.simulated = true;
-  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSimulated).state, Readiness::kLook);
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kOrigin).state, Readiness::kLook);
   facts.simulated = false;
   facts.origin_known = false;
-  EXPECT_EQ(lineOf(facts, ReadinessTopic::kSimulated).state, Readiness::kLook);
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kOrigin).state, Readiness::kLook);
+}
+
+TEST(Readiness, NamesWhoFeltNoForce) {
+  ReadinessFacts facts = cleanFacts();
+  facts.without_force = {QStringLiteral("calm-fox")};
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kOrigin).state, Readiness::kLook);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kOrigin).sentence.contains(QStringLiteral("VIRTUAL")));
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kOrigin).sentence.contains(QStringLiteral("calm-fox")));
+}
+
+TEST(Readiness, SaysStepsNotesAndSettingsAndCountsThemAsOpen) {
+  ReadinessFacts facts = cleanFacts();
+  facts.bundle = {QStringLiteral("ngt-bundle"), true, false};
+  EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("Nothing open"));
+  facts.findings.steps = 2;
+  facts.findings.largest_step = QStringLiteral("0.124 N");
+  facts.data_notes = 1;
+  facts.build_notes = 8;
+  facts.first_note = QStringLiteral("S4 has no strokes.");
+  facts.unlike_published = {QStringLiteral("alpha"), QStringLiteral("m")};
+  const auto said = [&](ReadinessTopic topic, const char* what) {
+    const auto line = lineOf(facts, topic);
+    EXPECT_EQ(line.state, Readiness::kLook) << line.sentence.toStdString();
+    EXPECT_TRUE(line.sentence.contains(QLatin1String(what))) << line.sentence.toStdString();
+  };
+  said(ReadinessTopic::kForceSteps, "0.124 N");
+  said(ReadinessTopic::kData, "1 note");
+  said(ReadinessTopic::kData, "8 of the build");
+  said(ReadinessTopic::kData, "S4 has no strokes.");
+  said(ReadinessTopic::kMethod, "alpha, m");
+  said(ReadinessTopic::kMethod, "not known");
+  facts.newtons_unlike_published = QStringLiteral("0.055 N");
+  said(ReadinessTopic::kMethod, "0.055 N");
+  EXPECT_TRUE(readinessSummary(readinessLines(facts)).startsWith(QStringLiteral("3 thing")));
 }
 
 TEST(Readiness, TheChecksAreReadyWhenTheBundleOfThisModelHolds) {
   ReadinessFacts facts = cleanFacts();
   facts.bundle = {QStringLiteral("ngt-bundle"), true, false};
   EXPECT_EQ(lineOf(facts, ReadinessTopic::kChecks).state, Readiness::kReady);
-  EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("Ready"));
+  EXPECT_EQ(readinessSummary(readinessLines(facts)), QStringLiteral("Nothing open"));
   facts.bundle->old = true;
   EXPECT_EQ(lineOf(facts, ReadinessTopic::kChecks).state, Readiness::kLook);
   facts.bundle->holds = false;
