@@ -15,6 +15,7 @@ using base::Result;
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kConsent = "consent.";
+constexpr std::string_view kStatements = "statements.";
 
 // The settings of sessions are most of a protocol: their names begin without `settings`.
 std::string nameOf(const std::string& path) {
@@ -123,6 +124,13 @@ Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::stri
   if (name.starts_with(kConsent) && name.size() > kConsent.size()) {
     StudyProtocol out = protocol;
     out.consent[std::string(name.substr(kConsent.size()))] = std::string(value);
+    return out;
+  }
+  if (name.starts_with(kStatements) && name.size() > kStatements.size()) {
+    StudyProtocol out = protocol;
+    const std::string language(name.substr(kStatements.size()));
+    out.statements.erase(language);
+    if (!value.empty()) out.statements[language] = std::string(value);
     return out;
   }
   Json json = Json::parse(toJson(protocol));

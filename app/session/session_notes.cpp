@@ -75,9 +75,9 @@ Result<void> readDetail(const study::EventRecord& event, Read read) {
 
 }  // namespace
 
-Note consentGiven(const std::string& version, const std::string& language) {
+Note consentGiven(const std::string& version, const std::string& language, const std::string& text) {
   auto json = object();
-  json.key("version").value(version).key("language").value(language);
+  json.key("version").value(version).key("language").value(language).key("text").value(text);
   return note("consent_given", json);
 }
 

@@ -25,7 +25,7 @@ inline constexpr const char* kResearcherCalled = "researcher_called";  ///< the 
 inline constexpr const char* kRested = "rested";                       ///< the participant ended a rest
 inline constexpr const char* kAnswersSealed = "answers_sealed";        ///< the participant locked the answers
 
-Note consentGiven(const std::string& version, const std::string& language);
+Note consentGiven(const std::string& version, const std::string& language, const std::string& text);
 Note languageChosen(const std::string& language);
 /// `percent`: of the usual size.
 Note textSizeChosen(int percent);

@@ -215,6 +215,28 @@ SessionSettings usabilitySession() {
   return settings;
 }
 
+double expectedMinutes(const SessionSettings& settings) {
+  constexpr double kStimulusS = 12;
+  constexpr double kItemS = 10;
+  constexpr double kOtherMin = 5;
+  double seconds = 0;
+  for (const Block block : settings.blocks) {
+    if (block == Block::kSpeed) {
+      const auto levels = static_cast<double>(settings.speed.levels.size());
+      seconds += kStimulusS * levels * (settings.speed.practice + settings.speed.strokes);
+    } else if (block == Block::kForce) {
+      const auto& force = settings.force;
+      double stimuli = static_cast<double>(force.familiarisation_n.size());
+      stimuli += force.ladder.count() * ((force.ascending ? 1 : 0) + (force.descending ? 1 : 0));
+      if (force.random) stimuli += force.random_steps.count() * force.random_repeats * (1 + force.catch_share);
+      seconds += kStimulusS * stimuli;
+    } else if (const auto form = questionnaires::questionnaire(settings.form, "en")) {
+      seconds += kItemS * static_cast<double>(form->questions.size());
+    }
+  }
+  return kOtherMin + seconds / 60;
+}
+
 Result<void> validate(const SessionSettings& settings) {
   if (settings.blocks.empty()) return fail(ErrorCode::kValue, "session", "no blocks", "at least one");
   for (const Block block : settings.blocks) {

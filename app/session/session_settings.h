@@ -45,6 +45,10 @@ struct SessionSettings {
 /// The session of a clinical teacher who tried the simulator: only the usability form (paper, Section 5.4).
 SessionSettings usabilitySession();
 
+/// About how long a session takes, in min: 12 s for a stroke or a force with what is read and waited for, 10 s for an
+/// item, 5 min for the arrival, the person, the device and the rests. For what people are told.
+double expectedMinutes(const SessionSettings& settings);
+
 /// Refuses invalid settings with one sentence. Ignores the settings of blocks that are not used.
 base::Result<void> validate(const SessionSettings& settings);
 

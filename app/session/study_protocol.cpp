@@ -95,6 +95,8 @@ std::string toJson(const StudyProtocol& protocol) {
                      {"languages", protocol.languages},
                      {"consent_version", protocol.consent_version},
                      {"consent", protocol.consent},
+                     {"statements", protocol.statements},
+                     {"contact", protocol.contact},
                      {"device", deviceJson(protocol.device)}};
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
@@ -112,6 +114,10 @@ Result<StudyProtocol> parseStudyProtocol(std::string_view text) {
     std::vector<JsonMembers::NamedText> consent;
     members.texts("consent", consent);
     protocol.consent = {consent.begin(), consent.end()};
+    std::vector<JsonMembers::NamedText> statements;
+    members.texts("statements", statements);
+    protocol.statements = {statements.begin(), statements.end()};
+    members.textOrEmpty("contact", protocol.contact);
     if (const auto device = members.object("device")) {
       JsonMembers part(*device, error);
       readDevice(part, protocol.device);

@@ -31,6 +31,9 @@ struct StudyProtocol {
   std::vector<std::string> languages = {"en"};  ///< offered to participants in this order
   std::string consent_version;
   std::map<std::string, std::string> consent;  ///< text by language
+  /// By language: statements instead of those that the consent screen makes of blocks and device; empty: those.
+  std::map<std::string, std::string> statements;
+  std::string contact;  ///< whom a participant can ask; no session of a real person begins without
   ProtocolDevice device;
 };
 

@@ -38,6 +38,10 @@ void CollectParts::connectAll() {
     window_.banner().showRemedy(tr("The session did not begin. %1").arg(sentence),
                                 {tr("Try again"), [this] { run_.startAgain(); }});
   });
+  connect(&run_, &SessionRun::refused, this, [this](const QString& sentence) {
+    window_.banner().showRemedy(tr("The session did not begin. %1").arg(sentence),
+                                {tr("Edit the protocol"), [this] { showProtocol(); }});
+  });
   connectErrors();
   connect(&protocol_, &ProtocolController::stored, this, [this](int version) {
     window_.say(tr("Version %1 of the protocol is stored in %2.").arg(version).arg(study_.fileName()));
@@ -52,15 +56,17 @@ void CollectParts::connectAll() {
   });
 }
 
+void CollectParts::showProtocol() {
+  window_.enter(Stage::kCollect);
+  view_->showProtocol();
+}
+
 void CollectParts::connectErrors() {
   const auto show = [this](const QString& sentence, const MessageAct& act) {
     window_.banner().showRemedy(sentence, act);
   };
   connect(&protocol_, &ProtocolController::refused, this, [this, show](const QString& sentence) {
-    show(sentence, {tr("Edit the protocol"), [this] {
-                      window_.enter(Stage::kCollect);
-                      view_->showProtocol();
-                    }});
+    show(sentence, {tr("Edit the protocol"), [this] { showProtocol(); }});
   });
   connect(&protocol_, &ProtocolController::notRead, this, [this, show](const QString& sentence) {
     show(sentence, {tr("Read it again"), [this] { protocol_.read(); }});

@@ -36,6 +36,7 @@ class CollectParts : public QObject {
  private:
   void connectAll();
   void connectErrors();
+  void showProtocol();
   void onOpened();
 
   MainWindow& window_;

@@ -9,6 +9,7 @@
 #include "app/workbench/collect/monitor_controller.h"
 #include "app/workbench/collect/monitor_window.h"
 #include "app/workbench/nurse_view.h"
+#include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_plan.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/take_part.h"
@@ -60,10 +61,14 @@ void SessionRun::plan() {
       if (!preparing_ || take_part_) return;
       if (study_.path() != study_path_) {
         gone();
-      } else if (plan) {
-        begin(*plan);
-      } else {
+      } else if (!plan) {
         fail(text(plan.error().message()));
+      } else if (const QString why = whyNoSession(*plan); !why.isEmpty()) {
+        preparing_ = false;
+        emit refused(why);
+        emit changed();
+      } else {
+        begin(*plan);
       }
     };
   };

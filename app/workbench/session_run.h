@@ -51,6 +51,8 @@ class SessionRun : public QObject {
   void changed();
   /// One sentence: why no session can be held.
   void failed(const QString& sentence);
+  /// One sentence: what the protocol lacks before a person can take part.
+  void refused(const QString& sentence);
 
  private:
   void prepare(const QString& code, bool usability);

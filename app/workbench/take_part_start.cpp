@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/participant/consent_text.h"
 
 namespace tactus::workbench {
 
@@ -40,10 +41,12 @@ void TakePartStart::plan() {
   if (take_part_) return;
   study_.read(*this, [this](const store::StudyFile& file) {
     return [this, plan = participantPlan(file)] {
-      if (plan) {
-        begin(*plan);
-      } else {
+      if (!plan) {
         emit failed(text(plan.error().message()));
+      } else if (const QString why = whyNoSession(*plan); !why.isEmpty()) {
+        emit failed(tr("No session can begin. %1").arg(why));
+      } else {
+        begin(*plan);
       }
     };
   });

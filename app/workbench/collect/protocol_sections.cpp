@@ -112,8 +112,14 @@ void ProtocolView::addQuestions() {
 void ProtocolView::addLanguages() {
   QVBoxLayout* const section =
       addSection(tr("Languages and consent"),
-                 tr("The consent screen shows general statements and, below them, this text: who runs the study, the "
-                    "approval of the ethics committee, whom to ask."));
+                 tr("The consent screen makes general statements of the parts and the device above. Below them stands "
+                    "this text: who runs the study, the approval of the ethics committee; then whom to ask."));
+  putField(*section, {"contact",
+                      tr("Whom a participant can ask"),
+                      Kind::kText,
+                      {},
+                      tr("A name and a telephone number. Without it no session of a person begins."),
+                      {}});
   putField(
       *section,
       {"consent_version", tr("Version of the consent text"), Kind::kText, {}, tr("Stored with each consent."), {}});
@@ -128,6 +134,16 @@ void ProtocolView::addLanguages() {
         sections_.last());
     consents_.insert(language, consent);
     section->addWidget(consent);
+    auto* statements = new ProtocolField(protocol_,
+                                         {"statements." + language.toStdString(),
+                                          tr("Instead of the general statements, %1").arg(languageName(language)),
+                                          Kind::kLongText,
+                                          {},
+                                          tr("Empty: the general ones, which follow the parts and the device."),
+                                          {}},
+                                         sections_.last());
+    statements_.insert(language, statements);
+    section->addWidget(statements);
   }
 }
 
@@ -196,6 +212,7 @@ void ProtocolView::followLists() {
   for (auto box = languages_.begin(); box != languages_.end(); ++box) {
     box.value()->setChecked(languages.contains(box.key()));
     consents_.value(box.key())->setVisible(languages.contains(box.key()));
+    statements_.value(box.key())->setVisible(languages.contains(box.key()));
   }
   const bool enough = key_->text().toUtf8().size() >= kKeyLetters;
   const bool same = key_->text() == key_again_->text();

@@ -67,6 +67,7 @@ class ProtocolView : public QWidget {
   QList<Card*> sections_;
   QHash<QString, QCheckBox*> languages_;
   QHash<QString, ProtocolField*> consents_;
+  QHash<QString, ProtocolField*> statements_;  ///< by language, instead of the general ones
   QLabel* ladder_ = nullptr;
   QLabel* key_state_ = nullptr;
   QLineEdit* key_ = nullptr;

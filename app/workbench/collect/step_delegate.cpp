@@ -55,6 +55,9 @@ void paintMark(QPainter& painter, const StepState& state, const QRectF& mark) {
       painter.drawEllipse(mark.adjusted(1, 1, -1, -1));
       painter.drawLine(center - QPointF(3.5, 0), center + QPointF(3.5, 0));
       break;
+    case StepWord::kUnknown:
+      painter.drawText(mark, Qt::AlignCenter, QStringLiteral("?"));
+      break;
     case StepWord::kGiven:
       painter.drawEllipse(mark.adjusted(1, 1, -1, -1));
       painter.drawLine(center - QPointF(0, 4), center + QPointF(0, 3.5));

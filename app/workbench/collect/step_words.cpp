@@ -50,6 +50,8 @@ QString stateText(const StepState& state) {
       return CollectText::tr("skipped");
     case StepWord::kGiven:
       return CollectText::tr("imported");
+    case StepWord::kUnknown:
+      return CollectText::tr("not in this file");
   }
   return {};
 }

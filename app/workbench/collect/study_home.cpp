@@ -297,8 +297,8 @@ void StudyHome::showHints() {
   hint_->setColors(theme::warningFill(), theme::warningFill());
   setInk(*hint_text_, theme::warningInk());
   hint_text_->setText(without_protocol
-                          ? tr("No protocol is set. Sessions follow the published experiment, with a general consent "
-                               "text.")
+                          ? tr("No protocol is set. Before a person takes part, it must say whose study it is and whom "
+                               "to ask.")
                           : tr("No research key is set. Anybody can leave the participant's screens and read the "
                                "answers of the others."));
   hint_act_->setText(without_protocol ? tr("Set the protocol…") : tr("Set a key…"));

@@ -120,7 +120,7 @@ class RowReader {
     for (const CollectStep step : {CollectStep::kSpeed, CollectStep::kForces, CollectStep::kQuestions}) {
       at(row_.steps, step).word = StepWord::kOpen;
     }
-    at(row_.steps, CollectStep::kConsent).word = StepWord::kGiven;
+    at(row_.steps, CollectStep::kConsent).word = StepWord::kUnknown;
   }
 
   const store::StudyFile& file_;

@@ -35,6 +35,7 @@ enum class StepWord {
   kDone,
   kSkipped,  ///< left out by the researcher
   kGiven,    ///< the data came otherwise: imported tables, rules given directly
+  kUnknown,  ///< this file does not say
 };
 
 struct StepState {

@@ -34,7 +34,7 @@ void Arrival::newHere(bool usability) {
       newcomer_ = true;
       usability_ = usability;
       session_.reset();
-      welcome_ = {WelcomeState::Step::kNewCode, 0, false, {}};
+      welcome_ = {WelcomeState::Step::kNewCode, 0, false, {}, 0};
       emit changed();
     };
   });
@@ -55,7 +55,7 @@ void Arrival::enterCode(const QString& code) {
         session_ = found->session;
         // Without a session yet, she is shown the code to write it down.
         const auto step = session_ ? WelcomeState::Step::kWelcomeBack : WelcomeState::Step::kNewCode;
-        welcome_ = {step, found->answers, false, {}};
+        welcome_ = {step, found->answers, false, {}, 0};
       }
       emit changed();
     };

@@ -171,6 +171,7 @@ class ParticipantController : public QObject {
 
   Arrival arrival_;
   QString consent_language_;  ///< of the text that she agreed to, until that is noted
+  QString consent_text_;      ///< likewise
   bool resumes_ = false;      ///< an earlier session is being continued
   bool met_ = false;          ///< the session was seen
   AboutYou about_;

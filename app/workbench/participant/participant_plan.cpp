@@ -21,6 +21,11 @@ base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file) {
   for (const auto& [language, text] : protocol->consent) {
     out.consent_texts[QString::fromStdString(language)] = QString::fromStdString(text);
   }
+  for (const auto& [language, text] : protocol->statements) {
+    out.statements[QString::fromStdString(language)] = QString::fromStdString(text);
+  }
+  out.contact = QString::fromStdString(protocol->contact).trimmed();
+  out.force_cap_n = protocol->device.force_cap_n;
   out.device_friction_n = protocol->device.friction_n;
   return out;
 }

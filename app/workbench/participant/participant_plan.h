@@ -19,6 +19,9 @@ struct ParticipantPlan {
   std::vector<QString> languages;  ///< ids, in the order offered; empty: all that the screens have
   QString consent_version = QStringLiteral("1");
   std::map<QString, QString> consent_texts;    ///< by language; may be empty
+  std::map<QString, QString> statements;       ///< by language, instead of the general ones
+  QString contact;                             ///< whom a participant can ask
+  double force_cap_n = 2;                      ///< largest force of the device
   std::optional<study::RecordId> protocol;     ///< the record of the study's protocol; nothing: none was set
   QString device = QStringLiteral("virtual");  ///< id of the list of devices
   std::optional<double> device_friction_n;

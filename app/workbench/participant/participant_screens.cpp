@@ -1,6 +1,7 @@
 // What the nurse's screens show: the state of ParticipantController.
 #include <utility>
 
+#include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/questions.h"
 
@@ -12,6 +13,7 @@ void ParticipantController::look() {
   state_.screen = correcting_ ? Screen::kForce : screenOf(at(), passed_);
   state_.code = arrival_.code();
   state_.welcome = arrival_.welcome();
+  state_.welcome.minutes = minutesOf(plan_);
   state_.paused = at() != nullptr && at()->paused && !paused_by_her_;
   if (std::string now_asked = asked(); now_asked != asked_) {
     asked_ = std::move(now_asked);
@@ -54,8 +56,8 @@ void ParticipantController::fill() {
       state_.can_go_on = state_.can_go_back = arrival_.isKnown();
       break;
     case Screen::kConsent: {
-      const auto text = plan_.consent_texts.find(state_.language);
-      state_.consent = {plan_.consent_version, text == plan_.consent_texts.end() ? QString() : text->second,
+      const nurse::Language language = nurse::languageWithId(state_.language).value_or(nurse::Language::kEnglish);
+      state_.consent = {plan_.consent_version, consentParagraphs(plan_, language, arrival_.isForUsability()),
                         arrival_.isForUsability()};
       state_.can_go_back = true;
       break;

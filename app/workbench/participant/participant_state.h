@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/participant/kit/phrase.h"
+
 namespace tactus::workbench {
 
 enum class ParticipantScreen {
@@ -48,11 +50,12 @@ struct WelcomeState {
   int kept_answers = 0;       ///< of earlier, with a known code
   bool code_unknown = false;  ///< what she typed is no code of this study
   QString meant;              ///< a code of this study that she may have meant; may be empty
+  int minutes = 0;            ///< that a session takes, about
 };
 
 struct ConsentState {
   QString version;
-  QString text;            ///< the study's own; may be empty
+  std::vector<nurse::Phrase> paragraphs;
   bool usability = false;  ///< of a clinical teacher, without the parts on the device
 };
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/questions.h"
 
@@ -65,7 +66,8 @@ void ParticipantController::meetSession() {
   passed_.blocks = at()->blocks_done;
   form_ = formWithConditions(at()->settings->form);
   if (const QString language = std::exchange(consent_language_, {}); !language.isEmpty()) {
-    proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString()));
+    proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString(),
+                                      std::exchange(consent_text_, {}).toStdString()));
   }
   // She sat down again: the interrupted part is resumed.
   if (std::exchange(resumes_, false) && at()->paused) {
@@ -174,6 +176,8 @@ void ParticipantController::captureStroke(std::span<const haptics::Sample> sampl
 
 void ParticipantController::beginSession() {
   consent_language_ = state_.language;
+  consent_text_ = consentText(state_.consent.paragraphs,
+                              nurse::languageWithId(state_.language).value_or(nurse::Language::kEnglish));
   arrival_.begin(state_.language, plan_.seed ? *plan_.seed : chance_(), plan_.device.toStdString());
 }
 

@@ -93,6 +93,7 @@ nurse::WelcomeState shownWelcome(const ParticipantState& state, bool entering_co
     if (const auto language = nurse::languageWithId(id)) shown.languages.push_back(*language);
   }
   shown.code = state.code;
+  shown.minutes = state.welcome.minutes;
   shown.kept_answers = state.welcome.kept_answers;
   shown.code_unknown = state.welcome.code_unknown;
   shown.meant = state.welcome.meant;
@@ -100,9 +101,7 @@ nurse::WelcomeState shownWelcome(const ParticipantState& state, bool entering_co
   return shown;
 }
 
-nurse::ConsentState shownConsent(const ParticipantState& state) {
-  return {state.consent.text.split(QLatin1Char('\n'), Qt::SkipEmptyParts), state.simulated, state.consent.usability};
-}
+nurse::ConsentState shownConsent(const ParticipantState& state) { return {state.consent.paragraphs, state.simulated}; }
 
 nurse::AboutYouState shownAboutYou(const ParticipantState& state) {
   return {shownAboutQuestion(state.about.question), state.about.chosen, state.simulated};

@@ -94,6 +94,25 @@
         <source>today %1</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>not in this file</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>ConsentWords</name>
+    <message>
+        <source>The study has no protocol: a person must be told whose study it is and whom to ask. To try the screens without one: tactus-workbench --rehearse.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The protocol has no text of the study in %1: whose study it is, and who approved it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The protocol names nobody whom a participant can ask. To try the screens without a person: tactus-workbench --rehearse.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>CurveItems</name>
@@ -6587,10 +6606,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The consent screen shows general statements and, below them, this text: who runs the study, the approval of the ethics committee, whom to ask.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Version of the consent text</source>
         <translation type="unfinished"></translation>
     </message>
@@ -6793,6 +6808,26 @@
     </message>
     <message>
         <source>Type it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The consent screen makes general statements of the parts and the device above. Below them stands this text: who runs the study, the approval of the ethics committee; then whom to ask.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whom a participant can ask</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A name and a telephone number. Without it no session of a person begins.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Instead of the general statements, %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empty: the general ones, which follow the parts and the device.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8476,10 +8511,6 @@ mean (SD)</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>No protocol is set. Sessions follow the published experiment, with a general consent text.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>No research key is set. Anybody can leave the participant&apos;s screens and read the answers of the others.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -8513,6 +8544,10 @@ mean (SD)</source>
     </message>
     <message>
         <source>%1 moved a device that gives no force: what was judged there does not count. Start again with a device.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No protocol is set. Before a person takes part, it must say whose study it is and whom to ask.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -8745,6 +8780,10 @@ mean (SD)</source>
     <name>tactus::workbench::TakePartStart</name>
     <message>
         <source>No session can begin: %1 is open for reading only, because %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>No session can begin. %1</source>
         <translation type="unfinished"></translation>
     </message>
 </context>

@@ -19,7 +19,8 @@ TEST(SessionNotes, SayWhatHappened) {
   EXPECT_EQ(languageChosen("zh-Hant"), (Note{"language_chosen", R"({"language":"zh-Hant"})"}));
   EXPECT_EQ(textSizeChosen(125).kind, "text_size_chosen");
   EXPECT_NE(textSizeChosen(125).detail.find("125"), std::string::npos);
-  EXPECT_NE(consentGiven("2026-2", "en").detail.find("2026-2"), std::string::npos);
+  EXPECT_EQ(consentGiven("2026-2", "en", "I agree.").detail,
+            R"({ "version": "2026-2", "language": "en", "text": "I agree." })");
   EXPECT_EQ(researcherNote("said \"ouch\"").detail, R"({"text":"said \"ouch\""})");
 }
 

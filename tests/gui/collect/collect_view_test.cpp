@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/session/study_protocol.h"
 #include "app/workbench/collect/monitor_window.h"
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/collect/study_home.h"
@@ -197,9 +198,29 @@ TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) 
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force,form"));
 }
 
+TEST_F(CollectViewTest, WithoutATextOfTheStudyNoPersonSitsDownAndTheProtocolIsOneClickAway) {
+  openStudy([](store::StudyFile& file, study::RecordIds& ids) {
+    ASSERT_TRUE(store::append(file, study::Person{ids.next(), "amber-crow", false}));
+  });
+  ASSERT_TRUE(comesTrue([this] { return collect().overview().rows.size() == 1; }));
+  home().select(collect().overview().rows.front().person);
+  QTest::mouseClick(button<PrimaryButton>(home(), "Start with amber-crow"), Qt::LeftButton);
+  ASSERT_TRUE(comesTrue([this] { return window.banner().message().contains(QStringLiteral("no protocol")); }));
+  EXPECT_EQ(bench.collect_parts.run().takePart(), nullptr);
+  EXPECT_TRUE(window.isVisible());
+  QTest::mouseClick(button(window.banner(), "Edit the protocol"), Qt::LeftButton);
+  EXPECT_TRUE(bench.collect_parts.view().protocolPage().isVisible());
+}
+
 TEST_F(CollectViewTest, ASessionTakesTheParticipantsScreensAndComesBack) {
   openStudy([](store::StudyFile& file, study::RecordIds& ids) {
     ASSERT_TRUE(store::append(file, study::Person{ids.next(), "amber-crow", false}));
+    session::StudyProtocol protocol;
+    protocol.consent_version = "1";
+    protocol.consent = {{"en", "A study of a test."}};
+    protocol.contact = "Nobody";
+    session::SessionTools tools{[] { return study::Moment{}; }, study::RecordIds()};
+    ASSERT_TRUE(session::setProtocol(file, protocol, "Test", "", tools));
   });
   ASSERT_TRUE(comesTrue([this] { return collect().overview().rows.size() == 1; }));
   home().select(collect().overview().rows.front().person);

@@ -30,15 +30,7 @@ ConsentScreen::ConsentScreen(const Look& look, QWidget* parent)
 }
 
 void ConsentScreen::setState(const ConsentState& state) {
-  std::vector<Phrase> paragraphs;
-  const std::vector<const char*> of_nurses = {"con.purpose", "con.what", "con.force",   "con.voluntary",
-                                              "con.stop",    "con.data", "con.withdraw"};
-  const std::vector<const char*> of_teachers = {"u.purpose", "con.voluntary", "con.stop", "u.data", "con.withdraw"};
-  for (const char* id : state.usability ? of_teachers : of_nurses) {
-    paragraphs.push_back(phrase(QString::fromLatin1(id)));
-  }
-  for (const QString& paragraph : state.study_text) paragraphs.push_back(plain(paragraph));
-  text_->setParagraphs(std::move(paragraphs));
+  text_->setParagraphs(state.paragraphs);
   setSimulated(state.simulated);
 }
 

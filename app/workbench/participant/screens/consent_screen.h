@@ -7,9 +7,8 @@
 namespace tactus::workbench::nurse {
 
 struct ConsentState {
-  QStringList study_text;  ///< paragraphs of the study's own text, in the language of the screen; may be empty
+  std::vector<Phrase> paragraphs;
   bool simulated = false;
-  bool usability = false;  ///< of a clinical teacher, who uses no device here
 };
 
 class ConsentScreen : public ScreenFrame {

@@ -140,6 +140,22 @@ SampleScreen statement(int item) {
   return sample<ScaleScreen>(QStringLiteral("usability_%1").arg(item), state);
 }
 
+/// The statements `ids`, with a value where they have a place for one.
+ConsentState consent(std::initializer_list<const char*> ids) {
+  ConsentState state;
+  for (const char* id : ids) {
+    const bool contact = std::string_view(id) == "con.contact";
+    const bool force = std::string_view(id) == "con.force";
+    const bool minutes = std::string_view(id) == "con.minutes";
+    QStringList values;
+    if (contact) values << QStringLiteral("School of Nursing, 2766 0000");
+    if (force) values << QStringLiteral("210");
+    if (minutes) values << QStringLiteral("25");
+    state.paragraphs.push_back(phrase(QString::fromLatin1(id), values));
+  }
+  return state;
+}
+
 }  // namespace
 
 std::vector<SampleScreen> sampleScreens() {
@@ -148,8 +164,13 @@ std::vector<SampleScreen> sampleScreens() {
       sample<WelcomeScreen>("welcome_new_code", welcome(WelcomeStep::kNewCode)),
       sample<WelcomeScreen>("welcome_enter_code", welcome(WelcomeStep::kEnterCode)),
       sample<WelcomeScreen>("welcome_back", welcome(WelcomeStep::kWelcomeBack)),
-      sample<ConsentScreen>("consent", ConsentState{}),
-      sample<ConsentScreen>("consent_teacher", ConsentState{{}, false, true}),
+      sample<ConsentScreen>("consent", consent({"con.purpose", "con.what", "con.minutes", "con.force", "con.voluntary",
+                                                "con.stop", "con.data", "con.withdraw", "con.contact"})),
+      sample<ConsentScreen>("consent_questions",
+                            consent({"con.purpose", "con.what_questions", "con.minutes", "con.force", "con.voluntary",
+                                     "con.stop", "con.data_questions", "con.withdraw", "con.contact"})),
+      sample<ConsentScreen>("consent_teacher", consent({"u.purpose", "con.voluntary", "con.stop", "u.data",
+                                                        "con.withdraw", "con.contact"})),
   };
   int number = 0;
   for (const AboutQuestion each : {AboutQuestion::kYears, AboutQuestion::kHand, AboutQuestion::kGloves,

@@ -28,7 +28,7 @@ std::vector<Answer> sizeAnswers() {
 WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
-      line_(texts_->add(TextRole::kBody, phrase(QStringLiteral("wel.line")))),
+      line_(texts_->add(TextRole::kBody, phrase(QStringLiteral("wel.line"), {QString::number(state_.minutes)}))),
       language_title_(texts_->add(TextRole::kTitle, phrase(QStringLiteral("wel.language")))),
       languages_(new Choices(look, texts_)),
       size_title_(nullptr),
@@ -70,6 +70,7 @@ void WelcomeScreen::showChoices() {
 void WelcomeScreen::setState(const WelcomeState& state) {
   const bool entering = state.step == WelcomeStep::kEnterCode && state_.step != WelcomeStep::kEnterCode;
   state_ = state;
+  line_->setPhrase(phrase(QStringLiteral("wel.line"), {QString::number(state.minutes)}));
   const bool start = state.step == WelcomeStep::kStart;
   for (QWidget* widget : std::initializer_list<QWidget*>{line_, size_title_, sizes_, have_code_, teach_})
     widget->setVisible(start);

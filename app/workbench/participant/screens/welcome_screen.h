@@ -19,6 +19,7 @@ struct WelcomeState {
   WelcomeStep step = WelcomeStep::kStart;
   std::vector<Language> languages = {kLanguages.begin(), kLanguages.end()};  ///< with one alone nothing is to be chosen
   QString code;
+  int minutes = 30;  ///< that a session takes, about
   int kept_answers = 0;
   bool code_unknown = false;
   QString meant;  ///< a code that she may have meant; may be empty

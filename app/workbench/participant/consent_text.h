@@ -1,0 +1,27 @@
+// What a participant agrees to: statements that follow from the protocol, the study's own text, and whom to ask.
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "app/workbench/participant/kit/language.h"
+#include "app/workbench/participant/kit/phrase.h"
+#include "app/workbench/participant/participant_plan.h"
+
+namespace tactus::workbench {
+
+/// The paragraphs of the consent screen. The statements name only what the session has: without movements no recording
+/// of them, with the device's largest force and the minutes; the protocol may have others instead.
+/// `usability`: of a clinical teacher, who uses no device here.
+std::vector<nurse::Phrase> consentParagraphs(const ParticipantPlan& plan, nurse::Language language, bool usability);
+
+/// The same as the text that is stored with the consent, one paragraph in a line.
+QString consentText(const std::vector<nurse::Phrase>& paragraphs, nurse::Language language);
+
+/// About how long the sessions of the plan take, in min.
+int minutesOf(const ParticipantPlan& plan);
+
+/// Why no session of a real person can begin: nobody has said whose study it is, or whom to ask. Empty if one can.
+QString whyNoSession(const ParticipantPlan& plan);
+
+}  // namespace tactus::workbench
