@@ -20,6 +20,7 @@ base::Error failed(const std::string& folder, const std::error_code& reason) {
 
 /// Puts `made` in the place of `folder`; what was there goes.
 base::Result<void> replace(const std::string& made, const std::string& folder) {
+  const base::Exchange exchange;
   std::error_code error;
   const bool old = fs::exists(folder, error);
   const std::string aside = made + "-old";

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/data_text.h"
 #include "app/cli/findings_text.h"
+#include "app/cli/output_file.h"
 #include "app/cli/speeds_text.h"
 #include "app/cli/study_build.h"
 #include "app/cli/wrapped_text.h"
@@ -136,8 +137,10 @@ Result<Output> build(const BuildOptions& options) {
     if (!weighted) return inFile(weighted.error(), options.study);
     results.weights = std::move(*weighted);
   }
-  if (auto written = model_io::writeModel(built.model, options.out); !written) return tl::unexpected(written.error());
-  return Output{options.json ? asJson(options, results) : summary(options, results), made->warnings()};
+  const auto text = model_io::modelText(built.model, options.out);
+  if (!text) return tl::unexpected(text.error());
+  return written(options.out, *text,
+                 {options.json ? asJson(options, results) : summary(options, results), made->warnings()}, options.json);
 }
 
 }  // namespace tactus::cli

@@ -38,6 +38,15 @@ bool isOption(const std::string& word) {
 
 }  // namespace
 
+CLI::Validator inputFile() {
+  return CLI::Validator(
+      [](std::string& text) {
+        if (text == "-") text = "/dev/stdin";
+        return text.empty() ? std::string("found an empty text") : std::string();
+      },
+      "");
+}
+
 CLI::Validator oneOf(std::vector<std::string> words) {
   const std::string name = "{" + base::joined(words, ",") + "}";
   return CLI::Validator(

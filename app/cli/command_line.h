@@ -32,6 +32,9 @@ inline CLI::Validator notEmpty() {
       [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
 }
 
+/// A file to read, for `transform`: `-` is standard input. Refuses an empty text.
+CLI::Validator inputFile();
+
 /// One of `words`. Another word is refused with the closest of them as a suggestion.
 CLI::Validator oneOf(std::vector<std::string> words);
 
@@ -47,7 +50,7 @@ std::optional<std::string> unknownWord(const CLI::App& app, const std::vector<st
 
 /// The model file that the command reads.
 inline void addModel(CLI::App& command, std::string& model) {
-  command.add_option("MODEL", model, "Model file")->required()->check(notEmpty());
+  command.add_option("MODEL", model, "Model file, or - for standard input")->required()->transform(inputFile());
 }
 
 /// `--at`: one point of the model, read by `pointOption` (model_arguments.h).

@@ -63,10 +63,7 @@ Result<Output> eval(const EvalOptions& options) {
     for (std::size_t column = 0; column < points->columns().size(); ++column) csv.cell(points->cell(row, column));
     csv.cell(force.force_n).cell(force.fired ? 1 : 0).endRow();
   }
-  if (options.out.empty()) return Output{csv.text(), std::move(warnings), true};
-  if (auto written = base::writeFileAtomically(options.out, csv.text()); !written)
-    return tl::unexpected(written.error());
-  return Output{"", std::move(warnings)};
+  return written(options.out.empty() ? "-" : options.out, csv.text(), {"", std::move(warnings)}, false);
 }
 
 }  // namespace tactus::cli

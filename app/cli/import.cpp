@@ -55,8 +55,12 @@ base::Result<Output> import(const ImportOptions& options) {
   model->created_utc = base::formatUtc(std::chrono::system_clock::now());
   model->generator = kGenerator;
   if (const auto checked = elicitation::setChecks(*model); !checked) return base::inFile(checked.error(), options.file);
-  if (const auto written = model_io::writeModel(*model, options.out); !written) return tl::unexpected(written.error());
-  return Output{options.json ? importAsJson(options, *file, *model) : importAsText(options, *model), file->warnings()};
+  const auto text = model_io::modelText(*model, options.out);
+  if (!text) return tl::unexpected(text.error());
+  return written(
+      options.out, *text,
+      {options.json ? importAsJson(options, *file, *model) : importAsText(options, *model), file->warnings()},
+      options.json);
 }
 
 }  // namespace tactus::cli

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string_view>
 
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
@@ -14,13 +15,6 @@ namespace tactus::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool isDatabase(const fs::path& path) {
-  constexpr std::string_view kMagic{"SQLite format 3\0", 16};
-  std::array<char, kMagic.size()> begin{};
-  std::ifstream file(path, std::ios::binary);
-  return file.read(begin.data(), begin.size()) && std::string_view(begin.data(), begin.size()) == kMagic;
-}
 
 /// Whether `out` may be read as a table of the study in `folder`, which also reads Speeds.CSV and speeds.txt.
 bool isTableOf(const fs::path& folder, const fs::path& out) {
@@ -39,6 +33,13 @@ bool isTableOf(const fs::path& folder, const fs::path& out) {
 
 }  // namespace
 
+bool isDatabase(const std::string& path) {
+  constexpr std::string_view kMagic{"SQLite format 3\0", 16};
+  std::array<char, kMagic.size()> begin{};
+  std::ifstream file(path, std::ios::binary);
+  return file.read(begin.data(), begin.size()) && std::string_view(begin.data(), begin.size()) == kMagic;
+}
+
 base::Result<void> requireOutput(const std::string& out, const std::vector<std::string>& inputs) {
   std::error_code ignored;
   if (out.empty() || !fs::is_regular_file(out, ignored)) return {};
@@ -52,6 +53,18 @@ base::Result<void> requireOutput(const std::string& out, const std::vector<std::
   }
   if (isDatabase(out)) return refused("a study file or another database");
   return {};
+}
+
+base::Result<Output> written(const std::string& out, std::string_view text, Output said, bool json) {
+  if (out == "-") {
+    if (json) {
+      return base::fail(base::ErrorCode::kValue, "--out", "'-' beside --json",
+                        "one of them, as both write to standard output");
+    }
+    return Output{std::string(text), std::move(said.warnings), true, std::move(said.failure)};
+  }
+  if (auto ok = base::writeFileAtomically(out, text); !ok) return tl::unexpected(ok.error());
+  return said;
 }
 
 }  // namespace tactus::cli

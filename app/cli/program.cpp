@@ -11,6 +11,7 @@
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 #include "app/cli/device_commands.h"
+#include "app/cli/progress_line.h"
 #include "app/session/simulated_study.h"
 #include "app/version.h"
 #include "core/base/close_match.h"
@@ -63,7 +64,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
   addBuildCommands(app, chosen);
   addCommand(app, chosen, "cluster", "Fuzzy C-Means of one column of speeds", cluster,
              [](CLI::App& command, ClusterOptions& o) {
-               command.add_option("SPEEDS", o.speeds, "CSV file")->required()->check(notEmpty());
+               command.add_option("SPEEDS", o.speeds, "CSV file")->required()->transform(inputFile());
                const auto most = std::to_string(elicitation::kMostClusters);
                command.add_option("-c", o.clusters, "Number of clusters, 1 to " + most)
                    ->check(numberThat("a whole number of clusters from 1 to " + most, [](double x) {
@@ -78,7 +79,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
              [](CLI::App& command, AgreementOptions& o) {
                command.add_option("FILE", o.file, "Table of answers, of judgements, or of vote counts as in Table 2")
                    ->required()
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.add_option("--series", o.series, "Series of the judgements to compare")->check(notEmpty());
                command.add_option("--form", o.form, "Form of the answers to compare; by default the one answered most")
                    ->check(notEmpty());
@@ -89,7 +90,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                addModel(command, o.model);
                command.add_option("--in", o.points, "CSV file with one column per input of the model")
                    ->required()
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.add_option("--out", o.out, "CSV file to write; without it, to standard output");
                command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
                command
@@ -120,7 +121,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command
                    .add_option("--curve", o.curve,
                                "CSV file of wanted forces: columns of inputs, and force, or force_min and force_max")
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.parse_complete_callback([&o] {
                  if (!o.force_n && o.curve.empty()) throw CLI::RequiredError("--force or --curve");
                });
@@ -155,7 +156,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                addModel(command, o.model);
                command.add_option("--scenario", o.scenario, "Scenario file: hand, device, what happens when")
                    ->required()
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.add_option("--out", o.out, "CSV file of the trace, one row per millisecond")
                    ->required()
                    ->check(notEmpty());
@@ -239,7 +240,14 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
     return status;
   }
   try {
-    return report(chosen(), out, err);
+    const std::string command = app.get_subcommands().front()->get_name();
+    const bool talks = command == "serve" || command == "devices";
+    base::Result<Output> result = Output{};
+    {
+      const auto line = talks ? nullptr : std::make_unique<ProgressLine>("tactus " + command);
+      result = chosen();
+    }
+    return report(result, out, err);
   } catch (const std::exception& error) {
     err << "tactus: stopped: " << base::oneLine(error.what()) << '\n';
     return kWrongInput;

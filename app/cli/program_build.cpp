@@ -114,9 +114,12 @@ void addBuildCommands(CLI::App& app, Chosen& chosen) {
              });
   addCommand(app, chosen, "vote", "The vote on force judgements and the terms that follow", vote,
              [](CLI::App& command, VoteOptions& o) {
-               command.add_option("JUDGEMENTS", o.judgements, "Table of judgements, or of vote counts as in Table 2")
+               command
+                   .add_option(
+                       "JUDGEMENTS", o.judgements,
+                       "Table of judgements, or of vote counts as in Table 2; or a study, as a file or a folder")
                    ->required()
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.add_option("--series", o.series, "Series of stimuli to count")->check(notEmpty());
                addForceTerms(command, o);
                addJson(command, o.json);

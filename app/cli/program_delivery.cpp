@@ -39,7 +39,7 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
              [](CLI::App& command, ImportOptions& o) {
                command.add_option("FILE", o.file, "File of fuzzylite, jFuzzyLogic, MATLAB, Octave and others")
                    ->required()
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.add_option("--out", o.out, "Model file to write")->required()->check(notEmpty());
                command.add_option("--from", o.from, "Format, where the content does not tell it")
                    ->check(oneOf({"fll", "fcl", "fis"}));
@@ -49,8 +49,8 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
              });
   addCommand(app, chosen, "diff", "What differs between two models: terms, rules, settings, newtons", diff,
              [](CLI::App& command, DiffOptions& o) {
-               command.add_option("A", o.first, "Model file")->required()->check(notEmpty());
-               command.add_option("B", o.second, "Model file")->required()->check(notEmpty());
+               command.add_option("A", o.first, "Model file")->required()->transform(inputFile());
+               command.add_option("B", o.second, "Model file")->required()->transform(inputFile());
                addJson(command, o.json);
              });
 }

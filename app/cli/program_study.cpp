@@ -85,12 +85,12 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                                            .add_option("--responses", o.responses,
                                                        "Table of answers that a survey system exported; no default")
                                            ->excludes(to)
-                                           ->check(notEmpty());
+                                           ->transform(inputFile());
                command
                    .add_option("--participants", o.participants,
                                "CSV file record,participant; default: the record ids are the participants' codes")
                    ->needs(responses)
-                   ->check(notEmpty());
+                   ->transform(inputFile());
                command.add_option("--missing", o.missing, "A cell that means no answer, such as -999; no default")
                    ->needs(responses)
                    ->allow_extra_args(false)

@@ -28,16 +28,16 @@ using base::ErrorCode;
 /// The word for all rules in `--lock`, unless a variable is called so.
 constexpr std::string_view kRules = "rules";
 
-/// Writes the model after a candidate. The checks keep their points and get the new forces.
-base::Result<void> writeEdited(const PullOptions& options, const OpenedModel& opened,
-                               const analysis::PullCandidate& candidate, const std::string& text) {
+/// The text of the model after a candidate. The checks keep their points and get the new forces.
+base::Result<std::string> editedText(const PullOptions& options, const OpenedModel& opened,
+                                     const analysis::PullCandidate& candidate, const std::string& text) {
   auto edit = editing::finished(applied(opened.model, candidate.edits), text);
   if (!edit) return tl::unexpected(edit.error());
   editing::refreshChecks(edit->model, edit->compiled);
   edit->model.created_utc = base::formatUtc(std::chrono::system_clock::now());
   edit->model.generator = kGenerator;
   if (auto& from = edit->model.provenance) from->notes += (from->notes.empty() ? "" : " ") + edit->label + ".";
-  return model_io::writeModel(edit->model, options.out);
+  return model_io::modelText(edit->model, options.out);
 }
 
 /// What an answer of either kind comes to on the screen and in a file.
@@ -200,10 +200,13 @@ base::Result<Output> pull(const PullOptions& options) {
   }
   const std::string& text = answer->texts[*options.apply - 1];
   const auto& chosen = answer->candidates[*options.apply - 1];
-  if (auto ok = writeEdited(options, question->opened, chosen, text); !ok) return tl::unexpected(ok.error());
+  const auto edited = editedText(options, question->opened, chosen, text);
+  if (!edited) return tl::unexpected(edited.error());
   for (const std::string& finding : question->findings->after(chosen)) warnings.push_back("new finding: " + finding);
-  return Output{options.json ? std::move(answer->text) : base::oneLine(options.out) + ": " + text + "\n",
-                std::move(warnings)};
+  return written(
+      options.out, *edited,
+      {options.json ? std::move(answer->text) : base::oneLine(options.out) + ": " + text + "\n", std::move(warnings)},
+      options.json);
 }
 
 }  // namespace tactus::cli

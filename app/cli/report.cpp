@@ -1,6 +1,7 @@
 // The report of one's own study, as one page.
 #include "app/cli/accepted_data.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_file.h"
 #include "app/cli/study_build.h"
 #include "app/report/study_report.h"
 #include "app/session/known_forms.h"
@@ -26,18 +27,20 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                          .usability = made->usability};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
-  if (auto written = base::writeFileAtomically(options.out, *page); !written) return tl::unexpected(written.error());
   const auto experts = made->built.model.experts.size();
   if (!options.json) {
-    return Output{base::oneLine(options.out) + ": report of " + std::to_string(made->tables.study.participants.size()) +
-                      " participants, " + std::to_string(experts) + " experts\n",
-                  made->warnings()};
+    return written(
+        options.out, *page,
+        {base::oneLine(options.out) + ": report of " + std::to_string(made->tables.study.participants.size()) +
+             " participants, " + std::to_string(experts) + " experts\n",
+         made->warnings()},
+        options.json);
   }
   base::JsonWriter json;
   json.beginObject().key("report").value(options.out);
   json.key("participants").value(made->tables.study.participants.size()).key("experts").value(experts);
   json.key("notes").values(made->built.notes).key("notices").values(made->notices).endObject();
-  return Output{json.text(), made->warnings()};
+  return written(options.out, *page, {json.text(), made->warnings()}, options.json);
 }
 
 }  // namespace tactus::cli

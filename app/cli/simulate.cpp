@@ -130,11 +130,8 @@ Result<Output> simulate(const SimulateOptions& options) {
   const auto run = simulation::runScenario(*scenario, read->model, read_other,
                                            [&trace](const simulation::TraceTick& tick) { trace.add(tick); });
   if (!run) return base::inFile(run.error(), options.scenario);
-  if (auto written = base::writeFileAtomically(options.out, trace.text()); !written) {
-    return tl::unexpected(written.error());
-  }
   output.text = options.json ? asJson(options, *run) : asText(options, *run);
-  return output;
+  return written(options.out, trace.text(), std::move(output), options.json);
 }
 
 }  // namespace tactus::cli

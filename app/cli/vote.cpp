@@ -1,7 +1,10 @@
 #include <cmath>
+#include <filesystem>
 
 #include "app/cli/commands.h"
+#include "app/cli/output_file.h"
 #include "app/cli/wrapped_text.h"
+#include "app/session/study_source.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/rounded_number.h"
@@ -27,7 +30,34 @@ struct Count {
   std::vector<std::string> warnings;
 };
 
+Result<Count> counted(const VoteOptions& options, const std::vector<std::string>& terms, Count count,
+                      std::vector<study::ForceJudgement> judgements) {
+  auto steps = elicitation::countVotes(judgements, options.series, terms);
+  if (!steps) {
+    auto error = steps.error();
+    error.file = options.judgements;
+    return tl::unexpected(std::move(error));
+  }
+  count.steps = std::move(*steps);
+  count.enrolled = elicitation::countParticipants(judgements);
+  count.judgements = std::move(judgements);
+  return count;
+}
+
+/// A study file, or a folder with the tables of a study.
+bool isStudy(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_directory(path, ignored) || isDatabase(path);
+}
+
 Result<Count> countFile(const VoteOptions& options, const std::vector<std::string>& terms) {
+  if (isStudy(options.judgements)) {
+    auto study = session::readStudy(options.judgements, elicitation::ngtInputIds());
+    if (!study) return tl::unexpected(study.error());
+    Count count;
+    for (const auto& notice : study->notices) count.warnings.push_back(options.judgements + ": " + notice);
+    return counted(options, terms, std::move(count), std::move(study->study.judgements));
+  }
   const auto table = base::CsvTable::read(options.judgements);
   if (!table) return tl::unexpected(table.error());
   Count count;
@@ -43,16 +73,7 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
   }
   auto judgements = session::readJudgementTable(*table, count.warnings);
   if (!judgements) return tl::unexpected(judgements.error());
-  auto steps = elicitation::countVotes(*judgements, options.series, terms);
-  if (!steps) {
-    auto error = steps.error();
-    error.file = options.judgements;
-    return tl::unexpected(std::move(error));
-  }
-  count.steps = std::move(*steps);
-  count.enrolled = elicitation::countParticipants(*judgements);
-  count.judgements = std::move(*judgements);
-  return count;
+  return counted(options, terms, std::move(count), std::move(*judgements));
 }
 
 /// Why the step has its term, in words; `--json` has the codes.

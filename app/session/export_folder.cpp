@@ -81,6 +81,7 @@ tl::unexpected<Error> ioError(const fs::path& path, const std::error_code& error
 
 /// Gives the new folder `from` the name `to`, which an older folder has; that gets the name of the new one.
 Result<void> exchange(const fs::path& from, const fs::path& to, Swap swap) {
+  const base::Exchange no_stop_between;
   if (swap == Swap::kAtOnce) {
     if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return {};
     const bool is_unknown = errno == EINVAL || errno == ENOSYS || errno == ENOTSUP;

@@ -34,5 +34,7 @@ std::string formatModel(const fuzzy::ForceModel& model);
 /// Validates `model` and writes it to `path`, completely or not at all. Returns an error for every model that
 /// `readModel` would refuse, also for wrong checks.
 base::Result<void> writeModel(const fuzzy::ForceModel& model, const std::string& path);
+/// The text that `writeModel` writes to `path`, with the same errors.
+base::Result<std::string> modelText(const fuzzy::ForceModel& model, const std::string& path);
 
 }  // namespace tactus::model_io

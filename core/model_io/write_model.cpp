@@ -7,9 +7,9 @@
 
 namespace tactus::model_io {
 
-base::Result<void> writeModel(const fuzzy::ForceModel& model, const std::string& path) {
-  if (const auto ok = fuzzy::validate(model); !ok) return base::inFile(ok.error(), path);
-  const std::string text = formatModel(model);
+base::Result<std::string> modelText(const fuzzy::ForceModel& model, const std::string& path) {
+  if (auto ok = fuzzy::validate(model); !ok) return base::inFile(ok.error(), path);
+  std::string text = formatModel(model);
   // What is written must read: this finds text that is not UTF-8, doubled keys, wrong checks, a file beyond the limit.
   const auto read = parseModel(text, path);
   if (!read) return tl::unexpected(read.error());
@@ -18,7 +18,13 @@ base::Result<void> writeModel(const fuzzy::ForceModel& model, const std::string&
     return tl::unexpected(base::Error{
         base::ErrorCode::kSyntax, path, {}, "a name with bytes that are not UTF-8 text", "names that are UTF-8 text"});
   }
-  return base::writeFileAtomically(path, text);
+  return text;
+}
+
+base::Result<void> writeModel(const fuzzy::ForceModel& model, const std::string& path) {
+  const auto text = modelText(model, path);
+  if (!text) return tl::unexpected(text.error());
+  return base::writeFileAtomically(path, *text);
 }
 
 }  // namespace tactus::model_io

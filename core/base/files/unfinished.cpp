@@ -1,11 +1,16 @@
 #include "core/base/files/unfinished.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <fcntl.h>
+#include <filesystem>
+#include <mutex>
 #include <random>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <system_error>
+#include <vector>
 
 namespace tactus::base {
 namespace {
@@ -13,6 +18,7 @@ namespace {
 constexpr std::string_view kLetters = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
 constexpr std::size_t kRandomLetters = 6;
 constexpr int kMostDraws = 100;
+constexpr std::size_t kKeptNames = 64;
 
 std::string drawnName(const std::string& path, std::string_view ending) {
   std::random_device device;
@@ -32,15 +38,39 @@ bool isNamed(const Descriptor& descriptor, const std::string& path) {
 
 bool takeIntoUse(const Descriptor& descriptor) { return ::flock(descriptor.number(), LOCK_EX | LOCK_NB) == 0; }
 
+/// The names that this process has drawn. Most are gone again soon: their files were renamed.
+struct DrawnNames {
+  std::recursive_mutex mutex;
+  std::vector<std::string> names;
+
+  void add(const std::string& name) {
+    if (names.size() >= kKeptNames) {
+      std::error_code ignored;
+      std::erase_if(names, [&](const std::string& one) { return !std::filesystem::exists(one, ignored); });
+    }
+    names.push_back(name);
+  }
+};
+
+DrawnNames& drawnNames() {
+  static auto* const kNames = new DrawnNames;  // never destroyed: a signal may come at the very end
+  return *kNames;
+}
+
+std::atomic<int> exchanges{0};
+static_assert(std::atomic<int>::is_always_lock_free);
+
 /// Draws names until `make` finds one free; what `make` opened, in use.
 template <class Make>
 Unfinished draw(const std::string& path, std::string_view ending, Make make) {
+  const Exchange exchange;
   for (int i = 0; i < kMostDraws; ++i) {
     std::string name = drawnName(path, ending);
     Descriptor descriptor(make(name));
     if (!descriptor.isOpen() && errno == EEXIST) continue;
     // Some file systems have no locks; then nothing there is ever taken for unused.
     if (!descriptor.isOpen() || !takeIntoUse(descriptor) || isNamed(descriptor, name)) {
+      if (descriptor.isOpen()) drawnNames().add(name);
       return {std::move(name), std::move(descriptor)};
     }
     // Between the making and the lock another program has taken it for a leftover and deleted it.
@@ -61,6 +91,25 @@ Unfinished makeUnfinishedFolder(const std::string& path, std::string_view ending
     return ::mkdir(name.c_str(), 0700) == 0 ? ::open(name.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
   });
 }
+
+void removeUnfinished() noexcept {
+  DrawnNames& drawn = drawnNames();
+  const std::lock_guard lock(drawn.mutex);
+  std::error_code ignored;
+  for (const std::string& name : drawn.names) std::filesystem::remove_all(name, ignored);
+}
+
+Exchange::Exchange() {
+  drawnNames().mutex.lock();
+  ++exchanges;
+}
+
+Exchange::~Exchange() {
+  --exchanges;
+  drawnNames().mutex.unlock();
+}
+
+bool isExchanging() noexcept { return exchanges.load() > 0; }
 
 bool isUnfinishedName(std::string_view name, std::string_view whole, std::string_view ending) {
   if (!name.starts_with(whole)) return false;

@@ -28,6 +28,23 @@ Unfinished makeUnfinishedFile(const std::string& path, mode_t mode);
 /// and in use.
 Unfinished makeUnfinishedFolder(const std::string& path, std::string_view ending);
 
+/// Deletes what this process has made so and neither finished nor deleted yet: for a program that ends at once. What
+/// stays whole otherwise, such as a study, is not among it. Thread: any.
+void removeUnfinished() noexcept;
+
+/// While one lives, `removeUnfinished` waits: for the moment in which the old and the new stand under other names.
+class Exchange {
+ public:
+  Exchange();
+  ~Exchange();
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+};
+
+/// Whether a name is just being drawn or exchanged: a thread that stands still now would keep `removeUnfinished`
+/// waiting. May be asked in a signal handler.
+bool isExchanging() noexcept;
+
 /// Whether the file name `name` consists of `whole`, `ending`, and six letters and digits.
 bool isUnfinishedName(std::string_view name, std::string_view whole, std::string_view ending = kUnfinishedEnding);
 
