@@ -4,10 +4,16 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 . .ci/install_missing.sh
 
+# Where the time goes: `spent NAME` after each phase.
+phases=""
+begun=$SECONDS
+spent() { phases+="${phases:+, }$1 $((SECONDS - begun)) s"; begun=$SECONDS; }
+
 install_missing git ccache clang-format locales libgtest-dev libgmp-dev qemu-system-x86 busybox-static cpio fuzzylite \
   dpkg-dev file g++-mingw-w64-x86-64-posix xvfb xauth xdotool \
   "${build_packages[@]}" "${workbench_packages[@]}"
 install_wanted "${wanted_packages[@]}"
+spent packages
 
 # A fresh clone may belong to somebody else than the one who tests it.
 sources() { git -c safe.directory='*' ls-files -co --exclude-standard -- '*.h' '*.cpp'; }
@@ -19,6 +25,7 @@ if [ "$found_format" = "$wanted_format" ]; then
 else
   echo "Not checked: the format (clang-format $found_format is here, $wanted_format is wanted)"
 fi
+spent format
 
 # One object cache for both builds below; precompiled headers need the third setting.
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime
@@ -26,9 +33,11 @@ export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 CCACHE_SLOPPINESS=pch_defines,time
 # Without Qt everything outside app/workbench must build.
 [ -f build/core-only/build.ninja ] || quietly cmake --preset core-only
 quietly cmake --build --preset core-only --target tactus_cli
+spent "build without Qt"
 
 [ -f build/dev/build.ninja ] || quietly cmake --preset dev
 quietly cmake --build --preset dev
+spent build
 
 # Some tests run in a locale with decimal commas, which a small system does not have.
 export LOCPATH=$PWD/build/locale
@@ -43,6 +52,9 @@ if ! ctest --preset dev -j "$(nproc)" >"$log" 2>&1; then
   cat "$log" >&2
   exit 1
 fi
+spent tests
 grep 'tests passed' "$log"
+echo "Time: $phases"
+grep -ah '^House: ' build/dev/Testing/Temporary/LastTest.log || true
 # A test that cannot run here says why.
 grep -a '^SKIPPED' build/dev/Testing/Temporary/LastTest.log || true
