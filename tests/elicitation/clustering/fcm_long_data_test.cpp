@@ -43,15 +43,15 @@ double errorOf(const std::vector<double>& samples, const std::vector<double>& we
 }
 
 // Rounding of sums of 5,000 terms and of centers of some hundreds: a few units in the last place.
-constexpr double kRounding = 2e-13;
+constexpr double kSumRounding = 2e-13;
 
 TEST(FcmLongData, AgreesWithTheTextbookIterationInLongDouble) {
   const auto samples = strokes(5000);
-  EXPECT_LE(errorOf(samples, {}, {}), kRounding);
-  EXPECT_LE(errorOf(samples, {}, {.clusters = 2}), kRounding);
-  EXPECT_LE(errorOf(samples, {}, {.clusters = 4}), kRounding);
-  EXPECT_LE(errorOf(samples, {}, {.m = 1.5}), kRounding);
-  EXPECT_LE(errorOf(samples, {}, {.m = 3}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {}), kSumRounding);
+  EXPECT_LE(errorOf(samples, {}, {.clusters = 2}), kSumRounding);
+  EXPECT_LE(errorOf(samples, {}, {.clusters = 4}), kSumRounding);
+  EXPECT_LE(errorOf(samples, {}, {.m = 1.5}), kSumRounding);
+  EXPECT_LE(errorOf(samples, {}, {.m = 3}), kSumRounding);
 }
 
 TEST(FcmLongData, FewDistinctValuesNeedNoPassOverAllSamples) {
@@ -60,7 +60,7 @@ TEST(FcmLongData, FewDistinctValuesNeedNoPassOverAllSamples) {
   const auto result = fuzzyCMeans(samples);
   ASSERT_TRUE(result);
   EXPECT_EQ(result->passes, 0);
-  EXPECT_LE(errorOf(samples, {}, {}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {}), kSumRounding);
 }
 
 // Above m = 3 J has minima at single samples, so more starts are made: not where all of the first ones agree.
@@ -76,7 +76,7 @@ TEST(FcmLongData, MoreStartsAreMadeOnlyIfTheFirstDisagree) {
   };
   // 16 starts each, and at m = 3.2 the 8 relocations of the minimum; with 64 starts it would be more than four times.
   EXPECT_LT(passes(3.2), 2.5 * passes(2.9));
-  EXPECT_LE(errorOf(samples, {}, {.m = 3.2}), kRounding);
+  EXPECT_LE(errorOf(samples, {}, {.m = 3.2}), kSumRounding);
 }
 
 TEST(FcmLongData, AnOutlierTakesNoDigitsFromTheRest) {
@@ -108,8 +108,8 @@ TEST(FcmLongData, WeightsAndOddLengthsAreTakenIntoAccount) {
   auto samples = strokes(5003);
   std::vector<double> weights(samples.size());
   for (double& weight : weights) weight = random.below(3) == 0 ? 0 : random.uniform(0.1, 4);
-  EXPECT_LE(errorOf(samples, weights, {}), kRounding);
-  EXPECT_LE(errorOf(samples, weights, {.m = 2.5}), kRounding);
+  EXPECT_LE(errorOf(samples, weights, {}), kSumRounding);
+  EXPECT_LE(errorOf(samples, weights, {.m = 2.5}), kSumRounding);
 }
 
 TEST(FcmLongData, ASampleWithoutWeightHasNoSay) {
@@ -120,7 +120,7 @@ TEST(FcmLongData, ASampleWithoutWeightHasNoSay) {
   weights.push_back(0);
   const auto result = fuzzyCMeans(samples, weights, {});
   ASSERT_TRUE(plain && result);
-  EXPECT_LE(largestError(result->centres, plain->centres), kRounding);
+  EXPECT_LE(largestError(result->centres, plain->centres), kSumRounding);
 }
 
 /// Where Bezdek's iteration stands still for each center by itself: its own test measures by the range of the samples,

@@ -91,7 +91,7 @@ study::ForceJudgement judged(const char* who, double force_n, const char* term, 
   return {who, series, 1, force_n, study::ForceJudgement::Kind::kTerm, term};
 }
 
-const std::vector<std::string> kTerms{"low", "high"};
+const std::vector<std::string> kForceWords{"low", "high"};
 
 TEST(ForceVoting, CountsOneSeriesByCommandedForce) {
   std::vector<study::ForceJudgement> judgements{judged("P1", 0.3, "high"), judged("P1", 0.1, "low"),
@@ -99,7 +99,7 @@ TEST(ForceVoting, CountsOneSeriesByCommandedForce) {
   judgements.push_back({"P2", "ascending", 1, 0.1, study::ForceJudgement::Kind::kNotFelt, ""});
   judgements.push_back({"P1", "ascending", 4, 0.4, study::ForceJudgement::Kind::kBeyondPractice, ""});
   judgements.push_back({"P2", "ascending", 4, 0.4, study::ForceJudgement::Kind::kNoAnswer, ""});
-  const auto steps = countVotes(judgements, "ascending", kTerms);
+  const auto steps = countVotes(judgements, "ascending", kForceWords);
   ASSERT_TRUE(steps);
   ASSERT_EQ(steps->size(), 3U);
   EXPECT_EQ((*steps)[0].votes, (std::vector<int>{1, 0}));
@@ -111,7 +111,7 @@ TEST(ForceVoting, CountsOneSeriesByCommandedForce) {
 
 TEST(ForceVoting, RefusesWhatCannotBeCounted) {
   const auto message = [](std::vector<study::ForceJudgement> judgements) {
-    const auto steps = countVotes(judgements, "ascending", kTerms);
+    const auto steps = countVotes(judgements, "ascending", kForceWords);
     return steps ? std::string("no error") : steps.error().message();
   };
   EXPECT_EQ(message({judged("P1", 0.1, "huge")}),
@@ -128,8 +128,8 @@ TEST(ForceVoting, RefusesWhatCannotBeCounted) {
 TEST(ForceVoting, ReadsATableOfCounts) {
   const auto table = base::CsvTable::parse("force_n,low,high,remark\n0.2,1,3,x\n0.1,4,0,\n", "votes.csv");
   ASSERT_TRUE(table);
-  EXPECT_TRUE(isVoteTable(*table, kTerms));
-  const auto read = readVoteTable(*table, kTerms);
+  EXPECT_TRUE(isVoteTable(*table, kForceWords));
+  const auto read = readVoteTable(*table, kForceWords);
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->ignored, std::vector<std::string>{"remark"});
   ASSERT_EQ(read->steps.size(), 2U);
@@ -145,7 +145,7 @@ TEST(ForceVoting, RefusesABrokenTableOfCounts) {
         "force_n,low,high\n0.1,1,99999999999\n"}) {
     const auto table = base::CsvTable::parse(text, "votes.csv");
     ASSERT_TRUE(table);
-    const auto read = readVoteTable(*table, kTerms);
+    const auto read = readVoteTable(*table, kForceWords);
     ASSERT_FALSE(read) << text;
     EXPECT_EQ(read.error().file, "votes.csv");
   }

@@ -44,18 +44,18 @@ struct History {
   }
 };
 
-struct Step {
+struct Demand {
   double wanted_n = 0;
   double seconds = 0.001;
 };
 
-History run(ThermalBudget& budget, int steps, const std::function<Step(int)>& script) {
+History run(ThermalBudget& budget, int steps, const std::function<Demand(int)>& script) {
   History history;
   std::int64_t now_ns = 5'000'000'000;
   double held_n = 0;
   budget.advance(now_ns, held_n, kRatingN, kWindowS);
   for (int i = 0; i < steps; ++i) {
-    const Step step = script(i);
+    const Demand step = script(i);
     held_n = std::clamp(step.wanted_n, -budget.ceilingN(), budget.ceilingN());
     const auto step_ns = static_cast<std::int64_t>(1e9 * step.seconds);
     now_ns += step_ns;
@@ -68,7 +68,7 @@ History run(ThermalBudget& budget, int steps, const std::function<Step(int)>& sc
 TEST(ThermalBudget, LeavesAnOrdinaryStrokeAlone) {
   ThermalBudget budget;
   // 1.7 N for 3 s is 8.7 of 46.5 N²s.
-  const History history = run(budget, 3000, [](int) { return Step{1.7}; });
+  const History history = run(budget, 3000, [](int) { return Demand{1.7}; });
   EXPECT_NEAR(history.spent_n2s.back(), 1.7 * 1.7 * 3, 1e-9);
   EXPECT_NEAR(budget.share(), 8.67 / 46.464, 1e-9);
 }
@@ -76,7 +76,7 @@ TEST(ThermalBudget, LeavesAnOrdinaryStrokeAlone) {
 TEST(ThermalBudget, TheRatingItselfIsHeldAlmostForEver) {
   ThermalBudget budget;
   // 0.6 N rms is less than half of the budget: never limited, whatever is older than the window is forgotten.
-  const History history = run(budget, 200000, [](int) { return Step{0.6}; });
+  const History history = run(budget, 200000, [](int) { return Demand{0.6}; });
   EXPECT_NEAR(history.spent_n2s.back(), 0.36 * 200, 1e-6);
   // At most one part of 0.5 s more than the window counts.
   EXPECT_LE(budget.share(), 0.36 * 60.5 / 46.464 + 1e-9);
@@ -95,7 +95,7 @@ TEST(ThermalBudget, FadesBeforeTheBudgetIsUsedUpWithoutAStep) {
     largest_step_n = std::max(largest_step_n, before_n - now_n);
     before_n = now_n;
     force.push_back(now_n);
-    return Step{2};
+    return Demand{2};
   });
   const double full_s = (kRatingN * kRatingN * kWindowS - 8) / 4;  // 9.6 s
   EXPECT_EQ(force[static_cast<std::size_t>(1000 * full_s) - 5], 2);
@@ -112,7 +112,7 @@ TEST(ThermalBudget, ComesBackSlowly) {
   run(budget, 200000, [&](int) {
     EXPECT_LE(budget.ceilingN() - before_n, 0.001 * 0.5 + 1e-12);  // 0.5 N/s
     before_n = budget.ceilingN();
-    return Step{2};
+    return Demand{2};
   });
 }
 
@@ -133,7 +133,7 @@ TEST(ThermalBudget, NoWindowExceedsTheRatingWhateverIsAsked) {
       }
       double seconds = coarse ? random.uniform(0.001, 0.03) : 0.01;
       if (random.below(500) == 0) seconds = random.uniform(0.01, 1.9);  // stalls
-      return Step{wanted_n, seconds};
+      return Demand{wanted_n, seconds};
     });
     // Sums of 20000 terms: rounding.
     EXPECT_LE(history.largestRms(kWindowS), kRatingN * (1 + 1e-9));
@@ -144,7 +144,7 @@ TEST(ThermalBudget, NoWindowExceedsTheRatingWhateverIsAsked) {
 
 TEST(ThermalBudget, AnotherWindowForgetsNothing) {
   ThermalBudget budget;
-  run(budget, 8000, [](int) { return Step{2}; });  // 32 N²s until 13 s
+  run(budget, 8000, [](int) { return Demand{2}; });  // 32 N²s until 13 s
   budget.advance(13'000 * kMs, 0, kRatingN, 120);
   EXPECT_NEAR(budget.share(), 32 / (kRatingN * kRatingN * 120), 1e-9);
   budget.advance(130'000 * kMs, 0, kRatingN, 120);
