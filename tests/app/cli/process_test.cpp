@@ -24,7 +24,7 @@ class Process : public testing::Test {
 
   /// What `sh` says of `line`; `tactus` in it is the program.
   static std::string said(const std::string& line) {
-    const std::string shell = "tactus() { " TACTUS_PROGRAM " \"$@\"; }; " + "{ " + line + "; } 2>&1";
+    const std::string shell = "tactus() { " TACTUS_PROGRAM " \"$@\"; }; { " + line + "; } 2>&1";
     FILE* const pipe = ::popen(shell.c_str(), "r");
     std::string text;
     std::array<char, 4096> part{};
