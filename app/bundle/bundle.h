@@ -54,4 +54,7 @@ base::Result<void> mayHoldBundle(const std::string& folder);
 /// kCancelled and nothing written, unless the last step has begun.
 base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder, const std::stop_token& stop = {});
 
+/// Writes all files into one zip file, in a folder of its name; whole or not at all. What was there goes.
+base::Result<void> writeBundleZip(const Bundle& bundle, const std::string& file);
+
 }  // namespace tactus::bundle

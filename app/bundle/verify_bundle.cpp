@@ -1,19 +1,23 @@
 #include "app/bundle/verify_bundle.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "app/bundle/file_errors.h"
+#include "app/bundle/zip.h"
 #include "core/analysis/check_points.h"
 #include "core/base/files/file.h"
+#include "core/base/files/unfinished.h"
 #include "core/base/text.h"
 #include "core/exchange/c_source.h"
 
 namespace tactus::bundle {
 namespace {
 
+namespace fs = std::filesystem;
 using model_io::FileCheck;
 
 constexpr std::size_t kMostFileBytes = std::size_t{256} << 20U;
@@ -93,7 +97,9 @@ class Verifier {
 
 }  // namespace
 
-base::Result<model_io::BundleCheck> verifyBundle(const std::string& folder, std::string_view generator) {
+namespace {
+
+base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std::string_view generator) {
   auto bundle = model_io::checkBundle(folder);
   if (!bundle) return bundle;
   auto compiled = fuzzy::compile(bundle->model);
@@ -103,6 +109,43 @@ base::Result<model_io::BundleCheck> verifyBundle(const std::string& folder, std:
     if (check.ok && !check.evaluated) verifier.look(check);
   }
   return bundle;
+}
+
+base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::string_view generator) {
+  const auto files = unzipped(path);
+  if (!files) return tl::unexpected(files.error());
+  std::error_code ignored;
+  const fs::path place = fs::temp_directory_path(ignored) / "tactus-verify";
+  const base::Unfinished folder = base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding);
+  if (!folder.descriptor.isOpen())
+    return base::fail(base::ErrorCode::kIo, place.string(), "no place to unpack", "a folder for temporary files");
+  base::Result<void> written;
+  for (const auto& [name, bytes] : *files) {
+    const std::string file = folder.path + "/" + name;
+    if (written) written = base::makeFolder(fs::path(file).parent_path().string());
+    if (written) written = base::writeFileAtomically(file, bytes);
+  }
+  auto bundle = written ? verifyFolder(folder.path, generator) : tl::unexpected(written.error());
+  fs::remove_all(folder.path, ignored);
+  // Its user knows the zip file alone.
+  const auto rename = [&](std::string& text) {
+    for (std::size_t at = 0; (at = text.find(folder.path, at)) != std::string::npos; at += path.size())
+      text.replace(at, folder.path.size(), path);
+  };
+  if (!bundle) {
+    base::Error error = bundle.error();
+    rename(error.file);
+    return tl::unexpected(std::move(error));
+  }
+  for (FileCheck& check : bundle->files) rename(check.wrong);
+  return bundle;
+}
+
+}  // namespace
+
+base::Result<model_io::BundleCheck> verifyBundle(const std::string& path, std::string_view generator) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) ? verifyZip(path, generator) : verifyFolder(path, generator);
 }
 
 }  // namespace tactus::bundle

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/bundle/bundle.h"
+#include "app/bundle/zip.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
 
@@ -94,6 +95,16 @@ base::Result<void> writeBundle(const Bundle& bundle, const std::string& folder_n
   auto replaced = replace(work.path, folder);
   if (!replaced) fs::remove_all(work.path, ignored);
   return replaced;
+}
+
+base::Result<void> writeBundleZip(const Bundle& bundle, const std::string& file) {
+  const fs::path path(file);
+  const auto bytes = zipped(bundle.files, path.stem().string());
+  if (!bytes) return base::inFile(bytes.error(), file);
+  if (path.has_parent_path()) {
+    if (const auto made = base::makeFolder(path.parent_path().string()); !made) return made;
+  }
+  return base::writeFileAtomically(file, *bytes);
 }
 
 }  // namespace tactus::bundle

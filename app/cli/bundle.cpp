@@ -1,8 +1,11 @@
 #include "app/bundle/bundle.h"
 
 #include <chrono>
+#include <filesystem>
 
+#include "app/bundle/zip.h"
 #include "app/cli/commands.h"
+#include "app/cli/output_file.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/files/sha256.h"
@@ -43,7 +46,12 @@ base::Result<Output> bundle(const BundleOptions& options) {
                                         std::string(kGenerator), options.table_error_n};
   const auto made = bundle::makeBundle(std::move(read->model), settings);
   if (!made) return base::inFile(made.error(), options.model);
-  if (const auto written = bundle::writeBundle(*made, options.out); !written) return tl::unexpected(written.error());
+  const bool zip = bundle::isZipName(options.out) && !std::filesystem::is_directory(options.out);
+  if (zip) {
+    if (const auto ok = requireOutput(options.out, {options.model}); !ok) return tl::unexpected(ok.error());
+  }
+  const auto written = zip ? bundle::writeBundleZip(*made, options.out) : bundle::writeBundle(*made, options.out);
+  if (!written) return tl::unexpected(written.error());
   std::vector<std::string> warnings = read->warnings;
   warnings.insert(warnings.end(), made->warnings.begin(), made->warnings.end());
   return Output{options.json ? asJson(options.out, *made) : asText(options.out, *made), std::move(warnings)};

@@ -148,7 +148,7 @@ base::Result<Output> demo(const DemoOptions& options);
 
 struct BundleOptions {
   std::string model;
-  std::string out;                        ///< folder
+  std::string out;                        ///< folder, or a zip file
   std::vector<std::string> accept_holes;  ///< names of holes that may stay
   double table_error_n = 0.01;            ///< that the look-up table may have anywhere
   bool json = false;

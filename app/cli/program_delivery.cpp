@@ -7,7 +7,9 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "bundle", "Everything that a simulator team needs of a model, with what each file promises",
              bundle, [](CLI::App& command, BundleOptions& o) {
                addModel(command, o.model);
-               command.add_option("--out", o.out, "Folder to write: a new one, or one with an earlier bundle")
+               command
+                   .add_option("--out", o.out,
+                               "Folder to write, new or with an earlier bundle; or a file that ends with .zip")
                    ->required()
                    ->check(notEmpty());
                command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
@@ -17,14 +19,14 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                    ->check(numberThat("a number of newtons above 0", [](double x) { return x > 0; }));
                addJson(command, o.json);
              });
-  addCommand(app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
-             [](CLI::App& command, VerifyOptions& o) {
-               command.add_option("DIR", o.folder, "Folder of the bundle")->required()->check(notEmpty());
-               command
-                   .add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
-                   ->check(notEmpty());
-               addJson(command, o.json);
-             });
+  addCommand(
+      app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
+      [](CLI::App& command, VerifyOptions& o) {
+        command.add_option("DIR", o.folder, "Folder of the bundle, or its zip file")->required()->check(notEmpty());
+        command.add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
+            ->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,
              [](CLI::App& command, ConvertOptions& o) {
                addModel(command, o.model);

@@ -1,21 +1,15 @@
-#include <filesystem>
-
 #include "app/bundle/verify_bundle.h"
 #include "app/cli/commands.h"
 #include "app/version.h"
-#include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {
 namespace {
 
-constexpr std::size_t kMostManifestBytes = std::size_t{64} << 20U;
-
-std::string asText(const std::string& folder, const model_io::BundleCheck& bundle, const std::string& fingerprint) {
+std::string asText(const std::string& folder, const model_io::BundleCheck& bundle) {
   std::string text = base::oneLine(folder) + ": " + (bundle.ok() ? "verified" : "not verified") + "\n  fingerprint " +
-                     fingerprint + '\n';
+                     bundle.fingerprint + '\n';
   for (const model_io::FileCheck& check : bundle.files) {
     text += std::string(check.ok ? "  ok     " : "  wrong  ") + base::oneLine(check.file.path);
     if (check.file.promise) {
@@ -28,10 +22,10 @@ std::string asText(const std::string& folder, const model_io::BundleCheck& bundl
   return text;
 }
 
-std::string asJson(const std::string& folder, const model_io::BundleCheck& bundle, const std::string& fingerprint) {
+std::string asJson(const std::string& folder, const model_io::BundleCheck& bundle) {
   base::JsonWriter json;
   json.beginObject().key("bundle").value(folder).key("ok").value(bundle.ok());
-  json.key("fingerprint").value(fingerprint).key("files").beginArray();
+  json.key("fingerprint").value(bundle.fingerprint).key("files").beginArray();
   for (const model_io::FileCheck& check : bundle.files) {
     json.beginObject().key("path").value(check.file.path).key("kind").value(check.file.kind);
     json.key("largest_error_n");
@@ -50,14 +44,9 @@ std::string asJson(const std::string& folder, const model_io::BundleCheck& bundl
 base::Result<Output> verify(const VerifyOptions& options) {
   const auto bundle = bundle::verifyBundle(options.folder, kGenerator);
   if (!bundle) return tl::unexpected(bundle.error());
-  const std::string manifest = (std::filesystem::path(options.folder) / model_io::kManifestName).string();
-  const auto bytes = base::readFile(manifest, kMostManifestBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  const std::string fingerprint = base::sha256(*bytes);
-  Output output{
-      options.json ? asJson(options.folder, *bundle, fingerprint) : asText(options.folder, *bundle, fingerprint), {}};
-  if (!options.expect.empty() && base::lowered(options.expect) != fingerprint) {
-    output.failure = base::oneLine(manifest) + ": found the fingerprint " + fingerprint + ", wanted " +
+  Output output{options.json ? asJson(options.folder, *bundle) : asText(options.folder, *bundle), {}};
+  if (!options.expect.empty() && base::lowered(options.expect) != bundle->fingerprint) {
+    output.failure = base::oneLine(options.folder) + ": found the fingerprint " + bundle->fingerprint + ", wanted " +
                      base::oneLine(options.expect);
     return output;
   }

@@ -155,6 +155,7 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
   if (!read) return tl::unexpected(read.error());
   out.model = std::move(read->model);
   out.generator = manifest->generator;
+  out.fingerprint = base::sha256(*text);
   for (const BundleFile& file : manifest->files) out.files.push_back(checked(out.model, folder, file));
   for (FileCheck& check : unnamedIn(folder, *manifest)) out.files.push_back(std::move(check));
   return out;

@@ -22,6 +22,7 @@ struct FileCheck {
 struct BundleCheck {
   fuzzy::ForceModel model;
   std::string generator;         ///< that wrote the bundle
+  std::string fingerprint;       ///< SHA-256 of the manifest
   std::vector<FileCheck> files;  ///< in the order of the manifest, then what it does not name (kind `unnamed`)
 
   bool ok() const;

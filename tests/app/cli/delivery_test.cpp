@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "app/bundle/zip.h"
 #include "core/base/files/sha256.h"
 #include "core/model_io/model_file.h"
 
@@ -66,6 +67,49 @@ TEST_F(DeliveryTest, AnAlteredFileIsExitOneWithItsName) {
   const ProgramRun none({"verify", folder_.file("nowhere")});
   EXPECT_EQ(none.status, 1);
   EXPECT_NE(none.err.find("nowhere: found nothing of this name"), std::string::npos);
+}
+
+TEST_F(DeliveryTest, ABundleIsOneZipFileToo) {
+  const std::string model = modelFile("m.json", support::s4FiveRegions());
+  const std::string zip = folder_.file("sent/s4.zip");
+  ASSERT_EQ(ProgramRun({"bundle", model, "--out", zip, "--table-error", "0.2"}).status, 0);
+  const ProgramRun verified({"verify", zip, "--json"});
+  ASSERT_EQ(verified.status, 0) << verified.err;
+
+  // Its files are those of a folder, in a folder of its name, and verify there as well.
+  const auto files = bundle::unzipped(zip);
+  ASSERT_TRUE(files) << files.error().message();
+  const std::string unpacked = folder_.file("unpacked");
+  for (const auto& [path, bytes] : *files) {
+    std::filesystem::create_directories(std::filesystem::path(unpacked + "/" + path).parent_path());
+    writeText(unpacked + "/" + path, bytes);
+  }
+  const ProgramRun folder({"verify", unpacked, "--json"});
+  ASSERT_EQ(folder.status, 0) << folder.err;
+  EXPECT_EQ(Json::parse(folder.out)["fingerprint"], Json::parse(verified.out)["fingerprint"]);
+  EXPECT_EQ(bundle::zipped(*files, "s4"), readText(zip)) << "the same files give the same bytes";
+
+  // One altered byte, and no longer a zip file.
+  auto altered = *files;
+  for (auto& [path, bytes] : altered) {
+    if (path == "checks.csv") bytes.back() = ' ';
+  }
+  writeText(zip, *bundle::zipped(altered, "s4"));
+  const ProgramRun wrong({"verify", zip});
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_NE(wrong.err.find("s4.zip/checks.csv"), std::string::npos) << wrong.err;
+  writeText(zip, "no zip");
+  EXPECT_EQ(ProgramRun({"verify", zip}).status, 1);
+}
+
+TEST_F(DeliveryTest, AZipFileWritesNothingOutsideItsFolder) {
+  const std::string zip = folder_.file("bad.zip");
+  for (const char* path : {"../outside", "/outside", "a/../../outside", "a\\b"}) {
+    writeText(zip, *bundle::zipped({{path, "x"}}, ""));
+    const auto files = bundle::unzipped(zip);
+    ASSERT_FALSE(files) << path;
+    EXPECT_NE(files.error().message().find("bad.zip"), std::string::npos) << files.error().message();
+  }
 }
 
 TEST_F(DeliveryTest, AHoleStopsABundleUntilItIsAccepted) {
