@@ -64,7 +64,7 @@ foreach(package IN LISTS CPACK_COMPONENTS_ALL)
   tactus_compressed("${CMAKE_CURRENT_SOURCE_DIR}/debian/changelog" "${folder}" changelog ${package})
 endforeach()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs/" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/libtactus-dev" COMPONENT libtactus-dev
-        FILES_MATCHING PATTERN "*.md" PATTERN conformance EXCLUDE PATTERN bench EXCLUDE PATTERN pictures EXCLUDE)
+        FILES_MATCHING PATTERN "*.md" PATTERN "guide/pictures/*.png" PATTERN "bench/*")
 # Python finds the module by its name; elsewhere than in /usr the caller says where it is.
 if(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages\")
