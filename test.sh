@@ -10,7 +10,7 @@ begun=$SECONDS
 spent() { phases+="${phases:+, }$1 $((SECONDS - begun)) s"; begun=$SECONDS; }
 
 install_missing git ccache clang-format locales libgtest-dev libgmp-dev qemu-system-x86 busybox-static cpio fuzzylite \
-  dpkg-dev file g++-mingw-w64-x86-64-posix xvfb xauth xdotool \
+  dpkg-dev file appstream desktop-file-utils g++-mingw-w64-x86-64-posix xvfb xauth xdotool \
   "${build_packages[@]}" "${workbench_packages[@]}"
 install_wanted "${wanted_packages[@]}"
 spent packages
