@@ -187,7 +187,7 @@ void StudyParts::showReadOnly(Beside beside) {
                              {tr("Save a copy…"), [this] { chooseCopy(); }}, beside_.act);
 }
 
-void StudyParts::chooseCopy() {
+void StudyParts::chooseCopy(bool go_on_there) {
   const QFileInfo file(study_.path());
   const QString folder = study_.isReadOnly() ? documentsFolder() : file.absolutePath();
   QString path =
@@ -196,7 +196,7 @@ void StudyParts::chooseCopy() {
                                    tr("Studies (*.tactus)"), nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");
-  study_.saveCopy(path);
+  go_on_there ? study_.moveTo(path) : study_.saveCopy(path);
 }
 
 void StudyParts::buildModel() {
@@ -206,7 +206,8 @@ void StudyParts::buildModel() {
 void StudyParts::onFailed(const QString& path, const QString& sentence, const MessageAct& act) {
   if (path == recorded_path_) recorded_path_.clear();
   if (!study_.failure().isEmpty()) {
-    window_.banner().showRemedy(sentence, {tr("Try again"), [this] { study_.storeNow(); }});
+    window_.banner().showRemedy(sentence, {tr("Try again"), [this] { study_.storeNow(); }}, nullptr,
+                                {tr("Go on in a copy…"), [this] { chooseCopy(true); }});
   } else if (!study_.isOpen()) {
     window_.banner().showRemedy(sentence, {tr("Open another file…"), [this] { files_.choose(); }});
   } else {

@@ -48,7 +48,8 @@ class StudyParts : public QObject {
 
   void onOpened();
   void showReadOnly(Beside beside);
-  void chooseCopy();
+  /// `go_on_there`: the copy is open afterwards, with what the study could not take.
+  void chooseCopy(bool go_on_there = false);
   void buildModel();
   /// `act`: what helps; without text there is a way out by what is open.
   void onFailed(const QString& path, const QString& sentence, const MessageAct& act = {});

@@ -43,8 +43,8 @@ MessageBanner::MessageBanner(QWidget* parent)
   }
 }
 
-void MessageBanner::showRemedy(const QString& sentence, MessageAct act, const QObject* from) {
-  show(sentence, theme::errorInk(), theme::errorFill(), std::move(act));
+void MessageBanner::showRemedy(const QString& sentence, MessageAct act, const QObject* from, MessageAct other) {
+  show(sentence, theme::errorInk(), theme::errorFill(), std::move(act), std::move(other));
   from_ = from;
 }
 

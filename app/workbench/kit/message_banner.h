@@ -17,8 +17,9 @@ class MessageBanner : public Card {
  public:
   explicit MessageBanner(QWidget* parent = nullptr);
 
-  /// An error with a button for what helps, which ends the message: no error is without one. `from` can take it back.
-  void showRemedy(const QString& sentence, MessageAct act, const QObject* from = nullptr);
+  /// An error with a button for what helps, or two, which end the message: no error is without one. `from` can take it
+  /// back.
+  void showRemedy(const QString& sentence, MessageAct act, const QObject* from = nullptr, MessageAct other = {});
   /// Closes the error of `from`, if it is still shown.
   void takeBack(const QObject& from);
   void showNote(const QString& sentence);

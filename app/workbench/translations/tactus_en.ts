@@ -8750,6 +8750,10 @@ mean (SD)</source>
         <source>Look at the study</source>
         <translation type="unfinished"></translation>
     </message>
+    <message>
+        <source>Go on in a copy…</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::SurfacePanel</name>

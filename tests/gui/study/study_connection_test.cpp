@@ -100,6 +100,26 @@ TEST_F(StudyConnectionTest, ACopyHoldsWhatWasOrdered) {
   EXPECT_TRUE(refused.contains(QStringLiteral("copy.tactus"))) << refused.toStdString();
 }
 
+TEST_F(StudyConnectionTest, WhatAReplacedStudyRefusedIsWrittenInTheCopy) {
+  addPerson("calm-fox");
+  ASSERT_TRUE(comesTrue([this] { return !study->isBusy(); }));
+  const QString other = folder.path(QStringLiteral("other.tactus"));
+  tests::makeStudyFile(other);
+  ASSERT_TRUE(QFile::remove(path));
+  ASSERT_TRUE(QFile::rename(other, path));
+  addPerson("quiet-heron");
+  ASSERT_TRUE(comesTrue([this] { return !study->failure().isEmpty(); }));
+
+  const QString copy = folder.path(QStringLiteral("copy.tactus"));
+  study->moveTo(copy);
+  ASSERT_TRUE(comesTrue([&] { return study->path() == copy && !study->isOpening(); })) << failed.toStdString();
+  EXPECT_TRUE(comesTrue([this] { return study->failure().isEmpty() && study->people().size() == 3; }));
+  addPerson("bright-tern");
+  closeStudy();
+  EXPECT_EQ(store::persons(tests::lookInto(copy))->size(), 4U);
+  EXPECT_EQ(personsInFile(), 0U) << "the file that came in its place is as it was";
+}
+
 TEST_F(StudyConnectionTest, NothingIsDeliveredToAnAskerThatHasEnded) {
   auto asker = std::make_unique<QObject>();
   bool delivered = false;

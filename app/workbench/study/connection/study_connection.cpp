@@ -203,6 +203,36 @@ void StudyConnection::saveCopy(const QString& path) {
   });
 }
 
+void StudyConnection::moveTo(const QString& path) {
+  if (!isOpen() || opening_) return;
+  opening_ = true;
+  emit changed();
+  post([this, path = path.toStdString()](StudyWorker::Desk& desk) {
+    const auto copied = store::backUp(*desk.file, path);
+    auto copy = copied ? openAsItMay(path) : tl::unexpected(copied.error());
+    auto contents = copy ? readContents(copy->file) : tl::unexpected(copy.error());
+    if (!contents) {
+      answer([this, sentence = text(contents.error().message())] {
+        opening_ = false;
+        emit copyFailed(sentence);
+        emit changed();
+      });
+      return;
+    }
+    desk.next = std::move(copy->file);
+    desk.exchange();
+    desk.catchUp();
+    answer([this, arrival = std::make_shared<Arrival>(Arrival{std::move(*contents), {}, std::move(copy->read_only)})] {
+      opening_ = false;
+      adopt(*arrival);
+      emit opened();
+      emit changed();
+      if (keeper_ != nullptr) keeper_->orderAgain();
+      refresh();
+    });
+  });
+}
+
 void StudyConnection::storeNow() {
   if (!isOpen()) return;
   if (keeper_ != nullptr) keeper_->orderAgain();

@@ -89,6 +89,10 @@ class StudyConnection : public QObject {
   void finishErasure();
   /// Copies what is stored to the new file `path`. Ends with `copied` or `copyFailed`.
   void saveCopy(const QString& path);
+  /// Copies what is stored to the new file `path`, opens that in the place of the study, and writes there what the
+  /// study refused: the way out where its file was replaced, deleted or written to by another program. Ends with
+  /// `opened` or `copyFailed`, which leaves everything as it was.
+  void moveTo(const QString& path);
   /// Tries again at once what could not be written.
   void storeNow();
   /// Reads the participants and recordings of the study again.
