@@ -145,7 +145,8 @@ base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::stri
 
 base::Result<model_io::BundleCheck> verifyBundle(const std::string& path, std::string_view generator) {
   std::error_code ignored;
-  return fs::is_regular_file(path, ignored) ? verifyZip(path, generator) : verifyFolder(path, generator);
+  return isZipName(path) && fs::is_regular_file(path, ignored) ? verifyZip(path, generator)
+                                                               : verifyFolder(path, generator);
 }
 
 }  // namespace tactus::bundle

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "core/store/model_versions.h"
 #include "core/store/study_file.h"
 
 namespace tactus::workbench {
@@ -37,6 +38,44 @@ TEST(HistoryFile, OldHistoriesMakeRoomForNewOnes) {
   EXPECT_EQ(files(), all);
   HistoryFile::makeRoom(folder.path(), one);
   EXPECT_EQ(files(), (QStringList{all[1], all[3]}));
+}
+
+TEST(HistoryFile, CopiesFromBeforeAnUpgradeGoWithTheirHistory) {
+  const QTemporaryDir folder;
+  study::RecordIds ids;
+  const QString path = folder.filePath(QStringLiteral("a.tactus"));
+  ASSERT_TRUE(store::StudyFile::create(path.toStdString(), {ids.next(), "a", 0, "tests"}));
+  for (const char* name : {"a.tactus.before-v1", "gone.tactus.before-v3"}) {
+    QFile copy(folder.filePath(QLatin1String(name)));
+    ASSERT_TRUE(copy.open(QIODevice::WriteOnly));
+  }
+  const auto files = [&] { return QDir(folder.path()).entryList(QDir::Files, QDir::Name); };
+  HistoryFile::makeRoom(folder.path());
+  EXPECT_EQ(files(), (QStringList{QStringLiteral("a.tactus"), QStringLiteral("a.tactus.before-v1")}));
+  HistoryFile::discard(path);
+  EXPECT_EQ(files(), QStringList());
+}
+
+// What a state is called comes from outside: from a study, from another program.
+TEST(HistoryFile, ALabelWithoutAKindStaysWhole) {
+  const QTemporaryDir folder;
+  for (const std::string label : {"my version", "", "edit: shoulder to 3"}) {
+    const QString path = folder.filePath(QStringLiteral("h%1.tactus").arg(label.size()));
+    study::RecordIds ids;
+    std::string sha256;
+    {
+      auto file = store::StudyFile::create(path.toStdString(), {ids.next(), "h", 0, "tests"});
+      ASSERT_TRUE(file);
+      const study::ModelVersion version{ids.next(), {}, 1, "author", label, "{}", {}};
+      ASSERT_TRUE(store::append(*file, version));
+      sha256 = store::latestModelVersion(*file).value()->sha256;
+    }
+    ASSERT_TRUE(HistoryFile::settle(path, sha256, {"author", 2}));
+    const auto file = store::StudyFile::open(path.toStdString(), {store::Access::kReadOnly, {}});
+    const auto versions = store::modelVersions(*file);
+    ASSERT_EQ(versions->size(), 2U);
+    EXPECT_EQ(versions->back().label, label.starts_with("edit: ") ? "return: shoulder to 3" : "return: " + label);
+  }
 }
 
 }  // namespace

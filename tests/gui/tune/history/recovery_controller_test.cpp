@@ -13,6 +13,7 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
 #include "core/base/json/json_writer.h"
+#include "core/store/model_versions.h"
 
 #include "tests/gui/crashed.h"
 #include "tests/gui/patience.h"
@@ -326,6 +327,47 @@ TEST_F(RecoveryControllerTest, TheOldFilesStayUntilTheRestoredStateItselfIsWritt
   autosave.flush();
   ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
   EXPECT_TRUE(QFileInfo::exists(old));
+}
+
+TEST_F(RecoveryControllerTest, WorkOfANewerTactusStaysInPlaceWithASentence) {
+  const QString study = folder.path(QStringLiteral("ward.tactus"));
+  OpenModel open = readOpenModel(path).value();
+  open.path = study;
+  open.in_study = true;
+  {
+    SecondRun run(root);
+    run.models.openRead(open);
+    run.edits.apply(editing::moveVertex(run.edits.model(), kNearShoulder, 3));
+    run.autosave.flush();
+    left = tests::crashedCopy(root);
+  }
+  // A newer program has written one more state into what the crash left.
+  const QStringList files = QDir(left).entryList({QStringLiteral("*.tactus")}, QDir::Files);
+  ASSERT_EQ(files.size(), 1);
+  const QString kept = QDir(left).filePath(files[0]);
+  {
+    auto file = store::StudyFile::open(kept.toStdString());
+    ASSERT_TRUE(file) << file.error().message();
+    study::ModelVersion newer = store::latestModelVersion(*file).value().value();
+    newer.parent = newer.id;
+    newer.id = study::RecordIds().next();
+    newer.label = "edit: of a newer program";
+    const std::size_t at = newer.text.find("\"version\": 1");
+    ASSERT_NE(at, std::string::npos);
+    newer.text.replace(at, 12, "\"version\": 99");
+    newer.sha256.clear();
+    ASSERT_TRUE(store::append(*file, newer));
+    left = tests::crashedCopy(left);
+  }
+  const QString left_work = QDir(left).filePath(files[0]);
+  SecondRun next(left);
+  QSignalSpy failed(&next.recovery, &RecoveryController::notRestored);
+  next.recovery.restore();
+  next.models.openRead(open);
+  ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));
+  EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("99"))) << failed[0][0].toString().toStdString();
+  EXPECT_TRUE(QFileInfo::exists(left_work));
+  EXPECT_TRUE(editing::sameBits(next.edits.model(), open.model)) << "nothing of it is shown";
 }
 
 TEST_F(RecoveryControllerTest, WhatIsDamagedStaysWhereItIs) {
