@@ -1,4 +1,5 @@
-// ARCHITECTURE.md leads people to files, types and functions by name. Each name in it must exist.
+// ARCHITECTURE.md and the README of each folder lead people to files, types and functions by name. Each name must
+// exist.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -88,28 +89,54 @@ class Repository {
   std::set<std::string> words_;
 };
 
-TEST(NamedPlaces, EveryNameOfTheArchitectureExists) {
+/// The page of the whole, and that of each folder with sources.
+std::vector<fs::path> pages() {
+  const fs::path root = TACTUS_SOURCE_DIR;
+  std::vector<fs::path> all = {root / "ARCHITECTURE.md", root / "tests" / "README.md"};
+  for (const char* top : {"app", "core", "elicitation", "experiments", "questionnaires"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / top)) {
+      // That of the package for Unity speaks of projects there.
+      const bool elsewhere = entry.path().generic_string().find("/unity/") != std::string::npos;
+      if (entry.path().filename() == "README.md" && !elsewhere) all.push_back(entry.path());
+    }
+  }
+  return all;
+}
+
+TEST(NamedPlaces, EveryNameExists) {
   const Repository repository;
   const std::regex name("[A-Za-z]\\w*(::[A-Za-z]\\w*)*");
   const std::regex path("\\.?[A-Za-z][\\w-]*([./][\\w-]+)+");
   const std::regex placeholder(".*\\b[\\w]*[A-Z]{4,}\\b.*");
   int checked = 0;
-  for (const std::string& each : namesIn(textOf(fs::path(TACTUS_SOURCE_DIR) / "ARCHITECTURE.md"))) {
-    if (std::regex_match(each, placeholder)) continue;
-    if (std::regex_match(each, name)) {
-      for (std::size_t from = 0; from < each.size();) {
-        const std::size_t to = std::min(each.find("::", from), each.size());
-        const std::string part = each.substr(from, to - from);
-        EXPECT_TRUE(repository.hasWord(part) || repository.hasPath(part)) << "`" << each << "`: there is no " << part;
-        from = to + 2;
+  for (const fs::path& page : pages()) {
+    for (const std::string& each : namesIn(textOf(page))) {
+      if (std::regex_match(each, placeholder)) continue;
+      if (std::regex_match(each, name)) {
+        for (std::size_t from = 0; from < each.size();) {
+          const std::size_t to = std::min(each.find("::", from), each.size());
+          const std::string part = each.substr(from, to - from);
+          EXPECT_TRUE(repository.hasWord(part) || repository.hasPath(part))
+              << page << ": `" << each << "`: there is no " << part;
+          from = to + 2;
+        }
+        ++checked;
+      } else if (std::regex_match(each, path)) {
+        EXPECT_TRUE(repository.hasPath(each)) << page << ": `" << each << "`: there is no such file or folder";
+        ++checked;
       }
-      ++checked;
-    } else if (std::regex_match(each, path)) {
-      EXPECT_TRUE(repository.hasPath(each)) << "`" << each << "`: there is no such file or folder";
-      ++checked;
     }
   }
   EXPECT_GT(checked, 300);
+}
+
+// Who needs an index has too many places.
+TEST(NamedPlaces, ThePagesAreShort) {
+  for (const fs::path& page : pages()) {
+    const std::string text = textOf(page);
+    const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+    EXPECT_LE(lines, page.filename() == "ARCHITECTURE.md" ? 90 : 30) << page;
+  }
 }
 
 }  // namespace
