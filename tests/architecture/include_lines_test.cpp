@@ -40,7 +40,7 @@ const std::map<std::string, Permission>& permissions() {
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
       joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/report", "app/session",
-              "app/devices", "core/analysis/gradient", "core/render", "core/haptics/simulated", "core/store",
+              "app/devices", "core/render", "core/haptics/simulated", "core/store",
               "core/model_io", "core/exchange/import", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   // Plots go through plot/; only what needs more of QCustomPlot than plot/ offers includes it.
@@ -60,7 +60,6 @@ const std::map<std::string, Permission>& permissions() {
       {"core/base/tables", {{"core/base", "core/base/files"}, {}}},
       {"core/fuzzy", {{"core/base", "core/base/json"}, {}}},
       {"core/analysis", {{"core/base", "core/fuzzy"}, {}}},
-      {"core/analysis/gradient", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
       {"core/analysis/pull", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
       {"core/render", {{"core/base", "core/fuzzy"}, {}}},
       {"core/study", {base, {}}},
