@@ -51,9 +51,6 @@ std::vector<LostWork> scanned(const QString& root, const QString& own) {
     if (path == own) continue;
     if (auto work = lostIn(path)) out.push_back(std::move(*work));
   }
-  for (const OldAutosave& old : oldAutosaves(root)) {
-    out.push_back({Where::kOldAutosave, old.folder, old.document, old.edits, old.last});
-  }
   std::sort(out.begin(), out.end(), [](const LostWork& a, const LostWork& b) { return a.last > b.last; });
   return out;
 }
@@ -153,23 +150,11 @@ void RecoveryController::restoreWork(const LostWork& work) {
       return;
     }
   }
-  std::shared_ptr<TakenAutosave> taken;
-  if (work.where == Where::kOldAutosave) {
-    auto found = TakenAutosave::take(work.source);
-    if (!found) {
-      drop(work);
-      emit notRestored(
-          tr("The edits of %1 were not restored. %2").arg(shownFileName(work.document), text(found.error().message())),
-          work);
-      return;
-    }
-    taken = std::move(*found);
-  }
   busy_ = true;
   emit offerChanged();
-  autosave_.post([this, work, taken, stamp = edits_.stamp()](HistoryFile&) {
-    const auto found = std::make_shared<base::Result<Found>>(read(work, taken.get(), stamp));
-    answers_.post([this, work, taken, found] { adopt(work, taken, std::move(*found)); });
+  autosave_.post([this, work, stamp = edits_.stamp()](HistoryFile&) {
+    const auto found = std::make_shared<base::Result<Found>>(read(work, stamp));
+    answers_.post([this, work, found] { adopt(work, std::move(*found)); });
   });
 }
 
@@ -183,9 +168,8 @@ void RecoveryController::restoreOpen(const LostWork& work) {
   say(work);
 }
 
-base::Result<RecoveryController::Found> RecoveryController::read(const LostWork& work, const TakenAutosave* taken,
-                                                                 const editing::Stamp& stamp) {
-  auto kept = taken != nullptr ? taken->read() : HistoryFile::read(work.source, true);
+base::Result<RecoveryController::Found> RecoveryController::read(const LostWork& work, const editing::Stamp& stamp) {
+  auto kept = HistoryFile::read(work.source, true);
   if (!kept) return tl::unexpected(kept.error());
   Found out{std::move(kept->kept), {}};
   if (isStudyPath(work.document)) return out;
@@ -195,8 +179,7 @@ base::Result<RecoveryController::Found> RecoveryController::read(const LostWork&
   return out;
 }
 
-void RecoveryController::adopt(const LostWork& work, const std::shared_ptr<TakenAutosave>& taken,
-                               base::Result<Found> found) {
+void RecoveryController::adopt(const LostWork& work, base::Result<Found> found) {
   busy_ = false;
   if (!found) {
     put_off_.push_back(work);
@@ -216,7 +199,7 @@ void RecoveryController::adopt(const LostWork& work, const std::shared_ptr<Taken
                      work);
     return;
   }
-  replaced_.push_back({work, taken, autosave_.flush()});
+  replaced_.push_back({work, autosave_.flush()});
   drop(work);
   say(work);
 }
@@ -273,9 +256,7 @@ base::Result<void> RecoveryController::goOn(const editing::KeptVersions& kept) {
 void RecoveryController::onWritten(quint64 number) {
   for (const Replaced& replaced : replaced_) {
     if (replaced.number > number) continue;
-    if (replaced.taken) {
-      replaced.taken->discard();
-    } else if (isStudyPath(replaced.work.document)) {
+    if (isStudyPath(replaced.work.document)) {
       autosave_.post([path = replaced.work.source](HistoryFile&) { HistoryFile::discard(path); });
     }
   }
@@ -298,11 +279,7 @@ void RecoveryController::discardWork(const LostWork& work) {
     });
   };
   autosave_.post([work, fail, stamp = edits_.stamp()](HistoryFile&) {
-    if (work.where == Where::kOldAutosave) {
-      const auto taken = TakenAutosave::take(work.source);
-      if (!taken) return fail(taken.error());
-      (*taken)->discard();
-    } else if (isStudyPath(work.document) || !QFileInfo::exists(work.document)) {
+    if (isStudyPath(work.document) || !QFileInfo::exists(work.document)) {
       HistoryFile::discard(work.source);
     } else if (const auto settled = HistoryFile::settle(work.source, modelSha256(work.document), stamp); !settled) {
       fail(settled.error());

@@ -11,8 +11,6 @@
 #include <vector>
 
 #include "app/workbench/base/call_queue.h"
-#include "app/workbench/tune/history/history_file.h"
-#include "app/workbench/tune/history/old_autosave.h"
 
 namespace tactus::workbench {
 
@@ -25,7 +23,6 @@ struct LostWork {
   enum class Where {
     kOpenDocument,  ///< in the history of the open document (AutosaveController::lost)
     kHistoryFile,   ///< in the history file of a document that is not open
-    kOldAutosave,   ///< in a folder of an older program
   };
   Where where = Where::kHistoryFile;
   QString source;  ///< file or folder
@@ -85,8 +82,8 @@ class RecoveryController : public QObject {
     editing::KeptVersions kept;
     std::optional<editing::EditHistory> history;  ///< nothing if the beginning of the history is in a study
   };
-  static base::Result<Found> read(const LostWork& work, const TakenAutosave* taken, const editing::Stamp& stamp);
-  void adopt(const LostWork& work, const std::shared_ptr<TakenAutosave>& taken, base::Result<Found> found);
+  static base::Result<Found> read(const LostWork& work, const editing::Stamp& stamp);
+  void adopt(const LostWork& work, base::Result<Found> found);
   void begin(const LostWork& work, editing::EditHistory history);
   base::Result<void> goOn(const editing::KeptVersions& kept);
   void onWritten(quint64 number);
@@ -103,7 +100,6 @@ class RecoveryController : public QObject {
   /// Work restored into the open document.
   struct Replaced {
     LostWork work;
-    std::shared_ptr<TakenAutosave> taken;
     quint64 number = 0;  ///< number of the first autosave that contains it
   };
   std::vector<Replaced> replaced_;  ///< to be deleted after that write

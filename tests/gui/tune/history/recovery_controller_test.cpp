@@ -12,7 +12,6 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
-#include "core/base/json/json_writer.h"
 #include "core/store/model_versions.h"
 
 #include "tests/gui/crashed.h"
@@ -94,29 +93,6 @@ class RecoveryControllerTest : public testing::Test {
     EXPECT_TRUE(editing::sameBits(next.models.current()->model, tests::twoExperts()));
     EXPECT_FALSE(next.edits.canUndo());
   }
-  /// The folder that a program before history files left.
-  QString oldAutosave() const {
-    const QString old = QDir(root).filePath(QStringLiteral("0123"));
-    base::JsonWriter json;
-    json.beginObject().key("format").value("tactus-autosave").key("version").value(1);
-    json.key("document").value(path.toStdString()).key("versions").beginArray();
-    for (const auto& version : editing::unstoredVersions(history)) {
-      json.beginObject().key("id").value(study::toText(version.id));
-      if (version.parent) json.key("parent").value(study::toText(*version.parent));
-      json.key("utc_ms").value(static_cast<long long>(version.utc_ms));
-      json.key("author").value(version.author).key("label").value(version.label);
-      json.key("sha256").value(version.sha256).key("text").value(version.text).endObject();
-    }
-    study::RecordIds ids;
-    json.endArray().key("unfinished").beginObject().key("label").value(history.gestureLabel());
-    json.key("text").value(editing::dragVersion(history, ids, 0).text).endObject().endObject();
-    QDir().mkpath(old);
-    folder.writeText(QByteArray::fromStdString(json.text()), QStringLiteral("autosave/0123/part-00000.json"));
-    folder.writeText("{\"document\": \"" + path.toUtf8() + "\", \"edits\": 4, \"saved\": false}",
-                     QStringLiteral("autosave/0123/facts.json"));
-    return old;
-  }
-
   tests::ModelFolder folder;
   const QString root = folder.path(QStringLiteral("autosave"));
   const QString path = folder.write(tests::twoExperts());
@@ -282,53 +258,6 @@ TEST_F(RecoveryControllerTest, AStudyGoesOnWhereItsHistoryEnds) {
   EXPECT_EQ(next.shoulder(), 3);
 }
 
-TEST_F(RecoveryControllerTest, AnAutosaveOfAnOlderProgramIsRestoredOnce) {
-  crash();
-  ASSERT_TRUE(QDir(root).removeRecursively());
-  const QString old = oldAutosave();
-  {
-    SecondRun next(root);
-    const auto offer = next.recovery.offered();
-    ASSERT_TRUE(offer);
-    EXPECT_EQ(offer->document, path);
-    EXPECT_EQ(offer->edits, 4);
-    next.restore();
-    // It is kept again before the old files go.
-    ASSERT_TRUE(QTest::qWaitFor([&] { return !QFileInfo::exists(old); }, kPatience));
-    EXPECT_TRUE(QFileInfo::exists(next.autosave.file()));
-    expectRestored(next);
-  }
-  SecondRun next(root);
-  EXPECT_FALSE(next.recovery.offered());
-}
-
-TEST_F(RecoveryControllerTest, TheOldFilesStayUntilTheRestoredStateItselfIsWritten) {
-  crash();
-  ASSERT_TRUE(QDir(root).removeRecursively());
-  const QString old = oldAutosave();
-  // The disk of the autosaves is full: a file stands where the folder has to be.
-  const QString full = folder.path(QStringLiteral("full"));
-  folder.writeText("", QStringLiteral("full"));
-  ModelController models;
-  EditController edits{models};
-  AutosaveController autosave{models, edits, full};
-  RecoveryController recovery{models, edits, autosave, root};
-  QSignalSpy restored(&recovery, &RecoveryController::restored);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return recovery.offered().has_value(); }, kPatience));
-  recovery.restore();
-  ASSERT_TRUE(restored.wait(kPatience));
-  QCoreApplication::processEvents();
-  EXPECT_TRUE(QFileInfo::exists(old));
-  // There is room again, but for another document: its autosave holds nothing of the restored work.
-  ASSERT_TRUE(QFile::remove(full));
-  models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
-  QSignalSpy written(&autosave, &AutosaveController::written);
-  edits.apply(editing::moveVertex(edits.model(), kNearShoulder, 3));
-  autosave.flush();
-  ASSERT_TRUE(written.count() > 0 || written.wait(kPatience));
-  EXPECT_TRUE(QFileInfo::exists(old));
-}
-
 TEST_F(RecoveryControllerTest, WorkOfANewerTactusStaysInPlaceWithASentence) {
   const QString study = folder.path(QStringLiteral("ward.tactus"));
   OpenModel open = readOpenModel(path).value();
@@ -368,20 +297,6 @@ TEST_F(RecoveryControllerTest, WorkOfANewerTactusStaysInPlaceWithASentence) {
   EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("99"))) << failed[0][0].toString().toStdString();
   EXPECT_TRUE(QFileInfo::exists(left_work));
   EXPECT_TRUE(editing::sameBits(next.edits.model(), open.model)) << "nothing of it is shown";
-}
-
-TEST_F(RecoveryControllerTest, WhatIsDamagedStaysWhereItIs) {
-  crash();
-  ASSERT_TRUE(QDir(root).removeRecursively());
-  const QString old = oldAutosave();
-  folder.writeText("{}", QStringLiteral("autosave/0123/part-00000.json"));
-  SecondRun next(root);
-  QSignalSpy failed(&next.recovery, &RecoveryController::notRestored);
-  next.recovery.restore();
-  ASSERT_TRUE(failed.count() > 0 || failed.wait(kPatience));
-  EXPECT_TRUE(failed[0][0].toString().contains(QStringLiteral("part-00000.json")));
-  EXPECT_TRUE(QFileInfo::exists(old));
-  EXPECT_FALSE(next.models.current());
 }
 
 }  // namespace
