@@ -45,11 +45,6 @@ void setSeen(const QDockWidget& dock, bool seen) { dock.widget()->layout()->item
 QString tightId(const QString& id) { return id + QLatin1String("-tight"); }
 QString layoutKey(const QString& id) { return QStringLiteral("layout/") + id; }
 QString panelsKey(const QString& id) { return QStringLiteral("layout_panels/") + id; }
-// A name may hold any character; a slash would begin a group of settings.
-QString keyPart(const QString& name) { return QString::fromLatin1(name.toUtf8().toHex()); }
-constexpr auto kNamedGroup = "named_layouts";
-QString namedKey(const QString& name) { return QLatin1String(kNamedGroup) + QLatin1Char('/') + keyPart(name); }
-QString namedPanelsKey(const QString& name) { return QStringLiteral("named_layout_panels/") + keyPart(name); }
 
 }  // namespace
 
@@ -147,24 +142,6 @@ void PanelArea::resetLayout() {
 
 void PanelArea::storeLayout() {
   if (!layout_.isEmpty()) store(layoutKey(shownId()), panelsKey(shownId()));
-}
-
-QStringList PanelArea::namedLayouts() const {
-  QStringList names;
-  settings_.beginGroup(QLatin1String(kNamedGroup));
-  for (const QString& key : settings_.childKeys()) names << QString::fromUtf8(QByteArray::fromHex(key.toLatin1()));
-  settings_.endGroup();
-  names.sort(Qt::CaseInsensitive);
-  return names;
-}
-
-void PanelArea::nameLayout(const QString& name) { store(namedKey(name), namedPanelsKey(name)); }
-
-bool PanelArea::showNamed(const QString& name) { return restore(namedKey(name), namedPanelsKey(name)); }
-
-void PanelArea::forgetNamed(const QString& name) {
-  settings_.remove(namedKey(name));
-  settings_.remove(namedPanelsKey(name));
 }
 
 QStringList PanelArea::panelNames() const {

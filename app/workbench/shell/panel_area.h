@@ -45,14 +45,6 @@ class PanelArea : public QMainWindow {
   /// Stores the current layout.
   void storeLayout();
 
-  /// Layouts that the user named. Each can be shown in any stage.
-  QStringList namedLayouts() const;
-  /// Keeps the places of the panels under `name`, in the place of an older layout of that name.
-  void nameLayout(const QString& name);
-  /// Puts the panels as they were when `name` was given. False, with nothing changed, if there were other panels then.
-  bool showNamed(const QString& name);
-  void forgetNamed(const QString& name);
-
   const QList<Panel*>& panels() const { return panels_; }
   /// Whether the tab of another panel lies before this one.
   bool isBehind(const Panel& panel) const;

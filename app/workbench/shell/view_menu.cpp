@@ -10,7 +10,6 @@
 #include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/model_controller.h"
-#include "app/workbench/shell/layout_menu.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel_area.h"
 
@@ -20,8 +19,6 @@ ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings&
     : window_(window), settings_(settings) {
   QAction* const stages = addStages()->menuAction();
   QAction* const panels = addPanels()->menuAction();
-  QMenu* const layouts = window_.menus().addMenu(MenuSlot::kView, tr("Lay&outs"));
-  new LayoutMenu(window_, *layouts);
   addLooks();
   addTextSizes();
   QAction* const next =
@@ -33,7 +30,7 @@ ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings&
   QAction* const reset =
       window_.menus().addAction(MenuSlot::kView, tr("&Reset layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_R);
   connect(reset, &QAction::triggered, &window_.panels(), &PanelArea::resetLayout);
-  for (QAction* action : {stages, panels, layouts->menuAction(), reset}) {
+  for (QAction* action : {stages, panels, reset}) {
     action->setEnabled(false);
     connect(&models, &ModelController::opened, action, [action] { action->setEnabled(true); });
   }

@@ -144,21 +144,5 @@ TEST_F(SearchTest, ForceOffIsRedInTheCornerWhileADeviceGivesForces) {
   EXPECT_FALSE(off->isVisible());
 }
 
-TEST_F(SearchTest, ANamedLayoutComesBackInAnyStage) {
-  PanelArea& panels = bench.window.panels();
-  bench.map_parts.map().close();
-  panels.nameLayout(QStringLiteral("two / lines"));
-  panels.resetLayout();
-  EXPECT_TRUE(bench.map_parts.map().isVisibleTo(&panels));
-  EXPECT_EQ(panels.namedLayouts(), QStringList{QStringLiteral("two / lines")});
-  bench.window.enter(Stage::kTune);
-  EXPECT_TRUE(panels.showNamed(QStringLiteral("two / lines")));
-  EXPECT_FALSE(panels.showNamed(QStringLiteral("never kept")));
-  EXPECT_FALSE(bench.map_parts.map().isVisibleTo(&panels));
-  EXPECT_TRUE(bench.curve_parts.curves().isVisibleTo(&panels));
-  panels.forgetNamed(QStringLiteral("two / lines"));
-  EXPECT_TRUE(panels.namedLayouts().isEmpty());
-}
-
 }  // namespace
 }  // namespace tactus::workbench
