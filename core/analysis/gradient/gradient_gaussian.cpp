@@ -41,7 +41,7 @@ void sweepWithGaussians(std::span<const ImpliedSet> sets, std::span<const Positi
     const double x0 = left.high;
     const double x1 = right.high;
     const std::span<const Piece> found(pieces.data(), count);
-    fuzzy::walkHighestPieces(found, x0, x1, [&](const Piece& top, double from, double to) {
+    fuzzy::walkHighestPieces(found, x0, x1, 0, [&](const Piece& top, double from, double to) {
       if (top.curved) return addGaussian(top, from, to, origin.high, sums);
       const double t0 = from == x0 ? 0 : (from - x0) / width;
       const double t1 = to == x1 ? 1 : (to - x0) / width;
