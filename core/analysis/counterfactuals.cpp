@@ -4,65 +4,56 @@
 #include <cmath>
 #include <utility>
 
-#include "core/analysis/force_balance.h"
+#include "core/analysis/explain.h"
+#include "core/analysis/smallest_move.h"
 
 namespace tactus::analysis {
 namespace {
 
 using fuzzy::MembershipFunction;
 
-constexpr int kLooks = 8;              // between two places at which a slope can change
-constexpr int kHalvings = 60;          // to the last digit of a double
-constexpr double kSameShare = 1e-9;    // of the area: a tie
-constexpr double kGaussianSigmas = 4;  // a Gaussian changes nothing beyond
+constexpr double kSameShare = 1e-9;  // of the area: a tie
 constexpr double kFullMembership = 1 - 1e-12;
 
-/// The words with the largest share at a point: one, or several that tie.
-using LargestWords = std::vector<std::string>;
+/// The words with the largest share: one, or several that tie.
+using LargestWords = std::vector<std::size_t>;
 
+LargestWords largestOf(std::span<const double> values) {
+  LargestWords out;
+  if (values.empty()) return out;
+  const std::span<const double> shares = values.subspan(1);
+  const double most = *std::max_element(shares.begin(), shares.end());
+  for (std::size_t word = 0; word < shares.size(); ++word) {
+    if (shares[word] >= most - kSameShare) out.push_back(word);
+  }
+  return out;
+}
+
+/// The model at the point, with one input moved.
 class Explorer {
  public:
   Explorer(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::vector<double> point,
            std::optional<std::size_t> expert)
-      : model_(model), compiled_(compiled), point_(std::move(point)), expert_(expert) {}
+      : model_(model), compiled_(compiled), point_(std::move(point)), expert_(expert) {
+    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+      if (expert_ ? e == *expert_ : compiled_.weight(e) > 0) experts_.push_back(e);
+    }
+  }
 
   /// The force with `input` at `value`; nothing in a hole.
-  std::optional<double> force(std::size_t input, double value) {
-    const double kept = std::exchange(point_[input], value);
-    const auto found = expert_ ? compiled_.evaluateExpert(*expert_, point_) : compiled_.evaluate(point_);
-    point_[input] = kept;
+  std::optional<double> force(std::size_t input, double value) const {
+    std::vector<double> there = point_;
+    there[input] = value;
+    const auto found = expert_ ? compiled_.evaluateExpert(*expert_, there) : compiled_.evaluate(there);
     return found.fired ? std::optional(found.force_n) : std::nullopt;
   }
 
-  LargestWords largest(std::size_t input, double value) {
-    const double kept = std::exchange(point_[input], value);
-    const auto explanation = explain(model_, compiled_, point_);
-    point_[input] = kept;
-    LargestWords out;
-    if (!explanation) return out;
-    const ForceBalance balance = forceBalance(model_, *explanation, expert_);
-    double most = 0;
-    for (const WordPull& word : balance.words) most = std::max(most, word.share);
-    for (const WordPull& word : balance.words) {
-      if (word.share >= most - kSameShare) out.push_back(word.term);
-    }
-    return out;
-  }
-
-  /// The experts whose forces count.
-  std::vector<std::size_t> experts() const {
-    if (expert_) return {*expert_};
-    std::vector<std::size_t> out;
-    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
-      if (compiled_.weight(e) > 0) out.push_back(e);
-    }
-    return out;
-  }
+  MeanLine line(std::size_t input) const { return {model_, compiled_, input, point_, experts_}; }
 
   /// The terms of `input` that count, each once.
   std::vector<fuzzy::Term> terms(std::size_t input) const {
     std::vector<fuzzy::Term> out;
-    for (const std::size_t e : experts()) {
+    for (const std::size_t e : experts_) {
       for (const fuzzy::Term& term : termsFor(model_.experts[e], model_.inputs[input])) {
         if (std::find(out.begin(), out.end(), term) == out.end()) out.push_back(term);
       }
@@ -70,118 +61,78 @@ class Explorer {
     return out;
   }
 
-  const std::vector<double>& point() const { return point_; }
-
  private:
   const fuzzy::ForceModel& model_;
   const fuzzy::CompiledModel& compiled_;
   std::vector<double> point_;
   std::optional<std::size_t> expert_;
+  std::vector<std::size_t> experts_;  ///< whose forces count
 };
 
-/// The places along `input` at which a slope of the force can change: vertices of its terms, and places where one of
-/// their memberships equals another one. Ascending, from one end of the universe to the other.
-std::vector<double> bends(const fuzzy::ForceModel& model, const Explorer& explorer, std::size_t input) {
-  const fuzzy::Variable& variable = model.inputs[input];
-  const std::vector<fuzzy::Term> terms = explorer.terms(input);
-  std::vector<double> places = {variable.min, variable.max};
-  std::vector<MembershipFunction> functions;
-  for (const fuzzy::Term& term : terms) {
-    const auto& f = functions.emplace_back(MembershipFunction::of(term));
-    if (f.gaussian) {
-      for (double sigmas = -kGaussianSigmas; sigmas <= kGaussianSigmas; ++sigmas) {
-        places.push_back(f.mean + sigmas * f.sigma);
-      }
-    } else {
-      places.insert(places.end(), {f.a, f.b, f.c, f.d});
-    }
-  }
-  std::vector<double> levels;  // memberships of the other inputs
-  for (std::size_t other = 0; other < model.inputs.size(); ++other) {
-    if (other == input) continue;
-    for (const fuzzy::Term& term : explorer.terms(other)) {
-      const double level = MembershipFunction::of(term)(explorer.point()[other]);
-      if (level > 0 && level < 1) levels.push_back(level);
-    }
-  }
-  std::sort(places.begin(), places.end());
-  std::vector<double> crossings;
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    const double from = places[i - 1];
-    const double to = places[i];
-    if (from >= to) continue;
-    const auto crossing = [&](double left, double right) {  // of a line with 0
-      if (left * right < 0) crossings.push_back(from + (to - from) * left / (left - right));
-    };
-    // Just inside the piece: edges may be vertical.
-    const double inside = (to - from) * 1e-9;
-    for (std::size_t one = 0; one < functions.size(); ++one) {
-      const double left = functions[one](from + inside);
-      const double right = functions[one](to - inside);
-      for (const double level : levels) crossing(left - level, right - level);
-      for (std::size_t other = one + 1; other < functions.size(); ++other) {
-        crossing(left - functions[other](from + inside), right - functions[other](to - inside));
-      }
-    }
-  }
-  places.insert(places.end(), crossings.begin(), crossings.end());
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  std::erase_if(places, [&](double x) { return x < variable.min || x > variable.max; });
-  return places;
-}
+/// The force differs from now by what is felt.
+class FeltChange : public Change {
+ public:
+  FeltChange(const Explorer& explorer, const fuzzy::Variable& output, std::size_t input, double now_n, double felt_n)
+      : explorer_(explorer),
+        input_(input),
+        now_n_(now_n),
+        felt_n_(felt_n),
+        lowest_n_(output.min),
+        range_n_(output.max - output.min) {}
 
-/// The places from `now` on in one direction at which the force is looked at, nearest first.
-std::vector<double> looks(const std::vector<double>& bends, double now, bool upward) {
-  std::vector<double> stops = {now};
-  for (const double x : bends) {
-    if (upward ? x > now : x < now) stops.push_back(x);
+  bool forceOnly() const override { return true; }
+  std::size_t excessCount() const override { return 2; }
+  void excesses(std::span<const double> values, std::span<double> out) const override {
+    const double change_n = values[0] - (now_n_ - lowest_n_);
+    out[0] = (change_n - felt_n_) / range_n_;
+    out[1] = (-change_n - felt_n_) / range_n_;
   }
-  if (upward) {
-    std::sort(stops.begin(), stops.end());
-  } else {
-    std::sort(stops.begin(), stops.end(), std::greater<>());
+  void excessSlopes(std::span<const double> slopes, std::span<double> out) const override {
+    out[0] = out[1] = slopes[0] / range_n_;
   }
-  std::vector<double> out;
-  for (std::size_t i = 1; i < stops.size(); ++i) {
-    for (int look = 1; look <= kLooks; ++look) {
-      out.push_back(stops[i - 1] + (stops[i] - stops[i - 1]) * look / (kLooks + 1));
-    }
-    out.push_back(stops[i]);
+  bool happened(double x) const override {
+    const auto there_n = explorer_.force(input_, x);
+    return there_n && std::abs(*there_n - now_n_) >= felt_n_;
   }
-  return out;
-}
 
-/// The nearest place from `now` on at which `changed` is true; nothing if there is none. `changed` gives nothing in a
-/// hole, where the search ends.
-template <class Changed>
-std::optional<double> nearestChange(const std::vector<double>& bends, double now, bool upward, Changed changed) {
-  double before = now;
-  for (const double x : looks(bends, now, upward)) {
-    const std::optional<bool> is = changed(x);
-    if (!is) return std::nullopt;
-    if (!*is) {
-      before = x;
-      continue;
-    }
-    double after = x;
-    for (int i = 0; i < kHalvings; ++i) {
-      const double middle = (before + after) / 2;
-      (changed(middle).value_or(true) ? after : before) = middle;
-    }
-    return changed(after).value_or(false) ? std::optional(after) : std::nullopt;
-  }
-  return std::nullopt;
-}
+ private:
+  const Explorer& explorer_;
+  std::size_t input_;
+  double now_n_, felt_n_, lowest_n_, range_n_;
+};
 
-/// The nearer of the changes upward and downward.
-template <class Changed>
-std::optional<double> nearestChange(const std::vector<double>& bends, double now, Changed changed) {
-  const auto up = nearestChange(bends, now, true, changed);
-  const auto down = nearestChange(bends, now, false, changed);
-  if (up && down) return *up - now <= now - *down ? up : down;
-  return up ? up : down;
-}
+/// Another word than `now` has the largest share, alone or with it.
+class WordChange : public Change {
+ public:
+  WordChange(const MeanLine& line, std::size_t now) : line_(line), now_(now) {}
+
+  bool forceOnly() const override { return false; }
+  std::size_t excessCount() const override { return line_.words().size() - 1; }
+  void excesses(std::span<const double> values, std::span<double> out) const override {
+    std::size_t next = 0;
+    for (std::size_t word = 0; word < line_.words().size(); ++word) {
+      if (word != now_) out[next++] = values[1 + word] - values[1 + now_] + kSameShare;
+    }
+  }
+  void excessSlopes(std::span<const double> slopes, std::span<double> out) const override {
+    std::size_t next = 0;
+    for (std::size_t word = 0; word < line_.words().size(); ++word) {
+      if (word != now_) out[next++] = slopes[1 + word] + slopes[1 + now_];
+    }
+  }
+  bool happened(double x) const override { return another(x).has_value(); }
+  /// The first other word that is largest at `x`.
+  std::optional<std::size_t> another(double x) const {
+    for (const std::size_t word : largestOf(line_.at(x))) {
+      if (word != now_) return word;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const MeanLine& line_;
+  std::size_t now_;
+};
 
 /// The middle of the core of `term` within `variable`.
 double middleOfCore(const fuzzy::Term& term, const fuzzy::Variable& variable) {
@@ -201,11 +152,10 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
   if (!explanation) return tl::unexpected(explanation.error());
   std::vector<double> point;
   for (const ExplainedInput& input : explanation->inputs) point.push_back(input.value);
-  Explorer explorer(model, compiled, point, expert);
+  const Explorer explorer(model, compiled, point, expert);
   std::vector<Counterfactual> out;
   const auto now_n = explorer.force(0, point[0]);
   if (!now_n) return out;
-  const LargestWords largest = explorer.largest(0, point[0]);
   const double felt_n = noticeable(std::abs(*now_n));
 
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
@@ -217,31 +167,23 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
         out.push_back({Counterfactual::Kind::kTerm, i, value, value - now, *there_n, term.id, {}});
       }
     }
-    const std::vector<double> places = bends(model, explorer, i);
-    const auto felt = nearestChange(places, now, [&](double x) -> std::optional<bool> {
-      const auto there_n = explorer.force(i, x);
-      if (!there_n) return std::nullopt;
-      return std::abs(*there_n - *now_n) >= felt_n;
-    });
-    if (felt)
+    MeanLine line = explorer.line(i);
+    const FeltChange felt_change(explorer, model.output, i, *now_n, felt_n);
+    if (const auto felt = MoveSearch(line, felt_change).nearest(now)) {
       out.push_back({Counterfactual::Kind::kNoticeable, i, *felt, *felt - now, *explorer.force(i, *felt), {}, {}});
+    }
+    const LargestWords largest = largestOf(line.at(now));
     if (largest.size() > 1) {
-      if (i == 0) out.push_back({Counterfactual::Kind::kLargestWord, i, now, 0, *now_n, largest[0], largest[1]});
+      if (i == 0) {
+        out.push_back({Counterfactual::Kind::kLargestWord, i, now, 0, *now_n, line.words()[largest[0]],
+                       line.words()[largest[1]]});
+      }
       continue;
     }
-    const auto another = [&](double x) -> std::optional<std::string> {  // largest at x; empty: the same as now
-      const LargestWords there = explorer.largest(i, x);
-      if (there.empty()) return std::nullopt;
-      const auto word = std::find_if(there.begin(), there.end(), [&](const auto& w) { return w != largest[0]; });
-      return word == there.end() ? std::string() : *word;
-    };
-    const auto word = nearestChange(places, now, [&](double x) -> std::optional<bool> {
-      const auto there = another(x);
-      return there ? std::optional(!there->empty()) : std::nullopt;
-    });
-    if (word) {
-      out.push_back({Counterfactual::Kind::kLargestWord, i, *word, *word - now, *explorer.force(i, *word), largest[0],
-                     *another(*word)});
+    const WordChange word_change(line, largest[0]);
+    if (const auto word = MoveSearch(line, word_change).nearest(now)) {
+      out.push_back({Counterfactual::Kind::kLargestWord, i, *word, *word - now, *explorer.force(i, *word),
+                     line.words()[largest[0]], line.words()[*word_change.another(*word)]});
     }
   }
   return out;

@@ -30,10 +30,9 @@ struct Counterfactual {
 
 /// The counterfactuals at `inputs` (in the order and units of the model), for the mean or the expert number `expert`
 /// alone: per input first the other terms in their order (those whose membership is below 1 now; terms without a force
-/// there are left out), then the two smallest moves, where there are any before a hole. Between the vertices of the
-/// input's terms and the places where two memberships are equal the force is looked at 8 times, so a change that begins
-/// and ends between two looks can be missed. Without a force at the point there are none. Returns the error of
-/// `explain`. Thread: any.
+/// there are left out), then the two smallest moves, where there are any before a hole. A hole of one point is passed.
+/// However narrow a change is, it is found if it reaches its limit by 1e-8 of the range of the force or of the area.
+/// Without a force at the point there are none. Returns the error of `explain`. Thread: any.
 base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceModel& model,
                                                           const fuzzy::CompiledModel& compiled,
                                                           std::span<const double> inputs,

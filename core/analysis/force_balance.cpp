@@ -3,85 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/check.h"
+#include "core/fuzzy/centroid.h"
 
 namespace tactus::analysis {
 namespace {
 
-constexpr double kSame = 1e-12;  // heights (of the highest) that differ by less coincide: one flank, rounded twice
-
-/// Area and first moment of what lies under a line.
-struct Slices {
-  double area = 0;
-  double moment = 0;
-};
-
-/// The heights of a set just right of `from` and just left of `to`, between which it has no vertex. As shares of the
-/// largest strength, which may be too small for products.
-struct Heights {
-  double left = 0;
-  double right = 0;
-};
-
-Heights heightsBetween(const Polyline& set, double from, double to, double highest) {
-  const auto after =
-      std::upper_bound(set.begin(), set.end(), from, [](double x, const Vertex& vertex) { return x < vertex.x; });
-  if (after == set.begin() || after == set.end()) return {};
-  const Vertex& left = *std::prev(after);
-  const Vertex& right = *after;
-  const auto at = [&](double x) {
-    return (left.height + (right.height - left.height) * ((x - left.x) / (right.x - left.x))) / highest;
-  };
-  return {at(from), at(to)};
-}
-
-void add(Slices& slices, double from, double to, const Heights& heights) {
-  const double width = to - from;
-  const double area = width * (heights.left + heights.right) / 2;
-  slices.area += area;
-  slices.moment += from * area + width * width * (heights.left / 6 + heights.right / 3);
-}
-
-/// The slices of each set where it is the largest; heights as shares of the largest strength.
-std::vector<Slices> slicesOf(const std::vector<ExplainedOutputTerm>& terms) {
-  std::vector<double> ends;
+/// The slices of each output term, measured from the lower end of the universe.
+std::vector<fuzzy::AreaAndMoment> slicesOf(const fuzzy::ForceModel& model, const fuzzy::Expert& expert,
+                                           const std::vector<ExplainedOutputTerm>& terms) {
+  const std::vector<fuzzy::Term>& output = termsFor(expert, model.output);
   double highest = 0;
-  for (const auto& term : terms) {
-    highest = std::max(highest, term.strength);
-    for (const Vertex& vertex : term.set) ends.push_back(vertex.x);
+  for (const auto& term : terms) highest = std::max(highest, term.strength);
+  std::vector<fuzzy::MembershipFunction> functions(terms.size());
+  std::vector<fuzzy::ActiveTerm> active;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (!terms[t].winning_rule) continue;
+    functions[t] = fuzzy::MembershipFunction::of(output[t]);
+    active.push_back({&functions[t], terms[t].strength, terms[t].strength / highest});
   }
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-
-  std::vector<Slices> out(terms.size());
-  std::vector<Heights> heights(terms.size());
-  for (std::size_t piece = 1; piece < ends.size(); ++piece) {
-    const double from = ends[piece - 1];
-    const double width = ends[piece] - from;
-    for (std::size_t t = 0; t < terms.size(); ++t)
-      heights[t] = heightsBetween(terms[t].set, from, ends[piece], highest);
-    // The places, as shares of the piece, where two of the lines cross.
-    std::vector<double> cuts = {0, 1};
-    for (std::size_t one = 0; one < terms.size(); ++one) {
-      for (std::size_t other = one + 1; other < terms.size(); ++other) {
-        const double left = heights[one].left - heights[other].left;
-        const double right = heights[one].right - heights[other].right;
-        if (left * right < 0) cuts.push_back(left / (left - right));
-      }
-    }
-    std::sort(cuts.begin(), cuts.end());
-    for (std::size_t cut = 1; cut < cuts.size(); ++cut) {
-      const auto at = [&](std::size_t t, double share) {
-        return heights[t].left + (heights[t].right - heights[t].left) * share;
-      };
-      const double middle = (cuts[cut - 1] + cuts[cut]) / 2;
-      std::size_t largest = 0;
-      for (std::size_t t = 1; t < terms.size(); ++t) {
-        if (at(t, middle) > at(largest, middle) + kSame) largest = t;
-      }
-      add(out[largest], from + width * cuts[cut - 1], from + width * cuts[cut],
-          {at(largest, cuts[cut - 1]), at(largest, cuts[cut])});
-    }
+  std::vector<fuzzy::AreaAndMoment> found(active.size());
+  fuzzy::sliceMoments(active, model.implication, model.output.min, model.output.max, found);
+  std::vector<fuzzy::AreaAndMoment> out(terms.size());
+  for (std::size_t t = 0, next = 0; t < terms.size(); ++t) {
+    if (terms[t].winning_rule) out[t] = found[next++];
   }
   return out;
 }
@@ -105,14 +49,15 @@ std::vector<double> maxGame(const std::vector<double>& strengths) {
 /// Adds an expert whose force counts for `weight` of `balance.force_n`.
 void addExpert(const fuzzy::ForceModel& model, const ExplainedExpert& explained, std::size_t expert, double weight,
                ForceBalance& balance) {
-  const std::vector<Slices> slices = slicesOf(explained.output_terms);
+  const auto slices = slicesOf(model, model.experts[expert], explained.output_terms);
+  const double force = balance.force_n - model.output.min;
   double area = 0;
-  for (const Slices& one : slices) area += one.area;
-  TACTUS_CHECK(area > 0);
+  for (const auto& one : slices) area += one.area;
+  if (!(area > 0)) area = 1;  // sets narrower than any number tells: all at one place, without a share
   for (std::size_t t = 0; t < slices.size(); ++t) {
     const ExplainedOutputTerm& term = explained.output_terms[t];
     if (!term.winning_rule) continue;
-    const double pull_n = weight * (slices[t].moment - balance.force_n * slices[t].area) / area;
+    const double pull_n = weight * (slices[t].moment - force * slices[t].area) / area;
     auto word = std::find_if(balance.words.begin(), balance.words.end(),
                              [&](const WordPull& one) { return one.term == term.term; });
     if (word == balance.words.end()) {

@@ -44,8 +44,7 @@ struct ForceBalance {
 };
 
 /// The balance of `explanation`, which is of `model`, for its mean or for the expert number `expert` alone. Without a
-/// force (all abstain) everything is empty. Polylines of Gaussians are sampled, so their sums hold to about 1e-6 of the
-/// universe. Thread: any.
+/// force (all abstain) everything is empty. Exact to rounding, with Gaussians to 1e-12 of the universe. Thread: any.
 ForceBalance forceBalance(const fuzzy::ForceModel& model, const Explanation& explanation,
                           std::optional<std::size_t> expert = std::nullopt);
 

@@ -1,4 +1,5 @@
-// Centroid where Gaussian terms are among the active ones: crossings by bisection, pieces by quadrature.
+// The pieces of the aggregated set where Gaussian terms may be among the active ones: crossings by bisection, pieces by
+// quadrature.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -23,6 +24,11 @@ struct ImpliedSet {
   double top;                  ///< height of the plateau
   double factor;               ///< height where the membership would be 1
   ImpliedTrapezoid trapezoid;  ///< where the function is one
+};
+
+/// A piece and the term whose set it is of.
+struct TermPiece : CurvePiece {
+  std::size_t term;
 };
 
 /// Corners of one implied set, between which it is a line, or a Gaussian without inflection.
@@ -57,16 +63,26 @@ std::optional<CurvePiece> pieceOf(const ImpliedSet& set, const Position& from, c
   return CurvePiece{curved, 0, set.top, 0, mean, f.sigma, std::log(set.factor)};
 }
 
-}  // namespace
+/// Adds the piece of the highest term over [from, to], in positions from `start` on.
+void add(const CurvePiece& piece, double start, double from, double to, AreaAndMoment& sum) noexcept {
+  if (!piece.curved) return sum.addLinear(start + from, to - from, piece.at(from), piece.at(to));
+  visitGaussianMasses(piece, from, to, [&](double x, double mass) {
+    sum.area += mass;
+    sum.moment += mass * (start + x);
+  });
+}
 
-double gaussianCentroidOffset(std::span<const ActiveTerm> terms, Implication implication, double lo,
-                              double hi) noexcept {
+/// Calls `visit(piece, start, from, to)` for each piece of the maximum of `terms` in turn: from start + from to
+/// start + to, in positions from the returned one on. `same`: as for walkHighestPieces.
+template <class Visit>
+Position walkGaussianMaximum(std::span<const ActiveTerm> terms, Implication implication, double lo, double hi,
+                             double same, const Visit& visit) noexcept {
   double largest = 0;
   for (const auto& term : terms) largest = std::max(largest, term.strength);
   const bool clip = implication == Implication::kClip;
 
   std::array<ImpliedSet, kMostTerms> sets;
-  std::array<Position, kMostCorners> corner{};
+  std::array<Position, kMostCorners> corner;
   std::size_t corner_count = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const auto& term = terms[i];
@@ -76,30 +92,58 @@ double gaussianCentroidOffset(std::span<const ActiveTerm> terms, Implication imp
     corner_count += corners(sets[i], share, corner.data() + corner_count);
   }
   for (std::size_t k = 0; k < corner_count; ++k) corner[k] = std::clamp(corner[k], Position{lo}, Position{hi});
-  std::sort(corner.begin(), corner.begin() + static_cast<std::ptrdiff_t>(corner_count));
+  std::sort(corner.data(), corner.data() + corner_count);
 
   const Position origin = corner[0];
-  AreaAndMoment sum;
-  std::array<CurvePiece, kMostTerms> pieces;
+  std::array<TermPiece, kMostTerms> pieces;
+  std::array<double, kMostTerms> highest;
   for (std::size_t k = 1; k < corner_count; ++k) {
     const double length = corner[k].minus(corner[k - 1]);
     if (!(1 / length <= std::numeric_limits<double>::max())) continue;  // no length, or one without any area
     std::size_t piece_count = 0;
+    double floor = 0;  // below the maximum everywhere
     for (std::size_t i = 0; i < terms.size(); ++i) {
-      if (const auto piece = pieceOf(sets[i], corner[k - 1], corner[k])) pieces[piece_count++] = *piece;
+      const auto piece = pieceOf(sets[i], corner[k - 1], corner[k]);
+      if (!piece) continue;
+      const double left = piece->at(0);
+      const double right = piece->at(length);
+      highest[piece_count] = std::max(left, right);  // as the mean is a corner
+      floor = std::max(floor, std::min(left, right));
+      pieces[piece_count++] = {*piece, i};
+    }
+    // Most crossings lie below the maximum, and each costs a search.
+    std::size_t kept = 0;
+    for (std::size_t p = 0; p < piece_count; ++p) {
+      if (highest[p] >= floor) pieces[kept++] = pieces[p];
     }
     // Positions count from the corner: a stretch far from 0 and of little strength may be shorter than an ulp of it.
     const double start = corner[k - 1].minus(origin);
-    const std::span<const CurvePiece> found(pieces.data(), piece_count);
-    walkHighestPieces(found, 0, length, [&](const CurvePiece& top, double from, double to) {
-      if (!top.curved) return sum.addLinear(start + from, to - from, top.at(from), top.at(to));
-      visitGaussianMasses(top, from, to, [&](double x, double mass) {
-        sum.area += mass;
-        sum.moment += mass * (start + x);
-      });
-    });
+    const std::span<const TermPiece> found(pieces.data(), kept);
+    walkHighestPieces(found, 0, length, same,
+                      [&](const TermPiece& top, double from, double to) { visit(top, start, from, to); });
   }
+  return origin;
+}
+
+}  // namespace
+
+double gaussianCentroidOffset(std::span<const ActiveTerm> terms, Implication implication, double lo,
+                              double hi) noexcept {
+  AreaAndMoment sum;
+  const Position origin = walkGaussianMaximum(
+      terms, implication, lo, hi, 0,
+      [&](const TermPiece& piece, double start, double from, double to) { add(piece, start, from, to, sum); });
   return origin.minus({lo}) + sum.moment / sum.area;
+}
+
+void gaussianSliceMoments(std::span<const ActiveTerm> terms, Implication implication, double lo, double hi,
+                          std::span<AreaAndMoment> slices) noexcept {
+  constexpr double kSame = 1e-12;
+  const Position origin = walkGaussianMaximum(terms, implication, lo, hi, kSame,
+                                              [&](const TermPiece& piece, double start, double from, double to) {
+                                                add(piece, start, from, to, slices[piece.term]);
+                                              });
+  for (AreaAndMoment& slice : slices) slice.moment += origin.minus({lo}) * slice.area;
 }
 
 }  // namespace tactus::fuzzy

@@ -28,18 +28,18 @@ struct CurvePiece {
 };
 
 /// Writes the crossings of `p` and `q` in (x0, x1), an interval between neighboring corners. There are at most two;
-/// each is bracketed and bisected to the last bit. Returns the end of the written range.
+/// each is bracketed and, but for two lines, searched to the last bit. Returns the end of the written range.
 /// Thread: any. Real-time safe: yes.
 double* writeCrossings(const CurvePiece& p, const CurvePiece& q, double x0, double x1, double* out) noexcept;
 
 /// Calls `visit(piece, from, to)` for each part of [x0, x1] in turn; `piece` is the highest one there.
 /// `Piece` is CurvePiece or a type derived from it. `pieces`: at most kMostTerms, all between the same neighboring
 /// corners.
-/// If pieces coincide, the first one is visited. A part is empty only if x0 == x1 (corners that differ by less than an
-/// ulp).
-/// Thread: any. Real-time safe: yes, if `visit` is.
+/// If pieces coincide, the first one is visited, also where their heights differ by at most `same` of their size. A
+/// part is empty only if x0 == x1 (corners that differ by less than an ulp). Thread: any. Real-time safe: yes, if
+/// `visit` is.
 template <class Piece, class Visit>
-void walkHighestPieces(std::span<const Piece> pieces, double x0, double x1, const Visit& visit) noexcept {
+void walkHighestPieces(std::span<const Piece> pieces, double x0, double x1, double same, const Visit& visit) noexcept {
   if (pieces.empty()) return;
   // Two pieces cross at most twice.
   std::array<double, kMostTerms*(kMostTerms - 1) + 2> cuts;
@@ -57,7 +57,7 @@ void walkHighestPieces(std::span<const Piece> pieces, double x0, double x1, cons
     const double middle = from + (to - from) / 2;
     const Piece* top = pieces.data();
     for (const Piece& piece : pieces.subspan(1)) {
-      if (piece.at(middle) > top->at(middle)) top = &piece;
+      if (piece.at(middle) > top->at(middle) * (1 + same)) top = &piece;
     }
     visit(*top, from, to);
   }

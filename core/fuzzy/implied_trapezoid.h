@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <compare>
 
 #include "core/fuzzy/membership.h"
 
@@ -21,7 +20,14 @@ struct Position {
     return {sum, (x - (sum - part)) + (offset - part)};
   }
   double minus(const Position& other) const noexcept { return (high - other.high) + (low - other.low); }
-  auto operator<=>(const Position&) const = default;
+  bool operator==(const Position&) const = default;
+  // By hand: the compiler makes long code of a default <=>, and centroids compare a lot.
+  bool operator<(const Position& other) const noexcept {
+    return high < other.high || (high == other.high && low < other.low);
+  }
+  bool operator>(const Position& other) const noexcept { return other < *this; }
+  bool operator<=(const Position& other) const noexcept { return !(other < *this); }
+  bool operator>=(const Position& other) const noexcept { return !(*this < other); }
 };
 
 /// A trapezoid after implication: 0 at `left`, `height` from `top_left` to `top_right`, 0 at `right`.

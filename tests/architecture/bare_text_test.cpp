@@ -56,6 +56,7 @@ constexpr Exception kExceptions[] = {
     {"workbench/main.cpp", "Tactus", "the folder of the settings"},
     {"participant/participant_window.cpp", "Tactus", "the name of the program"},
     {"screens/sample_screens.cpp", "thunderstorm marmalade", "a code"},
+    {"screens/sample_screens.cpp", "School of Nursing, 2766 0000", "of the sample study"},
     {"workbench/main.cpp", "tactus-workbench: %s\\n", "the command line"},
     {"workbench/main.cpp", "Tactus Workbench", "the name of the program"},
     {"plot/picture_export.cpp", "PNG", "the name of a format"},

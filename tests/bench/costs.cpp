@@ -1,7 +1,12 @@
 #include "tests/bench/costs.h"
 
+#include <array>
+#include <cmath>
 #include <memory>
 
+#include "core/analysis/counterfactuals.h"
+#include "core/analysis/explain.h"
+#include "core/analysis/force_balance.h"
 #include "core/base/check.h"
 #include "core/fuzzy/batch.h"
 #include "core/fuzzy/scene.h"
@@ -138,6 +143,20 @@ Job specializeJob(const ForceModel& model) {
           }};
 }
 
+/// All that `tactus why` computes at a point where several rules fire.
+Job whyJob(const ForceModel& model) {
+  return {"why", kRepetitions, [model, compiled = compiledOf(model)](std::size_t /*first*/, std::span<double> out) {
+            constexpr std::array<double, 4> kPoint = {kFixedLubrication, kFixedNeckFlexionDeg, 130, 120};
+            const auto felt_n = [](double force_n) { return std::hypot(0.04, 0.12 * force_n); };
+            for (double& result : out) {
+              const auto explanation = analysis::explain(model, compiled, kPoint);
+              const auto moves = analysis::counterfactuals(model, compiled, kPoint, felt_n);
+              TACTUS_CHECK(explanation.has_value() && moves.has_value());
+              result = analysis::forceBalance(model, *explanation).force_n + static_cast<double>(moves->size());
+            }
+          }};
+}
+
 void addSetUpAndTasks(std::vector<CostJob>& jobs) {
   const ForceModel one = oneExpert(fuzzy::Implication::kClip);
   const ForceModel four = syntheticExperts(4);
@@ -160,6 +179,8 @@ void addSetUpAndTasks(std::vector<CostJob>& jobs) {
   along_depth.back() = 50;
   jobs.push_back(
       {"task", "500-point depth curve, four experts, specializing included", what, gridJob(four, along_depth, 500)});
+  jobs.push_back({"task", "why, four experts", what, whyJob(four)});
+  jobs.push_back({"task", "why, 100 experts with own terms", what, whyJob(syntheticExperts(100, true))});
 }
 
 }  // namespace

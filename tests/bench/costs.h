@@ -17,7 +17,8 @@ struct CostJob {
 };
 
 /// One-point and batch evaluation, compiling, and fuzzylite at resolution 100 where it is installed, against the number
-/// of rules, terms, inputs and experts; compiling and specializing the NGT model; a surface and a curve.
+/// of rules, terms, inputs and experts; compiling and specializing the NGT model; a surface, a curve, and `tactus why`
+/// at a point.
 std::vector<CostJob> costJobs();
 
 }  // namespace tactus::bench

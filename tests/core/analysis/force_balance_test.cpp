@@ -1,5 +1,6 @@
 #include "core/analysis/force_balance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -84,12 +85,73 @@ TEST(ForceBalance, ExpertsPullTheMean) {
   EXPECT_FALSE(alone.experts[0].leave_one_out_n.has_value());
 }
 
+/// Areas and moments of the slices from `samples` midpoints.
+struct Sampled {
+  std::vector<double> areas;
+  std::vector<double> moments;
+  double area = 0;
+  double moment = 0;
+};
+
+Sampled sampled(const fuzzy::ForceModel& model, const std::vector<double>& strengths, int samples) {
+  std::vector<fuzzy::MembershipFunction> functions;
+  for (const auto& term : model.output.terms) functions.push_back(fuzzy::MembershipFunction::of(term));
+  Sampled out{std::vector<double>(functions.size()), std::vector<double>(functions.size())};
+  const double step = (model.output.max - model.output.min) / samples;
+  for (int i = 0; i < samples; ++i) {
+    const double x = model.output.min + (i + .5) * step;
+    std::size_t top = 0;
+    double highest = -1;
+    for (std::size_t t = 0; t < functions.size(); ++t) {
+      const double membership = functions[t](x);
+      const bool clip = model.implication == fuzzy::Implication::kClip;
+      const double height = clip ? std::min(strengths[t], membership) : strengths[t] * membership;
+      if (height > highest) top = t, highest = height;
+    }
+    out.areas[top] += highest, out.moments[top] += highest * x;
+    out.area += highest, out.moment += highest * x;
+  }
+  return out;
+}
+
+// Unlike shapes cross anywhere: two Gaussians of other widths, a Gaussian and a flank, a Gaussian and a plateau.
+TEST(ForceBalance, GaussianWordsAgainstAMillionSamples) {
+  fuzzy::ForceModel model;
+  model.name = "unlike shapes";
+  model.inputs = {{"x", "X", "1", 0, 1, {{"all", "All", fuzzy::Shape::kTrapezoid, {0, 0, 1, 1}}}}};
+  model.output = {"force", "Force", "N", 0, 1.1, {}};
+  model.output.terms = {{"low", "Low", fuzzy::Shape::kGaussian, {.2, .11}},
+                        {"middle", "Middle", fuzzy::Shape::kTrapezoid, {.15, .5, .55, .9}},
+                        {"high", "High", fuzzy::Shape::kGaussian, {.7, .06}},
+                        {"top", "Top", fuzzy::Shape::kGaussian, {1.3, .4}}};
+  const std::vector<double> strengths = {.8, .55, .9, .35};
+  model.experts.push_back({"one", "One", 1, {}, {}});
+  for (std::size_t t = 0; t < strengths.size(); ++t) {
+    model.experts[0].rules.push_back({{{"x", "all"}}, model.output.terms[t].id, strengths[t]});
+  }
+  for (const auto implication : {fuzzy::Implication::kClip, fuzzy::Implication::kScale}) {
+    model.implication = implication;
+    const auto balance = balanceAt(model, {.5});
+    const Sampled reference = sampled(model, strengths, 1000000);
+    const double force_n = reference.moment / reference.area;
+    EXPECT_NEAR(balance.force_n, force_n, 1e-9);
+    ASSERT_EQ(balance.words.size(), strengths.size());
+    for (std::size_t t = 0; t < strengths.size(); ++t) {
+      const auto& word = balance.words[t];
+      // Half a sample at each end of a slice.
+      EXPECT_NEAR(word.share, reference.areas[t] / reference.area, 1e-6) << word.term;
+      EXPECT_NEAR(word.pull_n, (reference.moments[t] - force_n * reference.areas[t]) / reference.area, 1e-6)
+          << word.term;
+    }
+  }
+}
+
 // Whatever the model: shares sum to 1, and all pulls to 0.
 TEST(ForceBalance, IsInBalance) {
   base::Random random(11);
   int balanced = 0;
   for (int i = 0; i < 400; ++i) {
-    const auto model = support::randomModel(random);
+    const auto model = support::randomModel(random, {.gaussians = i % 2 == 1});
     std::vector<double> point;
     for (const auto& input : model.inputs) point.push_back(input.min + (input.max - input.min) * random.uniform());
     const auto balance = balanceAt(model, point);
@@ -104,11 +166,21 @@ TEST(ForceBalance, IsInBalance) {
     for (const auto& rule : balance.rules) rules_n += rule.pull_n;
     for (const auto& expert : balance.experts) experts_n += expert.pull_n;
     EXPECT_NEAR(share, 1, 1e-9);
-    EXPECT_NEAR(words_n, 0, 2e-6 * range);
+    EXPECT_NEAR(words_n, 0, 1e-9 * range);
     EXPECT_NEAR(rules_n, words_n, 1e-9 * range);
     EXPECT_NEAR(experts_n, 0, 1e-9 * range);
   }
   EXPECT_GT(balanced, 200);
+}
+
+// The area of such sets is below the smallest double: all lies at one place, and nothing pulls.
+TEST(ForceBalance, SetsWithoutAnAreaPullNothing) {
+  auto model = support::s4FiveRegions();
+  for (auto& term : model.output.terms) term = {term.id, term.label, fuzzy::Shape::kTrapezoid, {0, 0, 0, 5e-324}};
+  const auto balance = balanceAt(model, {1, 60, 200, 50});
+  EXPECT_EQ(balance.force_n, 0);
+  EXPECT_EQ(balance.words.size(), 4U);
+  for (const auto& word : balance.words) EXPECT_EQ(word.pull_n, 0) << word.term;
 }
 
 TEST(ForceBalance, WithoutAForceThereIsNone) {
