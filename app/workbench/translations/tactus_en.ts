@@ -4917,37 +4917,6 @@
     </message>
 </context>
 <context>
-    <name>tactus::workbench::LayoutMenu</name>
-    <message>
-        <source>&amp;Keep this layout as…</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Forget</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Keep this layout</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Its name; one that is there is replaced:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The layout is kept as %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The layout %1 was not shown: it was kept with other panels than there are now.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forget it</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
     <name>tactus::workbench::LegendChip</name>
     <message>
         <source>Show or hide: %1</source>
@@ -7033,10 +7002,6 @@ felt on the model %2</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The edits of %1 were not restored. %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>The edits of %1 were not restored. Their files stay in place. %2</source>
         <translation type="unfinished"></translation>
     </message>
@@ -9106,10 +9071,6 @@ mean (SD)</source>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Lay&amp;outs</source>
         <translation type="unfinished"></translation>
     </message>
     <message>

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/workbench/base/call_queue.h"
+#include "app/workbench/tune/history/history_file.h"
 
 namespace tactus::workbench {
 
