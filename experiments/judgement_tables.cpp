@@ -10,7 +10,7 @@
 
 #include "core/base/close_match.h"
 #include "core/base/text.h"
-#include "core/study/record_findings.h"
+#include "core/study/data_finding.h"
 #include "experiments/force_series.h"
 #include "experiments/judgement_checks.h"
 

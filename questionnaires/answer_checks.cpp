@@ -11,7 +11,7 @@
 
 #include "core/base/close_match.h"
 #include "core/base/text.h"
-#include "core/study/record_findings.h"
+#include "core/study/data_finding.h"
 
 namespace tactus::questionnaires {
 namespace {

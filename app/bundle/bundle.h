@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
-#include "core/model_io/bundle_manifest.h"
+#include "core/model_io/bundle_check.h"
 
 namespace tactus::bundle {
 

@@ -8,7 +8,7 @@
 #include "core/exchange/c_source.h"
 #include "core/exchange/dialect.h"
 #include "core/fuzzy/compiled_model.h"
-#include "core/model_io/bundle_manifest.h"
+#include "core/model_io/bundle_check.h"
 
 namespace tactus::bundle {
 

@@ -7,10 +7,9 @@
 #include "app/session/known_forms.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"
-#include "core/base/name_list.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "core/study/csv_columns.h"
+#include "core/study/csv_tables.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {

@@ -9,7 +9,6 @@
 #include "app/cli/study_build.h"
 #include "app/cli/wrapped_text.h"
 #include "core/base/json/json_writer.h"
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"

@@ -8,7 +8,7 @@
 #include "app/cli/output_file.h"
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/model_io/model_file.h"

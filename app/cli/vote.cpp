@@ -7,7 +7,6 @@
 #include "app/session/study_source.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"
-#include "core/base/rounded_number.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "elicitation/force/force_frequency.h"

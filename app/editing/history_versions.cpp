@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::editing {

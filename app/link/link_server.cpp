@@ -16,7 +16,7 @@
 #include "app/link/link_connection.h"
 #include "app/link/server_lines.h"
 #include "core/base/check.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/files/system_reason.h"
 
 namespace tactus::link {

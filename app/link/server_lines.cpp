@@ -1,7 +1,7 @@
 #include "app/link/server_lines.h"
 
 #include "app/link/client_message.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/json/json_writer.h"
 
 namespace tactus::link {

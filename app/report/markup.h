@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/base/xml_text.h"
+#include "core/base/text.h"
 
 namespace tactus::report {
 

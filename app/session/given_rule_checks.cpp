@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/study/record_findings.h"
+#include "core/study/data_finding.h"
 
 namespace tactus::session {
 namespace {

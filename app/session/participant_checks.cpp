@@ -12,9 +12,9 @@
 #include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
 #include "core/store/person_codes.h"
-#include "core/study/code_key.h"
-#include "core/study/record_findings.h"
-#include "core/study/summary_word.h"
+#include "core/study/record_id.h"
+#include "core/study/data_finding.h"
+#include "core/study/csv_tables.h"
 #include "experiments/force_series.h"
 
 namespace tactus::session {

@@ -9,7 +9,7 @@
 #include "app/session/session_order.h"
 #include "app/session/session_state.h"
 #include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/text.h"
 #include "core/store/backup.h"
 #include "core/store/batch.h"

@@ -4,7 +4,70 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/error.h"
+
 namespace tactus::base {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+
+}  // namespace
+
+std::string xmlEscaped(std::string_view text) {
+  const bool utf8 = isUtf8(text);
+  std::string out;
+  out.reserve(text.size());
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      case '\t':
+      case '\n':
+        out += c;
+        break;
+      default:
+        if (byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !utf8)) {
+          out += kReplacement;
+        } else {
+          out += c;
+        }
+    }
+  }
+  return out;
+}
+
+std::string roundedNumber(double value) {
+  const double size = std::abs(value);
+  if (!(size >= 1e-3 && size < 1e6)) return formatNumber(value);
+  std::string text = formatFixed(value, 4);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string listed(std::span<const std::string> names) {
+  constexpr std::size_t kLongestList = 200;
+  std::string text;
+  for (const auto& name : names) {
+    text += (text.empty() ? "" : ", ") + base::quoted(name);
+    if (text.size() > kLongestList && &name != &names.back()) return text + ", …";
+  }
+  return text;
+}
 
 std::string formatNumber(double value) {
   if (std::isnan(value)) return "nan";

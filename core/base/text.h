@@ -3,10 +3,36 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
 namespace tactus::base {
+
+// Text for XML, HTML and SVG.
+
+/// `text` with the five special characters of XML escaped. Control characters but tab and line feed, and bytes that are
+/// not UTF-8, become U+FFFD: the document stays well-formed for any data.
+std::string xmlEscaped(std::string_view text);
+
+// Numbers in notes for the user.
+
+/// `value` rounded to four decimals, without trailing zeros: 0.15 for 0.15000000000000002. Writes a number in full if
+/// rounding would hide its digits (not 0 and below 0.001, or at least a million).
+std::string roundedNumber(double value);
+
+// Lists of outside names in messages.
+
+/// Outside names for a message: quoted (error.h), separated by commas. After about 200 bytes, `…` replaces the rest.
+std::string listed(std::span<const std::string> names);
+
+// Kinds of characters, the same in every locale.
+
+inline bool isDigit(char c) { return c >= '0' && c <= '9'; }
+/// Of the English alphabet.
+inline bool isLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
+/// A byte of a character outside ASCII, in UTF-8.
+inline bool isBeyondAscii(char c) { return (static_cast<unsigned char>(c) & 0x80U) != 0; }
 
 /// The shortest text that reads back as the same double (`std::to_chars`); "nan", "inf" or "-inf" for the others.
 std::string formatNumber(double value);

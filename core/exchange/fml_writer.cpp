@@ -1,7 +1,6 @@
 // FML of IEEE 1855-2016. Every name is an xs:ID and unique in the whole document, so terms carry their variable's.
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/base/xml_text.h"
 #include "core/exchange/writers.h"
 
 namespace tactus::exchange {

@@ -9,7 +9,6 @@
 #include "core/base/json/json_writer.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
-#include "core/model_io/removed_model.h"
 
 namespace tactus::model_io {
 namespace {

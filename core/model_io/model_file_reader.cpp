@@ -1,19 +1,48 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_members.h"
+#include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/force_model.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
-#include "core/model_io/removed_model.h"
-#include "core/model_io/verify_checks.h"
+#include "core/model_io/expert_removal.h"
 
 namespace tactus::model_io {
 namespace {
+
+// Repeats the reference evaluations stored in a model.
+
+// Room for rounding of another implementation, far below anything a hand can feel.
+constexpr double kTolerance = 1e-12;
+
+std::string outcome(double force, bool fired) {
+  return "force " + base::formatNumber(force) + (fired ? ", fired" : ", not fired");
+}
+
+/// Evaluates each of `model.checks`. Returns an error of kind kMismatch at `/checks/N` if a force differs by more than
+/// 1e-12 of the output range, or `fired` differs. Returns the error of `fuzzy::validate` if the model is invalid.
+base::Result<void> verifyChecks(const fuzzy::ForceModel& model) {
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  const double most = kTolerance * (model.output.max - model.output.min);
+  for (std::size_t i = 0; i < model.checks.size(); ++i) {
+    const fuzzy::Check& check = model.checks[i];
+    const auto now = compiled->evaluate(check.in);
+    if (now.fired == check.fired && std::abs(now.force_n - check.force) <= most) continue;
+    return base::fail(base::ErrorCode::kMismatch, "/checks/" + std::to_string(i), outcome(now.force_n, now.fired),
+                      outcome(check.force, check.fired) + ", as the file says");
+  }
+  return {};
+}
 
 using namespace std::string_view_literals;
 

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/study/feel_records.h"
+#include "core/study/session_records.h"
 
 namespace tactus::store {
 

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/study_file.h"
-#include "core/study/feel_records.h"
+#include "core/study/session_records.h"
 
 namespace tactus::store {
 

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "core/base/files/crc32.h"
+#include "core/base/files/checksums.h"
 
 namespace tactus::store {
 namespace {

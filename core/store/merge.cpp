@@ -8,7 +8,7 @@
 #include <sqlite3.h>
 
 #include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"

@@ -1,6 +1,6 @@
 #include "core/store/model_versions.h"
 
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/model_io/expert_removal.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/files/name_removal.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/json/json_writer.h"
 #include "core/model_io/expert_removal.h"
 #include "core/store/entry_tables.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <set>
 
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/store/query.h"
 
 namespace tactus::store {

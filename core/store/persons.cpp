@@ -7,7 +7,7 @@
 #include "core/store/recoding.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawn_codes.h"
-#include "core/study/code_key.h"
+#include "core/study/record_id.h"
 
 namespace tactus::store {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/store/study_file.h"
-#include "core/study/protocol_record.h"
+#include "core/study/session_records.h"
 
 namespace tactus::store {
 

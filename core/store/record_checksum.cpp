@@ -6,7 +6,7 @@
 #include <charconv>
 #include <sqlite3.h>
 
-#include "core/base/files/crc32.h"
+#include "core/base/files/checksums.h"
 #include "core/base/text.h"
 #include "core/store/query.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/store/pair_list.h"

@@ -13,7 +13,7 @@
 
 #include "core/base/check.h"
 #include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/text.h"
 #include "core/store/pair_list.h"
 #include "core/store/record_checksum.h"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/base/files/crc32.h"
+#include "core/base/files/checksums.h"
 #include "core/base/text.h"
 
 namespace tactus::store {

@@ -17,7 +17,7 @@ namespace tactus::store {
 ///   f64      samples per second
 ///   for each channel: u8 length of the name, the name, u8 length of the unit, the unit (UTF-8)
 ///   channel after channel its samples as f64 (IEEE 754)
-///   u32      CRC-32 (core/base/files/crc32.h) of all bytes before it
+///   u32      CRC-32 (core/base/files/checksums.h) of all bytes before it
 /// Returns an error for channels of different lengths, a number that is not finite, a rate <= 0, a name or unit of more
 /// than 255 bytes, or more than 64 MiB.
 base::Result<std::string> encodeRecording(const study::Recording& recording);

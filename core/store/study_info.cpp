@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/store/conflicts.h"
 #include "core/store/entry_tables.h"
 #include "core/store/feel_records.h"

@@ -4,7 +4,7 @@
 
 #include "core/base/close_match.h"
 #include "core/store/persons.h"
-#include "core/study/code_key.h"
+#include "core/study/record_id.h"
 
 namespace tactus::store {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "core/base/clock.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/store/query.h"
 #include "core/store/recoding.h"
 #include "core/store/record_checksum.h"

@@ -1,6 +1,7 @@
 // The CSV tables of a study: participants, speeds, judgements, answers, rules. User documentation: docs/csv-tables.md.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,43 @@
 #include "core/study/records.h"
 
 namespace tactus::study {
+
+// Words that stand below a table of data, in the place of a code.
+
+/// Whether `word` heads a line that sums a table up: `Mean`, `SD`, `Total`, `n=4`, `Mittelwert`, … Capitals and what is
+/// neither a letter nor a digit do not count.
+bool isSummaryWord(std::string_view word);
+
+// The columns of a study's tables. Their order in a file is free.
+
+inline constexpr std::array<std::string_view, 6> kParticipantColumns = {"participant", "years_experience", "category",
+                                                                        "handedness",  "weight",           "simulated"};
+inline constexpr std::array<std::string_view, 6> kSpeedColumns = {"participant", "level",    "stroke",
+                                                                  "time_s",      "depth_mm", "speed_mm_s"};
+inline constexpr std::array<std::string_view, 5> kJudgementColumns = {"participant", "series", "step", "force_n",
+                                                                      "term"};
+/// `wording` is written only where one is known.
+inline constexpr std::array<std::string_view, 6> kAnswerColumns = {"participant", "form",   "item",
+                                                                   "term",        "status", "wording"};
+/// rules.csv also has one column per input and optionally `form`.
+inline constexpr std::array<std::string_view, 3> kRuleColumns = {"participant", "then", "weight"};
+
+/// Columns that may be absent, and the meaning of their absence; empty: as usual, and nothing is said of it. rules.csv
+/// may lack some input columns, but not all.
+struct OptionalColumn {
+  std::string_view table, column, meaning;
+};
+inline constexpr std::array<OptionalColumn, 9> kOptionalColumns = {{
+    {"participants.csv", "years_experience", "not known"},
+    {"participants.csv", "category", "not known"},
+    {"participants.csv", "handedness", "not known"},
+    {"participants.csv", "weight", "not set"},
+    {"participants.csv", "simulated", "the data count as given by persons"},
+    {"judgements.csv", "series", "all judgements count as 'ascending'"},
+    {"answers.csv", "status", "an item with a term counts as answered, others as skipped"},
+    {"answers.csv", "wording", ""},
+    {"rules.csv", "weight", "each rule has the weight 1"},
+}};
 
 /// A study read from a folder, with notes on everything ignored.
 struct StudyTables {
@@ -25,7 +63,7 @@ std::string publishedTable(std::string_view table);
 /// Reads the tables of `folder`. The study gets the folder's name; each record keeps its line number.
 /// `participants.csv` must exist; each other table may be absent. A table may also be called `Speeds.CSV`, `speeds.txt`
 /// or `speeds.tsv` if it is the only one of that name, or lie at its `publishedTable`. Column names may vary in
-/// spelling (base::columnKey). Optional columns may be absent (csv_columns.h), each with a note.
+/// spelling (base::columnKey). Optional columns may be absent (csv_tables.h), each with a note.
 /// Returns an error for: a missing column, a value of the wrong kind (with file, line and column), a step or stroke
 /// below 1, a force below 0, a duplicate participant, answer, judgement or rule, a row of an unknown participant. Terms
 /// and levels stay text, because only elicitation knows the valid ones.

@@ -7,8 +7,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/study/code_key.h"
-#include "core/study/csv_columns.h"
+#include "core/study/record_id.h"
 #include "core/study/csv_tables.h"
 
 namespace tactus::study {

@@ -9,9 +9,7 @@
 
 #include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
-#include "core/study/csv_columns.h"
 #include "core/study/csv_tables.h"
-#include "core/study/summary_word.h"
 
 namespace tactus::study {
 namespace {

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "core/base/files/file.h"
-#include "core/study/csv_columns.h"
 #include "core/study/csv_tables.h"
 
 namespace tactus::study {

@@ -11,6 +11,13 @@
 
 namespace tactus::study {
 
+// Comparison keys for participant codes.
+
+/// The key of a code. Codes that a person reads as the same one have the same key. It keeps lower-case letters and
+/// digits, and drops leading zeros of numbers. `S1`, `s-01` and ` S 1` all give `s1`. Characters beyond ASCII stay,
+/// except Unicode dashes and spaces.
+std::string codeKey(std::string_view code);
+
 /// A random 128-bit id, so that the records of several stations can be merged into one file.
 struct RecordId {
   std::array<std::uint8_t, 16> bytes{};

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,34 @@
 #include "core/study/records.h"
 
 namespace tactus::study {
+
+// How the depths of the regions were measured on an image, as stored in a study file (core/store/depth_records.h).
+
+/// One state of the measurement. Append-only: a change, also an undo, is a further record; the latest counts.
+struct DepthRecord {
+  RecordId id;
+  std::int64_t utc_ms = 0;
+  std::string author;
+  std::string text;                  ///< JSON object (elicitation/depth/depth_measurement.h)
+  std::optional<RecordId> image_of;  ///< the record that holds the image; nothing: this one, or there is no image
+  std::string image;                 ///< the bytes of the image's file, in the record with which it came; else empty
+
+  bool operator==(const DepthRecord&) const = default;
+};
+
+// One version of a study's protocol, as stored in a study file (core/store/protocols.h).
+
+/// What each participant is asked. Append-only: a change is a further record.
+struct ProtocolRecord {
+  RecordId id;
+  int version = 1;  ///< from 1; several records may have one version: its drafts, of which the latest counts
+  std::int64_t utc_ms = 0;
+  std::string author;
+  std::string reason;  ///< of the change; empty for the first version
+  std::string text;    ///< JSON object (app/session/study_protocol.h)
+
+  bool operator==(const ProtocolRecord&) const = default;
+};
 
 /// The time of a record.
 struct Moment {
@@ -86,7 +115,7 @@ struct SessionRecord {
   /// The device's own friction against forward motion, which adds to the felt force.
   std::optional<double> device_friction_n;
   std::string settings;              ///< JSON text: the settings of the protocols
-  std::optional<RecordId> protocol;  ///< the study's protocol (protocol_record.h) that the session follows
+  std::optional<RecordId> protocol;  ///< the study's protocol (session_records.h) that the session follows
 
   bool operator==(const SessionRecord&) const = default;
 };
@@ -119,7 +148,7 @@ struct Recording {
   bool operator==(const Recording&) const = default;
 };
 
-/// One insertion movement of the speed experiment, or a piece of a recording (feel_records.h).
+/// One insertion movement of the speed experiment, or a piece of a recording (session_records.h).
 struct StrokeRecord {
   Entry entry;
   std::string level;  ///< term id of the requested speed
@@ -200,6 +229,62 @@ struct ModelVersion {
   std::string sha256;  ///< of `text`, 64 hexadecimal digits
 
   bool operator==(const ModelVersion&) const = default;
+};
+
+// The records of feeling a model: placements of the tube as numbers, and recordings of hand and force. They are stored
+// in a session of the kind usability, as events and pieces of recordings (docs/study-file.md, "Feeling a model").
+
+/// The model and the device of a placement or recording.
+struct FeltSetting {
+  std::string device;                        ///< name and serial number
+  bool simulated = false;                    ///< no hardware: the program computed hand, device and force
+  std::string model;                         ///< its name
+  std::optional<RecordId> model_version;     ///< the version in the same study; empty: a model from outside the study
+  std::map<std::string, double> conditions;  ///< of tube and patient, by id of the model's input, in its unit
+
+  bool operator==(const FeltSetting&) const = default;
+};
+
+/// One placement of the tube, from the first grip to the last release.
+struct PlacementRecord {
+  Entry entry;
+  FeltSetting setting;
+  double duration_s = 0;
+  int strokes = 0;
+  double peak_force_n = 0;  ///< largest resistance on the hand
+  double mean_force_n = 0;  ///< mean resistance while the hand held the tube
+  double depth_mm = 0;      ///< deepest position of the tip
+
+  bool operator==(const PlacementRecord&) const = default;
+};
+
+/// The start of a recording. The id of its entry identifies the recording.
+struct FeelStart {
+  Entry entry;
+  FeltSetting setting;
+  int number = 1;  ///< from 1 within the session
+
+  bool operator==(const FeelStart&) const = default;
+};
+
+/// A few seconds of a recording, stored while the recording continues.
+struct FeelPiece {
+  Entry entry;
+  int recording = 1;         ///< FeelStart::number
+  int number = 1;            ///< from 1 within the recording, without gaps
+  Recording samples;         ///< channels as in docs/study-file.md
+  bool gap_follows = false;  ///< samples between this piece and the next were lost
+
+  bool operator==(const FeelPiece&) const = default;
+};
+
+/// The end of a recording. A recording without an end was interrupted by a crash and holds the pieces stored before.
+struct FeelEnd {
+  Entry entry;
+  int recording = 1;  ///< FeelStart::number
+  int pieces = 0;     ///< number of pieces
+
+  bool operator==(const FeelEnd&) const = default;
 };
 
 }  // namespace tactus::study

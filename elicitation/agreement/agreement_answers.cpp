@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/name_list.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/agreement_data.h"
 #include "elicitation/agreement/agreement_table.h"

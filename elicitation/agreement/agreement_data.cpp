@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/base/name_list.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/agreement_table.h"
 

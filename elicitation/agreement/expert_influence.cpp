@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/analysis/sample_points.h"
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 #include "core/fuzzy/batch.h"
 #include "elicitation/force/noticeable_force.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "core/base/rounded_number.h"
+#include "core/base/text.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {

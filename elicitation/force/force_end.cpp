@@ -5,7 +5,6 @@
 #include <numeric>
 #include <utility>
 
-#include "core/base/rounded_number.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 

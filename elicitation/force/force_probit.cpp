@@ -6,7 +6,6 @@
 #include <set>
 #include <string>
 
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 #include "core/study/ordered_probit.h"
 #include "elicitation/force/force_end.h"

@@ -5,7 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
-#include "core/base/rounded_number.h"
+#include "core/base/text.h"
 
 namespace tactus::elicitation {
 namespace {

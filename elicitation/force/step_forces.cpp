@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/base/rounded_number.h"
+#include "core/base/text.h"
 #include "elicitation/force/force_voting.h"
 
 namespace tactus::elicitation {

@@ -6,7 +6,6 @@
 #include <set>
 #include <utility>
 
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "elicitation/force/force_terms_from.h"

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {

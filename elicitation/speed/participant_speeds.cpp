@@ -5,7 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "core/base/rounded_number.h"
 #include "core/base/text.h"
 #include "elicitation/speed/participant_samples.h"
 

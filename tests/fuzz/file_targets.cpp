@@ -5,7 +5,7 @@
 #include "core/base/json/json_document.h"
 #include "core/base/tables/csv.h"
 #include "core/fuzzy/compiled_model.h"
-#include "core/model_io/bundle_manifest.h"
+#include "core/model_io/bundle_check.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/fuzz/fuzz_targets.h"

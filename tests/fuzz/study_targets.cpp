@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/base/files/crc32.h"
+#include "core/base/files/checksums.h"
 #include "core/base/tables/csv.h"
 #include "core/store/recording_codec.h"
 #include "core/study/csv_tables.h"

@@ -12,7 +12,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "core/study/code_key.h"
+#include "core/study/record_id.h"
 
 namespace tactus::workbench {
 namespace {

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "core/base/files/descriptor.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/files/system_reason.h"
 #include "core/base/files/unfinished.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/ascii.h"
+#include "core/base/text.h"
 
 namespace tactus::base {
 namespace {

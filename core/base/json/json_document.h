@@ -13,6 +13,22 @@
 
 namespace tactus::base {
 
+// Describes a JSON syntax error in words for the user.
+
+/// `line 3, column 14` for the byte `at` of `text`. Both count from 1; columns count characters.
+std::string linePlace(std::string_view text, std::size_t at);
+
+/// The error if a parser stopped in `text` after `position` bytes. A position beyond the text means its end.
+Error syntaxError(std::string_view text, std::size_t position);
+
+// Places in a JSON text (RFC 6901), as errors name them.
+
+/// The pointer of the member `key` of the object at `place`. Escapes `/` and `~` in the key.
+std::string childPointer(const std::string& place, std::string_view key);
+
+/// The pointer of element `index` of the array at `place`.
+std::string childPointer(const std::string& place, std::size_t index);
+
 enum class JsonKind : std::uint8_t { kNull, kTrue, kFalse, kNumber, kString, kArray, kObject };
 
 class JsonValue;

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "core/base/json/json_pointer.h"
+#include "core/base/json/json_document.h"
 #include "core/base/text.h"
 
 namespace tactus::base {

@@ -15,6 +15,32 @@
 
 namespace tactus::base {
 
+// Decides whether commas in the cells of a table are decimal points.
+
+/// Counts the kinds of commas in a table, cell by cell.
+class DecimalCommas {
+ public:
+  enum class Cell {
+    kOther,      ///< not a number with a comma
+    kDecimal,    ///< `1,5`, `0,125`, `-12,50`, `1,5e3`: the comma must be a decimal point
+    kEither,     ///< `1,234`: a thousands separator or a decimal point
+    kThousands,  ///< `1,234,567`, `1,234.5`
+    kPoint,      ///< a number with a decimal point
+  };
+  static Cell kindOf(std::string_view cell);
+
+  void add(std::string_view cell);
+
+  /// Whether all commas between digits are decimal points: at least one must be, none must be a thousands separator,
+  /// and no number has a decimal point.
+  bool decimal() const { return decimal_ > 0 && thousands_ == 0 && points_ == 0; }
+
+ private:
+  std::size_t decimal_ = 0;
+  std::size_t thousands_ = 0;
+  std::size_t points_ = 0;
+};
+
 /// A table read from CSV. The cells are views into one buffer owned by the table. Each cell costs four bytes besides
 /// its text, so millions of rows fit into memory.
 class CsvTable {
@@ -27,7 +53,7 @@ class CsvTable {
   /// Reads `text`, said to be of `file` in errors. Lines that start with `#` before the first record are
   /// comments; empty lines, rows of empty cells and empty columns at the end are skipped. Where it is plain, tables of
   /// other spreadsheets are read too, and `readAs` says so: semicolons or tabs (csv_splitter.h), decimal commas
-  /// (decimal_comma.h; the cells then hold points), other encodings (text_encoding.h).
+  /// (csv.h; the cells then hold points), other encodings (text_encoding.h).
   /// Refused: no header, a doubled or empty column name, a row with another number of cells than the header, the header
   /// again below, an open
   /// quote, text of no known encoding, a line longer than 1 MiB, more than 2 GiB.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "core/base/ascii.h"
+#include "core/base/text.h"
 
 namespace tactus::base {
 namespace {

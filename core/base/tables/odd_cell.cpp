@@ -4,7 +4,6 @@
 #include <array>
 #include <vector>
 
-#include "core/base/ascii.h"
 #include "core/base/text.h"
 
 namespace tactus::base {

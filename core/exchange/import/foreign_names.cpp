@@ -1,7 +1,6 @@
 #include "core/exchange/import/foreign_names.h"
 
 #include "core/base/close_match.h"
-#include "core/base/name_list.h"
 #include "core/base/text.h"
 
 namespace tactus::exchange {

@@ -1,6 +1,6 @@
 #include "core/exchange/import/source_text.h"
 
-#include "core/base/json/json_syntax_error.h"
+#include "core/base/json/json_document.h"
 #include "core/base/tables/text_encoding.h"
 #include "core/base/text.h"
 

@@ -6,7 +6,7 @@
 
 #include "core/base/files/file.h"
 #include "core/base/json/json_members.h"
-#include "core/base/json/json_pointer.h"
+#include "core/base/json/json_document.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/link/server_lines.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/support/ngt_model.h"

@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 
 #include "app/link/line_buffer.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/app/link/test_client.h"

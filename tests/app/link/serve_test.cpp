@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 
 #include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/base/text.h"
 #include "core/model_io/model_file.h"
 

@@ -1,4 +1,4 @@
-#include "core/base/rounded_number.h"
+#include "core/base/text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/study/code_key.h"
+#include "core/study/record_id.h"
 
 #include <gtest/gtest.h>
 

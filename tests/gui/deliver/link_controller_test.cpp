@@ -9,7 +9,7 @@
 #include "app/workbench/felt_states.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/app/link/test_client.h"

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/store/study_file.h"
-#include "core/study/feel_records.h"
+#include "core/study/session_records.h"
 #include "core/study/record_id.h"
 
 namespace tactus::workbench {

@@ -17,7 +17,7 @@
 #include "app/workbench/feel/recordings/feel_sessions.h"
 #include "core/haptics/device/device.h"
 #include "core/haptics/servo/sample.h"
-#include "core/study/feel_records.h"
+#include "core/study/session_records.h"
 
 namespace tactus::workbench {
 

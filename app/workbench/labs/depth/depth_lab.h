@@ -12,7 +12,7 @@
 #include "app/workbench/base/message_act.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/undo_source.h"
-#include "core/study/depth_record.h"
+#include "core/study/session_records.h"
 #include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::workbench {

@@ -11,7 +11,7 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/files/file.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/store/batch.h"
 #include "core/store/model_versions.h"
 #include "core/store/study_info.h"

@@ -13,7 +13,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {

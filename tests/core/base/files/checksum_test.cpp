@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "core/base/files/crc32.h"
-#include "core/base/files/sha256.h"
+#include "core/base/files/checksums.h"
 
 namespace tactus::base {
 namespace {

@@ -3,7 +3,6 @@
 #include <string>
 
 #include "core/base/tables/csv.h"
-#include "core/base/tables/decimal_comma.h"
 #include "core/base/tables/text_encoding.h"
 
 #include "tests/core/base/tables/csv_error.h"

@@ -1,12 +1,12 @@
-#include "core/study/summary_word.h"
+#include "core/study/csv_tables.h"
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <string>
 
-#include "core/base/ascii.h"
 #include "core/base/tables/csv.h"
+#include "core/base/text.h"
 
 namespace tactus::study {
 
