@@ -9,7 +9,7 @@
 #include "app/report/html.h"
 #include "app/report/palette.h"
 #include "app/report/svg_plot.h"
-#include "core/analysis/reachable_range.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 

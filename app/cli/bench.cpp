@@ -9,7 +9,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/opened_model.h"
 #include "app/cli/wrapped_text.h"
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/batch.h"

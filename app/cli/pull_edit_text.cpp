@@ -7,7 +7,7 @@
 
 #include "app/cli/model_words.h"
 #include "app/cli/wrapped_text.h"
-#include "core/analysis/pull/ramps.h"
+#include "core/analysis/pull/pull_edit.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {

@@ -1,8 +1,8 @@
-// Makes terms a partition: their memberships sum to one everywhere (Ruspini). What one is: core/analysis/partition.h.
+// Makes terms a partition: their memberships sum to one everywhere (Ruspini). What one is: core/analysis/term_conversion.h.
 #pragma once
 
 #include "app/editing/term_list.h"
-#include "core/analysis/partition.h"
+#include "core/analysis/term_conversion.h"
 
 namespace tactus::editing {
 

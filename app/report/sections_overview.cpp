@@ -2,7 +2,7 @@
 #include <set>
 
 #include "app/report/report_sections.h"
-#include "core/analysis/reachable_range.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/text.h"
 
 namespace tactus::report {

@@ -3,7 +3,7 @@
 
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/text.h"
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/uncertainty/force_bands.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/analysis/force_probe.h"
-#include "core/analysis/rule_steps.h"
+#include "core/analysis/rule_table.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {

@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "core/analysis/strongest_term.h"
+#include "core/analysis/term_conversion.h"
 
 namespace tactus::analysis {
 namespace {

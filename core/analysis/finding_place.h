@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/analysis/coverage.h"
-#include "core/analysis/rule_steps.h"
+#include "core/analysis/rule_table.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {

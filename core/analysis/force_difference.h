@@ -1,13 +1,37 @@
 // The difference between the averaged forces of two models with the same inputs.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
+#include "core/analysis/lint.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {
+
+// The range of forces of a model, found by sampling.
+
+/// Evaluates every combination of the vertices of all terms and their midpoints. If there are more than 20,000, it
+/// evaluates 20,000 points of a Halton sequence over them, fewer if the model has many rules. Deterministic. Ends soon
+/// after `stop` is requested and returns the range found so far.
+ForceRange reachableRange(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                          const std::stop_token& stop = {});
+
+// Points spread over the whole input space, at which two models or two experts are compared.
+
+/// Enough for a root mean square that no longer depends on the points in its third digit.
+inline constexpr std::size_t kBoxPoints = 4'096;
+
+/// `count` points of the Halton sequence (1960), from its first on, one value per input, scaled to the universes.
+/// The same points for the same universes. They weigh the input space evenly, whatever is used of it in practice.
+std::vector<std::vector<double>> boxPoints(const fuzzy::ForceModel& model, std::size_t count = kBoxPoints);
+
+/// The points of one input's whole range, both ends included, with the other inputs at their values in `at`.
+std::vector<std::vector<double>> linePoints(const fuzzy::ForceModel& model, const std::vector<double>& at,
+                                            std::size_t input, std::size_t count);
 
 struct ForceDifference {
   double largest_n = 0;    ///< largest |difference| found

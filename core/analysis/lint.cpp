@@ -2,19 +2,186 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
 #include <set>
 #include <tuple>
 
-#include "core/analysis/boundary_jumps.h"
+#include "core/analysis/centroid_bound.h"
 #include "core/analysis/directions.h"
 #include "core/analysis/force_probe.h"
-#include "core/analysis/reachable_range.h"
-#include "core/analysis/rule_findings.h"
-#include "core/analysis/rule_steps.h"
+#include "core/analysis/force_difference.h"
 #include "core/analysis/rule_table.h"
+#include "core/analysis/sample_points.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
+namespace {
+
+using Cache = std::map<std::vector<BoundedTerm>, ForceBounds>;
+
+std::optional<ForceBounds> boundsOf(const fuzzy::ForceModel& model, const fuzzy::Expert& expert, Cache& cache) {
+  const double lo = model.output.min;
+  const double hi = model.output.max;
+  const auto& terms = termsFor(expert, model.output);
+  const auto strengths = largestStrengths(model, expert, resolveRules(model, expert));
+  const bool clip = model.implication == fuzzy::Implication::kClip;
+  std::vector<BoundedTerm> upright;
+  std::vector<BoundedTerm> mirrored;
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    if (strengths[t] == 0) continue;
+    const auto f = fuzzy::MembershipFunction::of(terms[t]);
+    const BoundedTerm term = BoundedTerm::of(f, clip ? strengths[t] : 1);
+    upright.push_back(term.from(lo));
+    mirrored.push_back(term.mirroredAt(hi));
+  }
+  if (upright.empty()) return std::nullopt;
+  const auto [it, fresh] = cache.try_emplace(upright);
+  if (fresh) {
+    const double width = hi - lo;
+    // One ulp of a position may be more than the margin where the universe is narrow and far from 0.
+    const double margin =
+        kRounding * width + 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(lo), std::abs(hi));
+    it->second = {std::max(lo, lo + lowerCentroidBound(upright, clip, width) - margin),
+                  std::min(hi, hi - lowerCentroidBound(mirrored, clip, width) + margin)};
+  }
+  return it->second;
+}
+
+/// Smallest mean of values with weights: those in `always` count in any case, any of the others may.
+struct Weighted {
+  double value, weight;
+  bool always;
+};
+
+double smallestMean(std::vector<Weighted> all) {
+  double weights = 0;
+  double sum = 0;
+  for (const auto& item : all) {
+    if (!item.always) continue;
+    weights += item.weight;
+    sum += item.weight * item.value;
+  }
+  std::sort(all.begin(), all.end(), [](const Weighted& x, const Weighted& y) { return x.value < y.value; });
+  if (weights == 0) return all.front().value;
+  for (const auto& item : all) {
+    if (item.always || item.value >= sum / weights) continue;
+    weights += item.weight;
+    sum += item.weight * item.value;
+  }
+  return sum / weights;
+}
+
+}  // namespace
+
+std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, std::size_t expert) {
+  Cache cache;
+  return boundsOf(model, model.experts[expert], cache);
+}
+
+std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, const std::vector<bool>& always_fires) {
+  Cache cache;
+  const std::vector<double> weights = normalizedWeights(model);
+  std::vector<Weighted> low;
+  std::vector<Weighted> high;
+  const double lo = model.output.min;
+  const double hi = model.output.max;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    const double weight = weights[e];
+    if (weight == 0) continue;
+    const auto bounds = boundsOf(model, model.experts[e], cache);
+    if (!bounds) continue;
+    low.push_back({bounds->min_n - lo, weight, always_fires[e]});
+    high.push_back({hi - bounds->max_n, weight, always_fires[e]});
+  }
+  if (low.empty()) return std::nullopt;
+  const double margin =
+      kRounding * (hi - lo) + 8 * std::numeric_limits<double>::epsilon() * std::max(std::abs(lo), std::abs(hi));
+  return ForceBounds{std::max(lo, lo + smallestMean(low) - margin), std::min(hi, hi - smallestMean(high) + margin)};
+}
+
+namespace {
+
+/// One face of a hole: the last value of `input` inside and the first one outside.
+struct Face {
+  std::size_t input;
+  double inside, outside;
+};
+
+/// First double that belongs to the range from below, and from above.
+double lowest(const InputRange& range) { return range.low_included ? range.low : std::nextafter(range.low, HUGE_VAL); }
+double highest(const InputRange& range) {
+  return range.high_included ? range.high : std::nextafter(range.high, -HUGE_VAL);
+}
+
+std::vector<Face> facesOf(const fuzzy::ForceModel& model, const Hole& hole) {
+  std::vector<Face> faces;
+  for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
+    const double low = lowest(hole.ranges[i]);
+    const double high = highest(hole.ranges[i]);
+    if (low > model.inputs[i].min) faces.push_back({i, low, std::nextafter(low, -HUGE_VAL)});
+    if (high < model.inputs[i].max) faces.push_back({i, high, std::nextafter(high, HUGE_VAL)});
+  }
+  return faces;
+}
+
+/// Jump in newtons between a point inside and one outside, or nothing where there is none to speak of.
+using Jump =
+    std::function<std::optional<double>(const std::vector<double>& inside, const std::vector<double>& outside)>;
+
+std::optional<BoundaryJump> largestJump(const ForceProbe& probe, const Hole& hole, std::size_t samples,
+                                        const Jump& jump) {
+  std::optional<BoundaryJump> largest;
+  for (const Face& face : facesOf(probe.model(), hole)) {
+    if (!probe.affords()) break;
+    std::vector<std::vector<double>> values;
+    for (std::size_t i = 0; i < hole.ranges.size(); ++i) {
+      values.push_back(i == face.input ? std::vector<double>{face.inside}
+                                       : probe.values(i, lowest(hole.ranges[i]), highest(hole.ranges[i])));
+    }
+    const SamplePoints points(std::move(values), samples);
+    const auto look = [&](const SamplePoints::Choice& choice) -> std::optional<double> {
+      if (!probe.affords()) return std::nullopt;
+      const auto inside = points.at(choice);
+      auto outside = inside;
+      outside[face.input] = face.outside;
+      const auto newtons = jump(inside, outside);
+      if (newtons && (!largest || *newtons > largest->newtons)) largest = BoundaryJump{*newtons, outside, inside};
+      return newtons;
+    };
+    std::optional<double> best;
+    SamplePoints::Choice where;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+      const auto choice = points.choice(p);
+      const auto newtons = look(choice);
+      if (newtons && (!best || *newtons > *best)) best = newtons, where = choice;
+    }
+    if (best) points.climb(where, *best, look);
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::optional<BoundaryJump> jumpToDefault(ForceProbe& probe, const Hole& hole, std::optional<std::size_t> expert,
+                                          std::size_t samples) {
+  return largestJump(probe, hole, samples, [&](const auto& /*inside*/, const auto& outside) -> std::optional<double> {
+    const auto beside = expert ? probe.expert(*expert, outside) : probe.mean(outside);
+    if (!beside.fired) return std::nullopt;
+    return std::abs(beside.force_n - probe.model().default_force_n);
+  });
+}
+
+std::optional<BoundaryJump> jumpOfMean(ForceProbe& probe, const Hole& hole, std::size_t expert, std::size_t samples) {
+  return largestJump(probe, hole, samples, [&](const auto& inside, const auto& outside) -> std::optional<double> {
+    if (!probe.expert(expert, outside).fired) return std::nullopt;
+    const auto without = probe.mean(inside);
+    if (!without.fired) return std::nullopt;
+    return std::abs(probe.mean(outside).force_n - without.force_n);
+  });
+}
+
 namespace {
 
 using fuzzy::Expert;

@@ -6,12 +6,56 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/coverage.h"
 #include "core/analysis/finding_place.h"
-#include "core/analysis/force_bounds.h"
+#include "core/analysis/force_probe.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {
+
+/// Proved bounds on the force, without sampling.
+struct ForceBounds {
+  double min_n = 0;
+  double max_n = 0;
+};
+
+/// Bounds on the force of one expert at all points where it fires. Nothing if no rule can fire.
+///
+/// Lower bound: the centroid is at least c if the moment of the output set about c is not negative.
+/// - The moment left of c is at most the sum over the terms that reach there.
+/// - The moment right of c is at least any weighted mean of the same terms, if the weights add up to at most 1.
+/// So c is a bound if there are weights with which each single term has no negative moment, at any strength from 0 to
+/// the largest that its rules allow. The function returns the largest such c. The upper bound is the mirror image.
+/// If a single term lies at an end of the range, as in ordered sets, the bound is the smallest (largest) centroid of
+/// that term and therefore sharp. The proof also covers unions of terms, whose centroid may lie outside those of the
+/// terms. A Gaussian reaches everywhere. If it is clipped, its bounds include the middle of the universe, which its
+/// centroid approaches as the strength falls.
+std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, std::size_t expert);
+
+/// Bounds on the averaged force at all points where it fires. `always_fires`: one flag per expert, true only if it
+/// never abstains. Any subset of the other experts may abstain.
+std::optional<ForceBounds> forceBounds(const fuzzy::ForceModel& model, const std::vector<bool>& always_fires);
+
+// The jump of the force at the boundary of a hole.
+
+/// Two neighboring points, one ulp of one input apart, and the jump of the force between them.
+struct BoundaryJump {
+  double newtons = 0;
+  std::vector<double> outside;  ///< the point at which the expert (or some expert) still fires
+  std::vector<double> inside;   ///< the point in the hole
+};
+
+/// The largest jump between the force beside `hole` and the default force. Searches all faces of the hole. On each face
+/// it tries at most `samples` settings of the other inputs, and as many near the best of them.
+/// `expert`: its own hole and its own force; empty: a hole of all experts and the mean.
+/// Nothing if no rule fires beside the hole.
+std::optional<BoundaryJump> jumpToDefault(ForceProbe& probe, const Hole& hole, std::optional<std::size_t> expert,
+                                          std::size_t samples);
+
+/// The largest jump of the mean at the faces of `hole`, where `expert` starts to abstain and other experts continue.
+/// The search is that of jumpToDefault. Nothing if no other expert fires inside the hole at the tried settings.
+std::optional<BoundaryJump> jumpOfMean(ForceProbe& probe, const Hole& hole, std::size_t expert, std::size_t samples);
 
 struct Finding {
   enum class Kind {

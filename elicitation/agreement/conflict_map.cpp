@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/check.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/every_expert.h"

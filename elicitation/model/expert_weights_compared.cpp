@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/analysis/strongest_term.h"
+#include "core/analysis/term_conversion.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/variables/ngt_variables.h"
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "core/analysis/force_box.h"
 #include "core/analysis/force_difference.h"
 #include "core/analysis/term_conversion.h"
 #include "core/base/text.h"

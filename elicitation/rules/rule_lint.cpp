@@ -4,7 +4,7 @@
 #include <iterator>
 #include <utility>
 
-#include "core/analysis/rule_steps.h"
+#include "core/analysis/rule_table.h"
 #include "core/base/check.h"
 #include "core/base/text.h"
 #include "elicitation/rules/rule_lint_parts.h"

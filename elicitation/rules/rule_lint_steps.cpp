@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "core/analysis/directions.h"
-#include "core/analysis/rule_steps.h"
+#include "core/analysis/rule_table.h"
 #include "elicitation/rules/rule_lint_parts.h"
 
 namespace tactus::elicitation {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/strongest_term.h"
+#include "core/analysis/term_conversion.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/analysis/reachable_range.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/statistics.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_thresholds.h"

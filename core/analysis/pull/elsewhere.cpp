@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 #include "core/fuzzy/batch.h"
 
 namespace tactus::analysis {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/analysis/expert_spread.h"
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 #include "core/analysis/pull/elsewhere.h"
 #include "core/analysis/pull/pull_edit.h"
 #include "core/base/error.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "core/analysis/sampled_centroid.h"
-#include "core/analysis/wrong_readers.h"
+#include "core/analysis/check_points.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/reference/exact_model.h"

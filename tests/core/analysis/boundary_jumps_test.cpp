@@ -1,4 +1,4 @@
-#include "core/analysis/boundary_jumps.h"
+#include "core/analysis/lint.h"
 
 #include <algorithm>
 #include <cmath>

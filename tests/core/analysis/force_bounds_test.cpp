@@ -1,4 +1,3 @@
-#include "core/analysis/force_bounds.h"
 
 #include <gtest/gtest.h>
 

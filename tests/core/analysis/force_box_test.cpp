@@ -1,4 +1,4 @@
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/analysis/rule_findings.h"
+#include "core/analysis/rule_table.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "core/analysis/rule_steps.h"
+#include "core/analysis/rule_table.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "core/analysis/force_box.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {

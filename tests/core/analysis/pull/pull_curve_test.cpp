@@ -5,8 +5,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "core/analysis/pull/gesture_search.h"
-#include "core/analysis/pull/reference_fit.h"
+#include "core/analysis/pull/force_search.h"
 #include "core/base/random.h"
 
 #include "tests/core/analysis/ngt_numbers.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/analysis/partition.h"
+#include "core/analysis/term_conversion.h"
 #include "core/analysis/pull/pull.h"
 #include "core/base/random.h"
 
