@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/exchange/c_writer.h"
+#include "core/exchange/c_parts.h"
 
 namespace tactus::exchange {
 namespace {

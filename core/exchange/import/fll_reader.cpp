@@ -9,7 +9,7 @@
 
 #include "core/base/close_match.h"
 #include "core/base/text.h"
-#include "core/exchange/import/method_words.h"
+#include "core/exchange/import/foreign_model.h"
 #include "core/exchange/import/readers.h"
 #include "core/exchange/import/rule_parser.h"
 

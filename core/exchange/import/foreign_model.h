@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/exchange/import/source_text.h"
@@ -116,5 +118,56 @@ struct ForeignModel {
   std::vector<ForeignBlock> blocks;
   std::vector<ForeignRule> rules;
 };
+
+// Names of other programs: ids of Tactus made from them, and the search for what a rule names.
+
+/// ASCII letters, digits and `_` of `name`, one `_` for each run of other characters inside it; at most 64 bytes.
+/// `otherwise` where nothing remains. `very small` gives `very_small`, `dV*` gives `dV`.
+std::string idFrom(std::string_view name, const std::string& otherwise);
+
+/// The names of one list, found as the program of the format finds them: FCL in any case, FLL also without the
+/// characters that fuzzylite drops from names. A name that is meant exactly always wins.
+class ForeignNames {
+ public:
+  explicit ForeignNames(ImportFormat format) : format_(format) {}
+
+  /// Adds the next name.
+  void add(std::string_view name);
+  /// The place of a name in the list; nothing where it is not there or could be two.
+  std::optional<std::size_t> find(std::string_view name) const;
+  /// The names for a message: `'low', 'high'`.
+  std::string listed() const;
+  /// ` ('low'?)` for the closest one.
+  std::string suggestion(std::string_view name) const;
+
+ private:
+  static constexpr std::size_t kSeveral = static_cast<std::size_t>(-1);
+
+  std::string loose(std::string_view name) const;
+
+  ImportFormat format_;
+  std::vector<std::string> names_;
+  std::map<std::string, std::size_t, std::less<>> exact_;
+  std::map<std::string, std::size_t, std::less<>> loose_;
+};
+
+// The words of FLL, FCL and FIS for norms, defuzzifiers and shapes.
+
+/// A norm or a defuzzifier, in any case.
+Method methodOf(Word word);
+
+/// The shape that a word means, in any case; kOther for a shape that Tactus lacks.
+ForeignShape shapeOf(std::string_view word);
+
+/// `'Sigmoid', a shape that Tactus lacks`, for a message; names Sugeno's functions.
+std::string shapeFound(std::string_view word);
+
+/// Splits the extra last number of `term`, its height, off its numbers.
+void takeHeight(ForeignTerm& term);
+
+/// Whether the word is a hedge of one of the formats: any, extremely, seldom, somewhat, very and others.
+bool isHedge(std::string_view word);
+/// The hedge that stands in the place of a term and always holds: `x is any`.
+bool isAny(std::string_view word);
 
 }  // namespace tactus::exchange
