@@ -6,7 +6,6 @@
 
 #include "app/devices/device_list.h"
 #include "core/base/error.h"
-#include "core/haptics/device/axis_mapping.h"
 #include "core/haptics/device/device.h"
 
 namespace tactus::devices {

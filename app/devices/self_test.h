@@ -10,7 +10,7 @@
 
 #include "core/haptics/safety/trip.h"
 #include "core/haptics/servo/sample.h"
-#include "core/haptics/servo/servo_orders.h"
+#include "core/haptics/servo/servo_core.h"
 
 namespace tactus::devices {
 

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <thread>
 
-#include "core/haptics/servo/loop_watch.h"
+#include "core/haptics/servo/loop_statistics.h"
 #include "core/haptics/servo/servo.h"
 #include "core/haptics/servo/servo_clock.h"
-#include "core/haptics/servo/servo_thread.h"
 
 namespace tactus::devices {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/haptics/safety/thermal_rest.h"
+#include "core/haptics/safety/thermal_budget.h"
 
 namespace tactus::session {
 namespace {

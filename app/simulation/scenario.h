@@ -9,7 +9,7 @@
 #include "app/simulation/hand_motion.h"
 #include "core/base/error.h"
 #include "core/haptics/safety/limit_settings.h"
-#include "core/haptics/simulated/virtual_device_settings.h"
+#include "core/haptics/simulated/virtual_device.h"
 #include "core/haptics/sources/force_source.h"
 #include "core/haptics/sources/servo_scene.h"
 

@@ -11,7 +11,6 @@
 #include "core/base/random.h"
 #include "core/base/statistics.h"
 #include "core/haptics/servo/servo.h"
-#include "core/haptics/servo/servo_thread.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 #include "tests/bench/cases.h"

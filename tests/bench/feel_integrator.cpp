@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/haptics/simulated/simulated_body.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 #include "tests/bench/interleaved.h"
 

@@ -8,7 +8,7 @@
 #include "core/fuzzy/force_model.h"
 #include "core/haptics/servo/sample.h"
 #include "core/haptics/servo/servo_core.h"
-#include "core/haptics/simulated/virtual_device_settings.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::bench {
 

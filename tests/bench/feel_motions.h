@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/haptics/servo/servo_orders.h"
+#include "core/haptics/servo/servo_core.h"
 
 namespace tactus::bench {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/check.h"
-#include "core/haptics/hid/pid_input.h"
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/hid/pid_layout.h"
 #include "core/haptics/hid/report_descriptor.h"
 

@@ -8,7 +8,7 @@
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/device/virtual_time.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "core/haptics/simulated/virtual_device_settings.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::tests {
 

@@ -5,7 +5,7 @@
 
 #include "core/base/check.h"
 #include "core/base/random.h"
-#include "core/haptics/device/axis_mapping.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::support {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/haptics/simulated/virtual_device_settings.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::support {
 

@@ -7,10 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/device/device_calibration.h"
+#include "core/haptics/device/calibration_file.h"
 #include "core/haptics/hid/hid_devices.h"
 #include "core/haptics/servo/servo.h"
-#include "core/haptics/servo/servo_thread.h"
 
 namespace tactus::vm {
 

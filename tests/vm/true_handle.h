@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/haptics/device/vector3.h"
+#include "core/haptics/device/device.h"
 
 #include "tests/vm/device_process.h"
 

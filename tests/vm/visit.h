@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/haptics/device/device_calibration.h"
+#include "core/haptics/device/calibration_file.h"
 #include "core/haptics/hid/hid_devices.h"
 
 #include "tests/vm/checks.h"

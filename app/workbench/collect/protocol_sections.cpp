@@ -17,7 +17,7 @@
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/kit/card.h"
 #include "core/haptics/safety/limit_settings.h"
-#include "core/haptics/safety/thermal_rest.h"
+#include "core/haptics/safety/thermal_budget.h"
 
 namespace tactus::workbench {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/devices/open_device.h"
 #include "app/workbench/device/servo_loop.h"
 #include "core/base/error.h"
-#include "core/haptics/safety/thermal_ledger.h"
+#include "core/haptics/safety/thermal_budget.h"
 
 namespace tactus::workbench {
 

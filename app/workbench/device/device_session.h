@@ -20,9 +20,7 @@
 #include "core/haptics/safety/limit_settings.h"
 #include "core/haptics/safety/thermal_budget.h"
 #include "core/haptics/servo/loop_statistics.h"
-#include "core/haptics/servo/loop_watch.h"
 #include "core/haptics/servo/sample.h"
-#include "core/haptics/servo/thermal_follower.h"
 #include "core/haptics/sources/force_source.h"
 #include "core/haptics/sources/servo_scene.h"
 

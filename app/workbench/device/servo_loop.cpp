@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 
 #include "core/haptics/servo/servo_clock.h"
-#include "core/haptics/servo/servo_thread.h"
+#include "core/haptics/servo/servo.h"
 
 namespace tactus::workbench {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/workbench/device/device_access.h"
-#include "core/haptics/simulated/virtual_device_settings.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::workbench {
 

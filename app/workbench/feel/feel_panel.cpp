@@ -31,7 +31,7 @@
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "core/haptics/safety/limit_bit.h"
+#include "core/haptics/safety/limit_settings.h"
 #include "core/haptics/servo/sample.h"
 
 namespace tactus::workbench {

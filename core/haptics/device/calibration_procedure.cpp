@@ -8,7 +8,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
-#include "core/haptics/device/seconds.h"
+#include "core/haptics/device/device.h"
 
 namespace tactus::haptics {
 namespace {

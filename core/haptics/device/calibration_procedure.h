@@ -8,8 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/haptics/device/device.h"
-#include "core/haptics/device/device_calibration.h"
-#include "core/haptics/device/driven_axes.h"
+#include "core/haptics/device/calibration_file.h"
 
 namespace tactus::haptics {
 

@@ -1,15 +1,41 @@
 // The interface of a haptic device: its state, a force on the hand, and its properties.
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/haptics/device/vector3.h"
 
 namespace tactus::haptics {
+
+// Times of the monotonic clock in seconds.
+
+/// The time from `from_ns` to `to_ns`, s. Returns 0 if the clock ran backwards. Real-time safe: yes.
+constexpr double secondsBetween(std::int64_t from_ns, std::int64_t to_ns) noexcept {
+  return to_ns > from_ns ? 1e-9 * static_cast<double>(to_ns - from_ns) : 0;
+}
+
+// Three numbers along the axes of a haptic device.
+
+/// A vector in the device's frame: x to the right, y up, z toward the user.
+struct Vector3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+
+  bool operator==(const Vector3&) const = default;
+};
+
+inline double dot(const Vector3& a, const Vector3& b) noexcept { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector3 operator*(double factor, const Vector3& v) noexcept {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+inline Vector3 operator+(const Vector3& a, const Vector3& b) noexcept { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vector3 operator-(const Vector3& a, const Vector3& b) noexcept { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 /// The fault that a device reports. For any fault but kNone, the caller should not ask for force. A force already
 /// present may fade if docs/servo.md, "Trips", says so.
@@ -100,6 +126,57 @@ class HapticDevice {
 
   /// The loop of the driver, if it has one. Null: a ServoThread calls the servo.
   virtual DeviceLoop* ownLoop() noexcept { return nullptr; }
+};
+
+// The axes of a device's frame that have motors, and the share of a direction that lies along them.
+
+/// x, y, z of the device's frame; true if there is a motor.
+using DrivenAxes = std::array<bool, 3>;
+
+/// Axes by number of motors: the first pushes to the right, the second toward the user, the third up (HID's X, Y and
+/// Z).
+constexpr DrivenAxes drivenAxes(int force_axes) noexcept { return {force_axes >= 1, force_axes >= 3, force_axes >= 2}; }
+
+/// The part of `v` along the motors.
+constexpr Vector3 drivenPart(const Vector3& v, const DrivenAxes& driven) noexcept {
+  return {driven[0] ? v.x : 0, driven[1] ? v.y : 0, driven[2] ? v.z : 0};
+}
+
+/// The cosine of the angle between `direction` (length 1) and its part along the motors, 0 to 1. If the motors push
+/// with 1 N, this is the force along the direction in N.
+inline double drivenShare(const Vector3& direction, const DrivenAxes& driven) noexcept {
+  const Vector3 part = drivenPart(direction, driven);
+  return std::sqrt(dot(part, part));
+}
+
+/// The program refuses an insertion axis with a smaller share (26 degrees). The motors have to push harder by the
+/// inverse of the share, and the hand also feels the force across the axis: at this share it is 48 % of the force along
+/// the axis.
+inline constexpr double kLeastDrivenShare = 0.9;
+
+// Converts between a device's frame and the insertion axis: one number for the position, one for the force.
+
+/// A unit direction and a zero point. The default direction is level and points away from the user, so that the weight
+/// of hand and stylus does not act along the axis.
+class AxisMapping {
+ public:
+  AxisMapping() = default;
+  /// `inwards`: direction of insertion, of any length > 0. `origin_mm`: the point where the axis position is 0. Returns
+  /// an error if a number is not finite or `inwards` has the length 0.
+  static base::Result<AxisMapping> make(const Vector3& inwards, const Vector3& origin_mm = {});
+
+  const Vector3& inwards() const noexcept { return inwards_; }
+  const Vector3& originMm() const noexcept { return origin_mm_; }
+
+  /// Position along the axis, positive inwards. Real-time safe: yes.
+  double positionMm(const Vector3& position_mm) const noexcept { return dot(position_mm - origin_mm_, inwards_); }
+  double speedMmS(const Vector3& velocity_mm_s) const noexcept { return dot(velocity_mm_s, inwards_); }
+  /// The force on the hand for a resistance against insertion. Real-time safe: yes.
+  Vector3 forceOnHand(double resistance_n) const noexcept { return -resistance_n * inwards_; }
+
+ private:
+  Vector3 inwards_{0, 0, -1};
+  Vector3 origin_mm_;
 };
 
 }  // namespace tactus::haptics

@@ -5,13 +5,24 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/haptics/hid/hid_pid_device.h"
-#include "core/haptics/hid/node_lock.h"
+#include "core/haptics/hid/hidapi_transport.h"
 
 namespace tactus::haptics {
+
+/// Haptic devices without HID force feedback, listed by USB ids, with advice for each.
+struct KnownDevice {
+  std::string_view name;
+  std::string_view advice;         ///< the reason why it is not a PID device, and the remedy; one or two sentences
+  bool game_devices_only = false;  ///< the manufacturer also sells mice etc.: match joysticks and wheels only
+};
+
+/// The entry of a device that HID PID cannot reach, or nothing. Some of these are not HID devices at all.
+std::optional<KnownDevice> knownDevice(std::uint16_t vendor, std::uint16_t product) noexcept;
 
 enum class HidDeviceKind : std::uint8_t {
   kPid,    ///< force feedback by HID PID

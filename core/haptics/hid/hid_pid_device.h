@@ -1,25 +1,159 @@
 // A force-feedback joystick, board or wheel (HID PID) as a haptic device.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/haptics/device/device.h"
-#include "core/haptics/device/device_calibration.h"
-#include "core/haptics/hid/hid_transport.h"
-#include "core/haptics/hid/newest_value.h"
-#include "core/haptics/hid/pid_input.h"
+#include "core/haptics/device/calibration_file.h"
+#include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/hid/pid_layout.h"
 #include "core/haptics/hid/pid_session.h"
-#include "core/haptics/hid/pid_writer.h"
 
 namespace tactus::haptics {
+
+// Decodes the input reports of a PID device: position of the handle, pressed buttons, and whether forces can act.
+
+/// One sample in the device's own units.
+struct PidSample {
+  std::uint64_t number = 0;        ///< number of reports with a position so far
+  std::int64_t time_ns = 0;        ///< arrival time of the last of them
+  std::array<double, 3> counts{};  ///< x, y, z; 0 in the middle of the range
+  std::uint32_t buttons = 0;       ///< bit 0 is button 1
+  bool forces_held_back = false;   ///< actuators off, paused, a switch open, or an effect stopped by another program
+};
+
+/// Keeps the newest sample. Thread: reader. Real-time safe: yes.
+class PidInput {
+ public:
+  /// Longest time from the start of an effect until the device reports it as playing. A longer limit leaves more time
+  /// without a force before it is detected; a shorter one blames a device that reports late.
+  static constexpr std::int64_t kSettleNs = 20'000'000;
+
+  /// `layout`: must outlive the object. `blocks`: the blocks of our effects, at most two; empty: they are not
+  /// monitored.
+  explicit PidInput(const PidLayout& layout, std::span<const std::int64_t> blocks = {});
+
+  /// Decodes one input report. Returns true if it changed or renewed the sample.
+  bool take(std::span<const std::uint8_t> report, std::int64_t now_ns) noexcept;
+  /// Call after a start of our effects. They started at `started_ns` and play for `duration_ns`. If the device does not
+  /// report one as playing in that time, another program or the device has stopped it; forces are then held back until
+  /// it plays again. A firmware that never reports an effect as playing is assumed to play it. Returns true if the
+  /// sample changed.
+  bool watchEffects(std::int64_t now_ns, std::int64_t started_ns, std::int64_t duration_ns) noexcept;
+  /// Call if the device is connected but silent because nothing changes: renews the sample.
+  void renew(std::int64_t now_ns) noexcept { sample_.time_ns = now_ns; }
+
+  const PidSample& sample() const noexcept { return sample_; }
+
+ private:
+  /// The reported state of one of our effects.
+  struct Effect {
+    std::int64_t block = 0;
+    bool had_played = false;
+    bool plays = false;
+  };
+
+  void takeState(std::span<const std::uint8_t> report) noexcept;
+  void takePlaying(std::span<const std::uint8_t> report) noexcept;
+
+  const PidLayout& layout_;
+  PidSample sample_;
+  std::array<Effect, 2> effects_{};
+  std::size_t effect_count_ = 0;
+  bool switched_off_ = false;    ///< from the state report
+  bool effect_stopped_ = false;  ///< one of our effects does not play although it should
+  // A firmware without these switches leaves the bits at 0 forever. So a 0 counts only after a 1.
+  bool had_switch_ = false;
+  bool had_power_ = false;
+};
+
+// Passes copies of the newest value from one thread to another. Neither thread waits or allocates.
+
+/// A triple buffer: the writer owns one slot, the reader owns one, and both exchange the third. One writer, one reader.
+template <typename T>
+class NewestValue {
+ public:
+  /// Thread: writer. Real-time safe: yes.
+  void put(const T& value) noexcept {
+    slots_[back_] = value;
+    back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
+  }
+
+  /// Whether `take` would return a new value. Thread: reader. Real-time safe: yes.
+  bool fresh() const noexcept { return (middle_.load(std::memory_order_relaxed) & kFresh) != 0; }
+
+  /// The newest value; a default value before the first one. Valid until the next call.
+  /// Thread: reader. Real-time safe: yes.
+  const T& take() noexcept {
+    if (fresh()) front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
+    return slots_[front_];
+  }
+
+ private:
+  static constexpr std::uint8_t kIndex = 3;
+  static constexpr std::uint8_t kFresh = 4;
+
+  alignas(64) std::uint8_t back_ = 0;                ///< Touched by the writer alone.
+  alignas(64) std::atomic<std::uint8_t> middle_{1};  ///< Touched by both; release and acquire carry the slot's content.
+  alignas(64) std::uint8_t front_ = 2;               ///< Touched by the reader alone.
+  std::array<T, 3> slots_{};
+};
+
+// The writer thread of a PID device: converts the newest command in N to reports.
+
+/// A force as commanded by the servo.
+struct PidCommand {
+  Vector3 force_n;
+  std::int64_t time_ns = 0;
+  bool valid = false;  ///< false: no command yet
+};
+
+/// Converts the HID axes to the device's frame: X points right, Y toward the user, Z down (HID 1.11, 5.9).
+constexpr std::array<double, 3> hidAxesOf(const Vector3& v) noexcept { return {v.x, v.z, -v.y}; }
+constexpr Vector3 fromHidAxes(const std::array<double, 3>& axes) noexcept { return {axes[0], -axes[2], axes[1]}; }
+
+/// Sends the newest command only. If it is older than PidSession::kHoldS, the servo is gone: the force falls linearly
+/// to zero within kLetGoS, because a cut is felt as a kick. Thread: writer, except for the command box.
+class PidWriter {
+ public:
+  static constexpr double kLetGoS = 0.005;
+
+  /// `driven_share`: (0, 1], cosine of the angle between insertion axis and motors. A force along the axis loses this
+  /// factor on the way to the motors and again on the way back, so it is divided by its square.
+  PidWriter(PidSession& session, const DeviceCalibration& calibration, double driven_share = 1)
+      : session_(session),
+        full_scale_n_(driven_share * driven_share * calibration.full_scale_n),
+        sign_(calibration.force_sign) {}
+
+  /// The command box: the servo stores its commands here.
+  NewestValue<PidCommand>& commands() { return commands_; }
+
+  /// One round. Returns an error if a report failed; the next round sends all values again.
+  base::Result<void> step(std::int64_t now_ns);
+
+  /// Whether the newest command must be sent again, because the device is about to drop its force. Real-time safe: yes.
+  bool letsGo(std::int64_t now_ns) const noexcept;
+
+  /// The force of the command as shares of full scale, clamped. A force that is not finite counts as 0.
+  std::array<double, 2> sharesOf(const Vector3& force_n) const;
+
+ private:
+  NewestValue<PidCommand> commands_;
+  PidSession& session_;
+  double full_scale_n_;  ///< the commanded force whose driven part is the device's largest value
+  Vector3 sign_;
+  std::int64_t command_ns_ = 0;  ///< time of the newest command taken
+  bool let_go_ = true;           ///< the command no longer has a force
+};
 
 /// Identity of a device, from the list of HID devices.
 struct HidIdentity {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/haptics/hid/hid_transport.h"
+#include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/hid/pid_layout.h"
 
 namespace tactus::haptics {

@@ -1,14 +1,244 @@
 #include "core/haptics/openhaptics/openhaptics_device.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
 #include <thread>
 
-#include "core/haptics/device/seconds.h"
+#include "core/base/error.h"
+#include "core/base/text.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/openhaptics/openhaptics_info.h"
 
 namespace tactus::haptics {
+namespace {
+
+constexpr int kLongestStack = 64;
+
+const char* meaning(std::uint32_t code) noexcept {
+  switch (code) {
+    case hd::kWarmMotors:
+      return "the motors are too warm";
+    case hd::kExceededMaxForce:
+      return "a force above the maximum was refused";
+    case hd::kExceededMaxForceImpulse:
+      return "a force that rose too fast was refused";
+    case hd::kExceededMaxVelocity:
+      return "the stylus moved too fast for forces";
+    case hd::kForceError:
+      return "the device could not give the force";
+    case hd::kDeviceFault:
+      return "the device reports a fault";
+    case hd::kDeviceAlreadyInitiated:
+      return "the device is open already";
+    case hd::kCommError:
+      return "the device does not answer";
+    case hd::kCommConfigError:
+      return "the connection is not set up";
+    case hd::kTimerError:
+      return "the driver's timer failed";
+    case hd::kIllegalBegin:
+    case hd::kIllegalEnd:
+    case hd::kFrameError:
+      return "the driver's frame was broken";
+    case hd::kSchedulerFull:
+      return "the driver takes no further callback";
+    case hd::kInvalidLicence:
+      return "the driver's license is not valid";
+    default:
+      return "the driver reports an error";
+  }
+}
+
+std::string hexadecimal(std::uint32_t code) {
+  std::array<char, 8> digits{};
+  int used = 0;
+  do {
+    digits[static_cast<std::size_t>(used++)] = "0123456789abcdef"[code & 15u];
+    code >>= 4;
+  } while (code != 0 || used < 4);
+  return "0x" + std::string(digits.rend() - used, digits.rend());
+}
+
+/// Larger counts more.
+int gravity(DeviceFault fault) noexcept {
+  switch (fault) {
+    case DeviceFault::kNone:
+      return 0;
+    case DeviceFault::kForceLimited:
+      return 1;
+    case DeviceFault::kWarmMotors:
+      return 2;
+    case DeviceFault::kLost:
+      return 4;
+    default:
+      return 3;
+  }
+}
+
+}  // namespace
+
+DeviceFault faultOf(std::uint32_t code) noexcept {
+  if (code == hd::kSuccess) return DeviceFault::kNone;
+  if (endsLoop(code)) return DeviceFault::kLost;
+  if (code == hd::kWarmMotors) return DeviceFault::kWarmMotors;
+  return code > hd::kWarmMotors && code <= hd::kForceError ? DeviceFault::kForceLimited : DeviceFault::kFailed;
+}
+
+bool endsLoop(std::uint32_t code) noexcept {
+  return code == hd::kCommError || code == hd::kTimerError || code == hd::kIllegalBegin || code == hd::kIllegalEnd;
+}
+
+HdErrors drainErrors(const HdApi& api) noexcept {
+  HdErrors errors;
+  while (errors.count < kLongestStack) {
+    const HdErrorRecord error = api.get_error();
+    if (error.code == hd::kSuccess) break;
+    if (errors.count++ == 0) errors.newest = error;
+    const DeviceFault fault = faultOf(error.code);
+    if (gravity(fault) <= gravity(errors.fault)) continue;
+    errors.fault = fault;
+    errors.gravest = error;
+  }
+  return errors;
+}
+
+std::string describe(const HdApi& api, const HdErrorRecord& error) {
+  std::string text = std::string(meaning(error.code)) + " (" + hexadecimal(error.code);
+  if (error.internal_code != 0) text += ", internal " + std::to_string(error.internal_code);
+  const char* const words = api.get_error_string(error.code);
+  if (words != nullptr && *words != '\0') text += ", " + base::quoted(words);
+  return text + ")";
+}
+
+namespace {
+
+constexpr const char* kPlace = "OpenHaptics library";
+
+/// Looks up one function; notes the name of a missing one.
+template <class Function>
+void find(void* library, const char* name, Function& function, std::vector<std::string>& missing) {
+  void* const symbol = dlsym(library, name);
+  if (symbol == nullptr) missing.emplace_back(name);
+  function = reinterpret_cast<Function>(symbol);
+}
+
+std::vector<std::string> findAll(void* library, HdApi& api) {
+  std::vector<std::string> missing;
+  find(library, "hdInitDevice", api.init_device, missing);
+  find(library, "hdDisableDevice", api.disable_device, missing);
+  find(library, "hdMakeCurrentDevice", api.make_current_device, missing);
+  find(library, "hdBeginFrame", api.begin_frame, missing);
+  find(library, "hdEndFrame", api.end_frame, missing);
+  find(library, "hdGetError", api.get_error, missing);
+  find(library, "hdGetErrorString", api.get_error_string, missing);
+  find(library, "hdEnable", api.enable, missing);
+  find(library, "hdDisable", api.disable, missing);
+  find(library, "hdIsEnabled", api.is_enabled, missing);
+  find(library, "hdGetString", api.get_string, missing);
+  find(library, "hdGetIntegerv", api.get_integerv, missing);
+  find(library, "hdGetDoublev", api.get_doublev, missing);
+  find(library, "hdSetDoublev", api.set_doublev, missing);
+  find(library, "hdCheckCalibration", api.check_calibration, missing);
+  find(library, "hdUpdateCalibration", api.update_calibration, missing);
+  find(library, "hdStartScheduler", api.start_scheduler, missing);
+  find(library, "hdStopScheduler", api.stop_scheduler, missing);
+  find(library, "hdSetSchedulerRate", api.set_scheduler_rate, missing);
+  find(library, "hdScheduleAsynchronous", api.schedule_asynchronous, missing);
+  find(library, "hdUnschedule", api.unschedule, missing);
+  return missing;
+}
+
+std::string lastLoaderError() {
+  const char* const text = dlerror();
+  return base::oneLine(text == nullptr ? "no reason given" : text);
+}
+
+}  // namespace
+
+const std::vector<std::string>& HdLibrary::defaultNames() {
+  static const std::vector<std::string> names = {"libHD.so", "libHD.so.3.4"};
+  return names;
+}
+
+base::Result<std::shared_ptr<const HdLibrary>> HdLibrary::load(const std::string& path) {
+  const std::vector<std::string> names = path.empty() ? defaultNames() : std::vector<std::string>{path};
+  std::vector<std::string> reasons;
+  for (const auto& name : names) {
+    // Global, because the driver's own libraries look for symbols of one another.
+    void* const library = dlopen(name.c_str(), RTLD_NOW | RTLD_GLOBAL);
+    if (library == nullptr) {
+      reasons.push_back(lastLoaderError());
+      continue;
+    }
+    std::shared_ptr<HdLibrary> loaded(new HdLibrary);
+    loaded->path_ = name;
+    const auto missing = findAll(library, loaded->api_);
+    if (missing.empty()) return loaded;
+    return base::fail(base::ErrorCode::kReference, kPlace, name + " without " + base::joined(missing, ", "),
+                      "the HD library of OpenHaptics 3.4");
+  }
+  std::string wanted =
+      "the OpenHaptics 3.4 runtime (libHD.so) and the Touch driver (libPhantomIOLib42.so) of 3D Systems";
+  const std::string advice = hdEnvironmentAdvice();
+  if (!advice.empty()) wanted += ", and " + advice;
+  return base::fail(base::ErrorCode::kIo, kPlace,
+                    "none that loads, tried " + base::joined(names, ", ") + " (" + base::joined(reasons, "; ") + ")",
+                    wanted);
+}
+
+std::string hdEnvironmentAdvice() {
+  const char* const home = std::getenv("GTDD_HOME");
+  if (home == nullptr || *home == '\0')
+    return "GTDD_HOME set to the folder of the device's configuration (the driver's default is ~/.3dsystems or "
+           "/usr/share/3DSystems)";
+  std::error_code ignored;
+  if (std::filesystem::is_directory(home, ignored)) return {};
+  return "the folder that GTDD_HOME names, " + base::quoted(home) + ", which is not there";
+}
+
+namespace {
+
+/// The style to update with; 0: none of those known.
+std::uint32_t chosenStyle(int styles, bool also_reset) noexcept {
+  const auto mask = static_cast<std::uint32_t>(styles);
+  if ((mask & hd::kInkwell) != 0) return hd::kInkwell;
+  if ((mask & hd::kAutomatic) != 0) return hd::kAutomatic;
+  return also_reset && (mask & hd::kEncoderReset) != 0 ? hd::kEncoderReset : 0u;
+}
+
+}  // namespace
+
+std::string calibrationAdvice(int styles) {
+  switch (chosenStyle(styles, true)) {
+    case hd::kInkwell:
+      return "put the stylus into the inkwell and leave it there for a second";
+    case hd::kAutomatic:
+      return "move the stylus slowly through its whole space";
+    case hd::kEncoderReset:
+      return "hold the stylus in the reference posture of the device's manual and calibrate";
+    default:
+      return "calibrate it with its maker's program (Touch Setup, Touch Diagnostics)";
+  }
+}
+
+void HdCalibration::look() noexcept {
+  const bool asked = requested_.exchange(false, std::memory_order_relaxed);
+  std::uint32_t state = api_->check_calibration();
+  const bool offered = state == hd::kNeedsUpdate && !calibrated();
+  const std::uint32_t style = asked || offered ? chosenStyle(styles_, asked) : 0u;
+  if (style != 0) {
+    api_->update_calibration(style);
+    state = api_->check_calibration();
+  }
+  const bool still = calibrated() && state == hd::kNeedsUpdate;
+  calibrated_.store(state == hd::kCalibrated || still, std::memory_order_relaxed);
+}
+
 namespace {
 
 constexpr int kQuietFrames = 30;                  ///< of zero force before the loop is stopped: the arm comes to rest

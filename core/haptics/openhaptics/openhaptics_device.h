@@ -7,13 +7,100 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "core/base/error.h"
 #include "core/haptics/device/device.h"
-#include "core/haptics/openhaptics/hd_calibration.h"
-#include "core/haptics/openhaptics/hd_error.h"
-#include "core/haptics/openhaptics/hd_library.h"
+#include "core/haptics/openhaptics/hd_api.h"
 
 namespace tactus::haptics {
+
+// The errors of the HD library, sorted by their effect on the force.
+
+/// The fault for one error code. Warm motors and refused forces keep the loop running without force. A lost connection,
+/// a dead timer and broken frames end it. Real-time safe: yes.
+DeviceFault faultOf(std::uint32_t code) noexcept;
+/// Whether the driver's loop cannot continue after this error. Real-time safe: yes.
+bool endsLoop(std::uint32_t code) noexcept;
+
+/// All errors that were on the stack.
+struct HdErrors {
+  int count = 0;
+  HdErrorRecord newest;                    ///< the library returns the newest first
+  HdErrorRecord gravest;                   ///< the error that determines `fault`
+  DeviceFault fault = DeviceFault::kNone;  ///< kLost if one of the errors ends the loop
+
+  bool endsLoop() const noexcept { return fault == DeviceFault::kLost; }
+};
+
+/// Empties the error stack. Stops after 64 errors, in case the library never reports "no error". Real-time safe: yes.
+HdErrors drainErrors(const HdApi& api) noexcept;
+
+/// A phrase about `error` with the library's own words, e.g. `the motors are too warm (0x0200, internal 7, "...")`.
+std::string describe(const HdApi& api, const HdErrorRecord& error);
+
+// The OpenHaptics HD library, loaded at run time: Tactus is built without it and works without it.
+
+/// A loaded library. It stays in the process forever, because libHD cannot be loaded again after closing. Thread: any.
+class HdLibrary {
+ public:
+  /// Loads `path`, or, if it is empty, the first of `defaultNames` that the system's loader finds. Returns an error if
+  /// the library, one of its own libraries, or a function is missing. The error names the attempts and the remedy.
+  static base::Result<std::shared_ptr<const HdLibrary>> load(const std::string& path = {});
+
+  /// The names to try, in this order.
+  static const std::vector<std::string>& defaultNames();
+
+  const HdApi& api() const noexcept { return api_; }
+  /// The name or path from which it was loaded.
+  const std::string& path() const noexcept { return path_; }
+
+ private:
+  HdLibrary() = default;
+
+  HdApi api_;
+  std::string path_;
+};
+
+/// Describes missing parts of the driver's environment, as far as visible from outside. The sentence names GTDD_HOME,
+/// the folder of the device's configuration. Empty if the folder named by GTDD_HOME exists.
+std::string hdEnvironmentAdvice();
+
+// Whether the positions of an OpenHaptics device are valid, and how the user calibrates it.
+
+/// The instruction for calibrating a device with these styles (a mask of hd::CalibrationStyle), in one sentence.
+std::string calibrationAdvice(int styles);
+
+/// Tracks the calibration of one device. The driver's loop calls `look`; the owner calls it while no loop runs.
+class HdCalibration {
+ public:
+  HdCalibration(const HdApi& api, int styles) noexcept : api_(&api), styles_(styles) {}
+
+  /// Reads the state from the driver. Changes nothing.
+  void see() noexcept { calibrated_.store(api_->check_calibration() == hd::kCalibrated, std::memory_order_relaxed); }
+
+  /// Reads the state from the driver. Accepts an offered calibration if it cannot be wrong: in the inkwell, or by the
+  /// device itself. An encoder reset takes the present posture as reference, so it waits for `request`.
+  /// Once calibrated, it accepts no further offer, because positions would jump during a session.
+  /// Real-time safe: as far as the driver is.
+  void look() noexcept;
+
+  /// Call when the user confirms that the device is in its reference posture. The next `look` calibrates. Thread: any.
+  void request() noexcept { requested_.store(true, std::memory_order_relaxed); }
+  /// Cancels a request from before the start of the device.
+  void forgetRequest() noexcept { requested_.store(false, std::memory_order_relaxed); }
+  /// Thread: any. Real-time safe: yes.
+  bool calibrated() const noexcept { return calibrated_.load(std::memory_order_relaxed); }
+  bool requested() const noexcept { return requested_.load(std::memory_order_relaxed); }
+
+  int styles() const noexcept { return styles_; }
+
+ private:
+  const HdApi* api_;
+  int styles_;
+  std::atomic<bool> calibrated_{false};
+  std::atomic<bool> requested_{false};
+};
 
 struct OpenHapticsSettings {
   std::string name;              ///< name of the device's configuration in Touch Setup; empty: the default device

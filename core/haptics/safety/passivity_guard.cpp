@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/haptics/device/seconds.h"
+#include "core/haptics/device/device.h"
 #include "core/render/low_pass.h"
 
 namespace tactus::haptics {

@@ -3,10 +3,155 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/haptics/device/seconds.h"
-#include "core/haptics/safety/watchdog.h"
+#include "core/haptics/device/device.h"
+#include "core/render/low_pass.h"
 
 namespace tactus::haptics {
+
+void EnableSwitch::rest() noexcept {
+  on_ = false;
+  ready_ = false;
+  spent_ = false;
+}
+
+void EnableSwitch::update(const SwitchInput& input, const EnableSettings& settings) noexcept {
+  const bool another = settings.kind != kind_ || settings.button_mask != button_mask_;
+  kind_ = settings.kind;
+  button_mask_ = settings.button_mask;
+  if (another || input.armed != armed_) {
+    if (armed_ && !input.armed) let_go_ = false;
+    rest();
+  }
+  armed_ = input.armed;
+  if (!input.down) {
+    changed_ns_ = input.now_ns;  // it may have been let go meanwhile
+    return;
+  }
+
+  const bool down = *input.down;
+  if (down != down_ || another) changed_ns_ = input.now_ns;
+  if (!down && !armed_) let_go_ = true;
+  if (!down) ready_ = true;
+  if (!armed_) {
+    on_ = false;
+  } else if (ready_ && kind_ == EnableKind::kLatch) {
+    latched(input, settings, down);
+  } else if (ready_) {
+    held(input, settings, down);
+  }
+  down_ = down;
+}
+
+void EnableSwitch::held(const SwitchInput& input, const EnableSettings& settings, bool down) noexcept {
+  if (!down) {
+    on_ = false;
+    spent_ = false;
+  } else if (!spent_ && secondsBetween(changed_ns_, input.now_ns) >= settings.press_debounce_s) {
+    spent_ = true;
+    on_ = !settings.start_zone_mm || std::abs(input.position_mm) <= *settings.start_zone_mm;
+  }
+}
+
+void EnableSwitch::latched(const SwitchInput& input, const EnableSettings& settings, bool down) noexcept {
+  const double since_s = secondsBetween(changed_ns_, input.now_ns);
+  const bool outside = !(input.position_mm >= settings.release_zone_mm);
+  if (outside) on_ = false;
+  if (!down) {
+    // The press that switched on has ended for good once its contact no longer bounces.
+    if (since_s >= settings.press_debounce_s) spent_ = false;
+  } else if (on_ && !spent_) {
+    on_ = false;  // switching off needs no debounce
+    spent_ = true;
+  } else if (!spent_ && since_s >= settings.press_debounce_s) {
+    spent_ = true;
+    on_ = !outside && (!settings.start_zone_mm || std::abs(input.position_mm) <= *settings.start_zone_mm);
+  }
+}
+
+namespace {
+
+constexpr std::int64_t kSpanNs = 15'000'000;
+constexpr std::int64_t kShortestSpanNs = 8'000'000;
+constexpr std::int64_t kClosestNs = 500'000;
+
+/// Of the first `count` values, which it sorts.
+template <class Value, std::size_t kSize>
+Value median(std::array<Value, kSize>& values, int count) noexcept {
+  const auto middle = values.begin() + count / 2;
+  std::nth_element(values.begin(), middle, values.begin() + count);
+  return *middle;
+}
+
+}  // namespace
+
+void VelocityGuard::add(std::uint64_t number, std::int64_t time_ns, double position_mm) noexcept {
+  if (number == number_) {
+    // Renewed and nothing else: a device that is silent when still. After a whole window of it the hand rests.
+    if (count_ > 0 && time_ns - back(0).time_ns >= kSpanNs) speed_mm_s_ = 0;
+    return;
+  }
+  number_ = number;
+  if (count_ > 0 && time_ns < back(0).time_ns) count_ = 0;  // another clock or another device
+  if (count_ > 0 && time_ns - back(0).time_ns < kClosestNs) return;
+  newest_ = count_ == 0 ? kRoom : newest_ + 1;
+  if (newest_ >= 2 * kRoom) newest_ -= kRoom;
+  points_[static_cast<std::size_t>(newest_) % kRoom] = {time_ns, position_mm};
+  count_ = std::min(count_ + 1, kRoom);
+  speed_mm_s_ = fitted();
+}
+
+Trip VelocityGuard::check(const LimitSettings& limits) const noexcept {
+  if (!limits.guard_velocity) return {};
+  if (speed_mm_s_ > limits.inward_guard_mm_s)
+    return {TripCause::kTooFastInwards, speed_mm_s_, limits.inward_guard_mm_s, 0};
+  if (-speed_mm_s_ > limits.outward_guard_mm_s)
+    return {TripCause::kTooFastOutwards, -speed_mm_s_, limits.outward_guard_mm_s, 0};
+  return {};
+}
+
+double VelocityGuard::fitted() const noexcept {
+  int used = 1;
+  while (used < count_ && back(0).time_ns - back(used - 1).time_ns < kSpanNs) ++used;
+  if (back(0).time_ns - back(used - 1).time_ns < kShortestSpanNs) return 0;
+
+  std::array<std::int64_t, kRoom> late_ns{};
+  std::array<std::int64_t, kRoom> early_ns{};
+  std::array<double, kRoom> late_mm{};
+  std::array<double, kRoom> early_mm{};
+  // Odd, so that the medians of times and positions belong to the same sample.
+  const int third = std::max(0, used / 3 - 1) | 1;
+  for (int i = 0; i < third; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    late_ns[at] = back(i).time_ns;
+    late_mm[at] = back(i).position_mm;
+    early_ns[at] = back(used - 1 - i).time_ns;
+    early_mm[at] = back(used - 1 - i).position_mm;
+  }
+  const double way_mm = median(late_mm, third) - median(early_mm, third);
+  return way_mm / (1e-9 * static_cast<double>(median(late_ns, third) - median(early_ns, third)));
+}
+
+namespace {
+
+constexpr double kStaleConstantS = 0.010;
+
+}  // namespace
+
+Trip overdue(const Ages& ages, const LimitSettings& limits) noexcept {
+  // A servo that did not run saw no sample and wrote no force: the other two follow from it.
+  if (ages.gap_s > limits.servo_trip_s) return {TripCause::kServoLate, ages.gap_s, limits.servo_trip_s, 0};
+  if (ages.sample_s > limits.stale_trip_s) return {TripCause::kDeviceSilent, ages.sample_s, limits.stale_trip_s, 0};
+  if (ages.write_s > limits.write_trip_s) return {TripCause::kWriteStuck, ages.write_s, limits.write_trip_s, 0};
+  return {};
+}
+
+double staleShare(double age_s, const LimitSettings& limits) noexcept {
+  if (age_s <= limits.stale_decay_s) return 1;
+  if (age_s >= limits.stale_zero_s) return 0;
+  const double last = render::decay(limits.stale_zero_s - limits.stale_decay_s, kStaleConstantS);
+  return (render::decay(age_s - limits.stale_decay_s, kStaleConstantS) - last) / (1 - last);
+}
+
 namespace {
 
 /// After a stall the force moves on as after a tick of this length, so that it does not jump to where it should be.

@@ -1,19 +1,113 @@
 // The safety layer: the last stage between a force and the device. It does not know the force model.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
 #include "core/haptics/device/device.h"
-#include "core/haptics/safety/enable_switch.h"
-#include "core/haptics/safety/limit_bit.h"
 #include "core/haptics/safety/limit_settings.h"
 #include "core/haptics/safety/passivity_guard.h"
 #include "core/haptics/safety/thermal_budget.h"
 #include "core/haptics/safety/trip.h"
-#include "core/haptics/safety/velocity_guard.h"
 
 namespace tactus::haptics {
+
+// Whether the hand holds the device: a held button, pedal or key, or a latch.
+
+/// The input of one tick. `down` is empty if the contact is unknown (no sample). An unknown contact switches nothing
+/// and restarts the debounce.
+struct SwitchInput {
+  std::int64_t now_ns = 0;
+  bool armed = false;
+  std::optional<bool> down;  ///< the contact
+  double position_mm = 0;    ///< along the insertion axis
+};
+
+/// A press counts after the debounce time and inside the start zone. A release counts at once.
+/// The contact must have been up once since the start, since arming, and since a change of the switch kind. So a stuck
+/// button, or a hand that already holds the button, enables nothing. A press outside the start zone has no effect; the
+/// user must press again.
+/// Plain state. Thread: servo. Real-time safe: yes.
+class EnableSwitch {
+ public:
+  void update(const SwitchInput& input, const EnableSettings& settings) noexcept;
+
+  bool on() const noexcept { return on_; }
+  /// Ends the current press: the user must release and press again. Call before `update` of the same tick.
+  void spend() noexcept { rest(); }
+  /// Whether the contact was up at least once since the last call with `armed` true: the hand has let go.
+  bool letGo() const noexcept { return let_go_; }
+
+ private:
+  void rest() noexcept;
+  void held(const SwitchInput& input, const EnableSettings& settings, bool down) noexcept;
+  void latched(const SwitchInput& input, const EnableSettings& settings, bool down) noexcept;
+
+  EnableKind kind_ = EnableKind::kButton;
+  std::uint32_t button_mask_ = 1;
+  bool armed_ = false;
+  bool on_ = false;
+  bool ready_ = false;           ///< the contact was up since arming, so a press may begin
+  bool let_go_ = false;          ///< the contact was up since disarming
+  bool down_ = false;            ///< the contact at the last tick
+  bool spent_ = false;           ///< this press has had its effect or was rejected
+  std::int64_t changed_ns_ = 0;  ///< time of the contact's last change
+};
+
+// Detects a hand that is too fast for the insertion of a tube: it has slipped, or a force drives it.
+
+/// The speed is the slope of Tukey's resistant line (Exploratory Data Analysis, 1977) through the samples of the last
+/// 15 ms: it joins the medians of the first and the last third. One count of 0.055 mm within 1 ms is 55 mm/s for a
+/// plain difference and at most 5.5 mm/s here. A single wrong sample has no effect. A dropped tick or a stall counts as
+/// elapsed time only.
+/// Plain state. Thread: servo. Real-time safe: yes.
+class VelocityGuard {
+ public:
+  /// Adds one sample of the device. `number`: its number. `time_ns`: its arrival time. A repeated sample is ignored. If
+  /// its arrival time is renewed by 15 ms or more (a device that is silent at rest), the hand rests and the speed is 0.
+  /// A stall renews nothing, so the next sample gives the mean speed since the last one.
+  void add(std::uint64_t number, std::int64_t time_ns, double position_mm) noexcept;
+  /// Speed, mm/s, positive inwards, about 5 ms late. 0 until the samples span 8 ms.
+  double speedMmS() const noexcept { return speed_mm_s_; }
+  /// The trip that this speed requires, or none. The caller sets `time_ns`.
+  Trip check(const LimitSettings& limits) const noexcept;
+  /// Forgets all samples, because positions have a new meaning.
+  void forget() noexcept { *this = {}; }
+
+ private:
+  struct Point {
+    std::int64_t time_ns = 0;
+    double position_mm = 0;
+  };
+  static constexpr int kRoom = 32;  ///< 15 ms of samples that are at least 0.5 ms apart
+
+  const Point& back(int steps) const noexcept { return points_[static_cast<std::size_t>(newest_ - steps) % kRoom]; }
+  double fitted() const noexcept;
+
+  std::array<Point, kRoom> points_{};
+  std::uint64_t number_ = 0;
+  int count_ = 0;
+  int newest_ = 0;
+  double speed_mm_s_ = 0;
+};
+
+// Detects silence of the device, the writes and the servo, and gives its consequence.
+
+/// Ages at a tick, s.
+struct Ages {
+  double sample_s = 0;  ///< of the device's newest sample
+  double write_s = 0;   ///< since a force last reached the device
+  double gap_s = 0;     ///< since the last tick
+};
+
+/// The trip that these ages require, or none; a late servo comes first. The caller sets `time_ns`. Real-time safe: yes.
+Trip overdue(const Ages& ages, const LimitSettings& limits) noexcept;
+
+/// The remaining share of a force if the device's sample is `age_s` old: 1 up to `stale_decay_s`, 0 from `stale_zero_s`
+/// on. Between them it decays exponentially with a time constant of 10 ms, shifted down so that it ends at 0 without a
+/// step.
+double staleShare(double age_s, const LimitSettings& limits) noexcept;
 
 /// The input of one tick. The servo fills it before it asks any source.
 struct SafetyInput {

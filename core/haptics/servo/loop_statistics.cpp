@@ -5,7 +5,43 @@
 #include <limits>
 #include <numeric>
 
+#include "core/haptics/device/device.h"
+
 namespace tactus::haptics {
+namespace {
+
+constexpr auto kLongestHeldNs = static_cast<std::int64_t>(1e9 * ThermalBudget::kLongestHeldS);
+
+}  // namespace
+
+void ThermalFollower::add(const Sample& sample, const LimitSettings& limits) noexcept {
+  const double rating_n = limits.continuous_force_n;
+  if (begun_ && sample.time_ns - last_ns_ > kLongestHeldNs) {
+    budget_.advance(last_ns_ + kLongestHeldNs, held_n_, rating_n, limits.thermal_window_s);
+    held_n_ = 0;
+  }
+  budget_.advance(sample.time_ns, held_n_, rating_n, limits.thermal_window_s);
+  begun_ = true;
+  last_ns_ = sample.time_ns;
+  held_n_ = sample.force_n;
+}
+
+namespace {
+
+constexpr double kLongestLookS = 0.1;
+
+}  // namespace
+
+Trip LoopWatch::look(std::uint64_t ticks, std::int64_t now_ns) noexcept {
+  const double since_s = looked_ ? std::min(secondsBetween(last_ns_, now_ns), kLongestLookS) : 0;
+  silent_s_ = ticks == ticks_ ? silent_s_ + since_s : 0;
+  looked_ = true;
+  ticks_ = ticks;
+  last_ns_ = now_ns;
+  if (silent_s_ <= kSilentS) return {};
+  return {TripCause::kServoLate, silent_s_, kSilentS, now_ns};
+}
+
 namespace {
 
 // One writer: no read-modify-write is needed.

@@ -6,7 +6,54 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/haptics/safety/limit_settings.h"
+#include "core/haptics/safety/thermal_budget.h"
+#include "core/haptics/safety/trip.h"
+#include "core/haptics/servo/sample.h"
+
 namespace tactus::haptics {
+
+// The thermal budget of a running servo, followed from its samples.
+
+/// Only the servo thread knows its budget. The reader of the samples needs it, too: how long a rest must be before the
+/// next force (thermal_rest.h). Where samples were lost, the last force before the gap counts for the gap, for at most
+/// 2 s. Plain state. Thread: the reader of the samples. Real-time safe: yes.
+class ThermalFollower {
+ public:
+  /// `thermal`: the load before the servo started, from the ledger.
+  explicit ThermalFollower(const ThermalBudget& thermal = {}) noexcept : budget_(thermal) {}
+
+  /// All samples, oldest first. `limits`: those of the orders in effect.
+  void add(const Sample& sample, const LimitSettings& limits) noexcept;
+
+  /// The budget at the time of the last sample.
+  const ThermalBudget& budget() const noexcept { return budget_; }
+
+ private:
+  ThermalBudget budget_;
+  bool begun_ = false;
+  std::int64_t last_ns_ = 0;
+  double held_n_ = 0;
+};
+
+// Detects a loop that has stopped calling the servo.
+
+/// If the loop of a driver stops, it reports nothing, and a servo that is not called cannot trip. So another thread
+/// calls `look` regularly, about 60 times a second. A pause between two calls counts as at most 0.1 s: if the whole
+/// program stood still, the loop gets time to continue.
+class LoopWatch {
+ public:
+  static constexpr double kSilentS = 1;  ///< without a tick for this time, the loop counts as dead
+
+  /// `ticks`: from Servo::ticks. `now_ns`: on a monotonic clock. Returns kServoLate if the loop is dead, else no trip.
+  Trip look(std::uint64_t ticks, std::int64_t now_ns) noexcept;
+
+ private:
+  bool looked_ = false;
+  std::uint64_t ticks_ = 0;
+  std::int64_t last_ns_ = 0;
+  double silent_s_ = 0;
+};
 
 /// A histogram of times in bins of equal ratio. Each octave has two bins, [2^n, 1.5 2^n) and [1.5 2^n, 2^(n+1)) ns,
 /// from 256 ns to 4.3 s. One more bin lies below, one above.

@@ -1,7 +1,6 @@
 // The self-test on the servo in the loop of a driver: a stand-in for libHD, stepped in virtual time.
 #include "app/devices/self_test_run.h"
 #include "core/haptics/servo/servo.h"
-#include "core/haptics/servo/servo_thread.h"
 
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/haptics/simulated/hand_plan.h"
-#include "core/haptics/simulated/simulated_body.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 #include "tests/core/render/rendered_loop.h"
 #include "tests/support/loop_measures.h"

@@ -1,4 +1,4 @@
-#include "core/haptics/device/axis_mapping.h"
+#include "core/haptics/device/device.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/haptics/device/device_calibration.h"
+#include "core/haptics/device/calibration_file.h"
 
 #include <gtest/gtest.h>
 #include <limits>

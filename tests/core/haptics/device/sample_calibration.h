@@ -1,7 +1,7 @@
 // A calibration with every member set, for the tests of calibrations and of their file.
 #pragma once
 
-#include "core/haptics/device/device_calibration.h"
+#include "core/haptics/device/calibration_file.h"
 
 namespace tactus::haptics {
 

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <vector>
 
-#include "core/haptics/hid/hid_transport.h"
+#include "core/haptics/hid/hidapi_transport.h"
 
 #include "tests/support/fake_pid_device.h"
 

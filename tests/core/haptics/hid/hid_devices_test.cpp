@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "core/haptics/hid/hidapi_transport.h"
-#include "core/haptics/hid/known_devices.h"
 
 #include "tests/support/fake_pid_device.h"
 #include "tests/support/hid_descriptor_builder.h"

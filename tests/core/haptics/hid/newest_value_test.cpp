@@ -1,4 +1,4 @@
-#include "core/haptics/hid/newest_value.h"
+#include "core/haptics/hid/hid_pid_device.h"
 
 #include <array>
 #include <gtest/gtest.h>

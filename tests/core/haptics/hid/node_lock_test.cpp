@@ -1,4 +1,4 @@
-#include "core/haptics/hid/node_lock.h"
+#include "core/haptics/hid/hidapi_transport.h"
 
 #include <csignal>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "core/haptics/hid/pid_input.h"
+#include "core/haptics/hid/hid_pid_device.h"
 
 #include <gtest/gtest.h>
 

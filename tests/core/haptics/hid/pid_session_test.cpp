@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "core/haptics/hid/pid_writer.h"
+#include "core/haptics/hid/hid_pid_device.h"
 
 #include "tests/core/haptics/hid/pid_run.h"
 #include "tests/core/haptics/loop_numbers.h"

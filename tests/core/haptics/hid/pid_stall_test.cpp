@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/haptics/hid/pid_writer.h"
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/servo/servo_core.h"
 
 #include "tests/core/haptics/hid/pid_run.h"

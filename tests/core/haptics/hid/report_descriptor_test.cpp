@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/random.h"
-#include "core/haptics/hid/pid_input.h"
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/hid/pid_layout.h"
 
 #include "tests/support/fake_pid_device.h"

@@ -1,4 +1,4 @@
-#include "core/haptics/hid/value_slot.h"
+#include "core/haptics/hid/pid_layout.h"
 
 #include <array>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/haptics/openhaptics/hd_error.h"
+#include "core/haptics/openhaptics/openhaptics_device.h"
 
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 

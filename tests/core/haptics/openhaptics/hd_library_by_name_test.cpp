@@ -1,7 +1,7 @@
 // This program's run path holds the stand-in, as the system's loader path holds the real library.
 #include <gtest/gtest.h>
 
-#include "core/haptics/openhaptics/hd_library.h"
+#include "core/haptics/openhaptics/openhaptics_device.h"
 
 namespace tactus::haptics {
 namespace {

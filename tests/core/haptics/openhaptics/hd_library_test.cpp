@@ -1,4 +1,4 @@
-#include "core/haptics/openhaptics/hd_library.h"
+#include "core/haptics/openhaptics/openhaptics_device.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 #include <memory>
 
-#include "core/haptics/openhaptics/hd_library.h"
 #include "core/haptics/openhaptics/openhaptics_device.h"
 
 #include "tests/core/haptics/openhaptics/stand_in.h"

@@ -1,4 +1,4 @@
-#include "core/haptics/safety/enable_switch.h"
+#include "core/haptics/safety/safety.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/random.h"
-#include "core/haptics/simulated/simulated_body.h"
+#include "core/haptics/simulated/virtual_device.h"
 #include "core/render/insertion_renderer.h"
 
 #include "tests/core/haptics/loop_numbers.h"

@@ -1,5 +1,5 @@
 // The budget of the motors continues where the previous servo left it.
-#include "core/haptics/safety/thermal_ledger.h"
+#include "core/haptics/safety/thermal_budget.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

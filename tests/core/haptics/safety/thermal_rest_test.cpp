@@ -1,5 +1,5 @@
 // The rest before a force: by hand, and against the budget of a servo tick by tick.
-#include "core/haptics/safety/thermal_rest.h"
+#include "core/haptics/safety/thermal_budget.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "core/haptics/safety/velocity_guard.h"
+#include "core/haptics/safety/safety.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

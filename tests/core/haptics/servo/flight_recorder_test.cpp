@@ -1,4 +1,4 @@
-#include "core/haptics/servo/flight_recorder.h"
+#include "core/haptics/servo/servo.h"
 
 #include <atomic>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "core/haptics/servo/loop_watch.h"
+#include "core/haptics/servo/loop_statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/haptics/servo/sample_ring.h"
+#include "core/haptics/servo/servo.h"
 
 #include <array>
 #include <atomic>

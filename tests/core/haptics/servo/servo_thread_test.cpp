@@ -1,5 +1,5 @@
 // The servo on a real thread. Nothing here depends on how fast the machine is: the tests wait until something is so.
-#include "core/haptics/servo/servo_thread.h"
+#include "core/haptics/servo/servo.h"
 
 #include <algorithm>
 #include <atomic>

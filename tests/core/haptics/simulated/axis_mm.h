@@ -1,7 +1,6 @@
 // The position of a device along the usual axis of insertion, for the tests.
 #pragma once
 
-#include "core/haptics/device/axis_mapping.h"
 #include "core/haptics/device/device.h"
 
 namespace tactus::haptics {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "core/haptics/device/axis_mapping.h"
+#include "core/haptics/device/device.h"
 
 #include "tests/core/haptics/simulated/axis_mm.h"
 #include "tests/core/haptics/simulated/virtual_clock.h"

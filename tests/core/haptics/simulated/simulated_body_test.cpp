@@ -1,4 +1,4 @@
-#include "core/haptics/simulated/simulated_body.h"
+#include "core/haptics/simulated/virtual_device.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/haptics/device/axis_mapping.h"
+#include "core/haptics/device/device.h"
 
 #include "tests/core/haptics/simulated/axis_mm.h"
 #include "tests/core/haptics/simulated/virtual_clock.h"

@@ -12,7 +12,7 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/tune/history/compare_controller.h"
-#include "core/haptics/servo/sample_ring.h"
+#include "core/haptics/servo/servo.h"
 #include "core/store/feel_records.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"

@@ -1,4 +1,4 @@
-#include "core/haptics/sources/stimulus_source.h"
+#include "core/haptics/sources/force_source.h"
 
 #include <algorithm>
 #include <cmath>
