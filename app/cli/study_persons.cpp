@@ -6,9 +6,8 @@
 #include "core/base/clock.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/copies.h"
-#include "core/store/recoding.h"
+#include "core/store/person_codes.h"
 #include "core/store/withdrawal.h"
-#include "core/store/withdrawal_preview.h"
 
 namespace tactus::cli {
 namespace {

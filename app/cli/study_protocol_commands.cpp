@@ -11,7 +11,7 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 #include "core/store/research_key.h"
 
 namespace tactus::cli {

@@ -4,7 +4,7 @@
 
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/store/rolling_copies.h"
+#include "core/store/copies.h"
 
 namespace tactus::cli {
 

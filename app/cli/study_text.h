@@ -17,7 +17,7 @@ std::int64_t utcNowMs();
 /// As `2026-11-21T08:00:00Z`.
 std::string utcText(std::int64_t utc_ms);
 
-/// Opens a study for writing and keeps a copy of it (core/store/rolling_copies.h). Where no copy could be kept, a
+/// Opens a study for writing and keeps a copy of it (core/store/copies.h). Where no copy could be kept, a
 /// warning says why.
 base::Result<store::StudyFile> openToWrite(const std::string& path, std::vector<std::string>& warnings);
 

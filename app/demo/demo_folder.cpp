@@ -16,7 +16,7 @@
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 #include "core/store/study_file.h"
-#include "core/store/work_folder.h"
+#include "core/store/fresh_file.h"
 #include "core/study/csv_tables.h"
 #include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/published_rules.h"

@@ -9,7 +9,7 @@
 
 #include "app/session/export_folder.h"
 #include "core/base/files/unfinished.h"
-#include "core/store/work_folder.h"
+#include "core/store/fresh_file.h"
 
 namespace tactus::session {
 namespace {

@@ -10,7 +10,7 @@
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 #include "core/store/sessions.h"
 
 namespace tactus::session {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/store/depth_records.h"
+#include "core/store/study_records.h"
 #include "core/store/entries.h"
 
 namespace tactus::session {

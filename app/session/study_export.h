@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/store/record_export.h"
+#include "core/store/record_tables.h"
 #include "core/store/study_file.h"
 
 namespace tactus::session {
@@ -27,7 +27,7 @@ struct StudyExport {
 
 /// Writes into `folder`: participants.csv, speeds.csv, judgements.csv, answers.csv and rules.csv in the format of
 /// readStudyFolder (core/study/csv_tables.h), codebook.json and codebook.md, and below `records` everything in the
-/// study file (core/store/record_export.h). The same study gives the same bytes. The folder appears completely or not
+/// study file (core/store/record_tables.h). The same study gives the same bytes. The folder appears completely or not
 /// at all. It must be new, empty, or an earlier export, which is replaced. If the study has no view for elicitation
 /// (study_view.h), a full export omits the five tables, with a note. Leftovers of crashes beside the study and the
 /// folder are deleted, with a note, if they are certainly ours (leftovers.h).

@@ -11,7 +11,7 @@
 #include "app/session/session.h"
 #include "app/session/session_settings.h"
 #include "core/base/error.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 
 namespace tactus::session {
 

@@ -10,7 +10,7 @@
 #include "app/session/session_settings.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
-#include "core/store/recoding.h"
+#include "core/store/person_codes.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "experiments/stroke.h"

@@ -1,7 +1,7 @@
 #include "core/store/conflicts.h"
 
-#include "core/store/entry_tables.h"
-#include "core/store/recoding.h"
+#include "core/store/entries.h"
+#include "core/store/person_codes.h"
 
 namespace tactus::store {
 namespace {

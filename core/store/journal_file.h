@@ -14,7 +14,7 @@ struct AcknowledgmentMark {
   static constexpr int kBytes = 36;
   static constexpr int kFromEnd = 512;  ///< a separate sector at the end of the file
 
-  std::string token;  ///< 16 bytes (opening_row.h)
+  std::string token;  ///< 16 bytes (opening.h)
   long long commits = 0;
 
   std::string bytes() const;

@@ -3,23 +3,64 @@
 #include <SQLiteCpp/Statement.h>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <optional>
+#include <set>
 #include <sqlite3.h>
 
-#include "core/base/files/file.h"
 #include "core/base/files/checksums.h"
+#include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/conflicts.h"
-#include "core/store/entry_tables.h"
-#include "core/store/merged_withdrawals.h"
-#include "core/store/older_imports.h"
+#include "core/store/connection.h"
+#include "core/store/entries.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawal.h"
 
 namespace tactus::store {
 namespace {
+
+// Persons imported from tables by older versions, which derived the ids from the code alone. Private to core/store.
+
+using study::RecordId;
+
+std::set<RecordId> importsOf(Connection& connection, const RecordId& person) {
+  Query query(connection, "SELECT id FROM session WHERE person_id = ? AND kind = 'import'");
+  query.put(person);
+  std::set<RecordId> sessions;
+  while (query.next()) sessions.insert(query.id());
+  return sessions;
+}
+
+bool isOfCodeAlone(const RecordId& person, const std::string& code) {
+  return study::toText(person) == base::sha256("person " + code).substr(0, 32);
+}
+
+/// Refuses a merge if both files imported different tables for one such person: they may be two persons with one code,
+/// and their data would be mixed. If one file continues a copy of the other, or both imported the same rows, they share
+/// a session, and the merge is allowed. Throws as Query does.
+void requireNoMixedImports(Connection& ours, Connection& theirs) {
+  Query query(theirs, "SELECT id, code FROM person ORDER BY id");
+  while (query.next()) {
+    const RecordId person = query.id();
+    const std::string code = query.text();
+    if (!isOfCodeAlone(person, code)) continue;
+    const auto here = importsOf(ours, person);
+    const auto there = importsOf(theirs, person);
+    std::set<RecordId> shared;
+    std::set_intersection(here.begin(), here.end(), there.begin(), there.end(), std::inserter(shared, shared.end()));
+    if (here.empty() || there.empty() || !shared.empty()) continue;
+    throw Refusal{{base::ErrorCode::kData,
+                   theirs.path(),
+                   {},
+                   "other tables for " + base::quoted(code) +
+                       " than this study has; an older version imported both and "
+                       "cannot tell two persons of one code apart",
+                   "a study made by importing the tables again, into a new file"}};
+  }
+}
 
 using base::ErrorCode;
 using base::Result;

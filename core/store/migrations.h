@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.h"
 
@@ -27,5 +28,18 @@ base::Result<void> migrate(Connection& connection, std::span<const Migration> st
 /// The same for the study file at `path`, opened and closed by this function. StudyFile::open uses it with the
 /// program's steps; other steps are for tests.
 base::Result<void> migrateFile(const std::string& path, std::span<const Migration> steps);
+
+// The schema of study files, version by version: core/store/schema.
+
+/// The steps to the newest version known to this program.
+std::span<const Migration> schemaSteps();
+
+/// SQL that lets a connection read version 1 or 2 like version 3, and version 3 like the newest one, and the views of
+/// the newest version for this connection only. Neither changes the file.
+std::string_view readingVersion1();
+std::string_view readingVersion2();
+std::string_view readingVersion3();
+std::string_view readingVersion4();
+std::string viewsForReading();
 
 }  // namespace tactus::store

@@ -4,7 +4,7 @@
 
 #include "core/base/tables/csv.h"
 #include "core/store/query.h"
-#include "core/store/recoding.h"
+#include "core/store/person_codes.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawn_codes.h"
 #include "core/study/record_id.h"

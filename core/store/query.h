@@ -6,11 +6,24 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/store/connection.h"
 #include "core/study/record_id.h"
 
 namespace tactus::store {
+
+// JSON lists of pairs of texts, as columns of a study hold them. Example, the conditions of a rule:
+// `[["lubrication", "well"], ["depth", "stomach"]]`.
+
+using PairList = std::vector<std::pair<std::string, std::string>>;
+
+/// The list as JSON on one line.
+std::string pairListText(const PairList& pairs);
+
+/// Reads the JSON back. Nothing if `text` is anything but a list of pairs of texts.
+std::optional<PairList> pairListIn(const std::string& text);
 
 /// Throws SQLite::Exception. Throws Refusal for values that must not be stored: a number that is not finite, text that
 /// is not UTF-8, a nil id.

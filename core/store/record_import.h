@@ -1,4 +1,4 @@
-// Reads the CSV tables of a full export (record_export.h).
+// Reads the CSV tables of a full export (record_tables.h).
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,8 @@
 #include "core/store/study_file.h"
 
+#include <filesystem>
 #include <sqlite3.h>
+#include <system_error>
 #include <utility>
 
 #include "core/base/check.h"
@@ -9,10 +11,19 @@
 #include "core/store/opening.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
-#include "core/store/schema.h"
+#include "core/store/migrations.h"
+#include "core/store/sqlite_errors.h"
 #include "core/store/study_opening.h"
 
 namespace tactus::store {
+
+std::optional<base::Error> readOnlyReason(const std::string& path) {
+  std::error_code problem;
+  if (!std::filesystem::exists(path, problem)) return std::nullopt;
+  auto reason = whyNotWritable(path);
+  return reason.found.empty() ? std::nullopt : std::optional(std::move(reason));
+}
+
 namespace {
 
 using base::Result;

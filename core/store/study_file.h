@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,6 +13,12 @@
 #include "core/study/record_id.h"
 
 namespace tactus::store {
+
+// Whether a study file can be opened for reading only.
+
+/// Why the study file `path` cannot be opened for writing: it, or its folder, may not be written to. Nothing where it
+/// can be, or is not there.
+std::optional<base::Error> readOnlyReason(const std::string& path);
 
 class Connection;
 

@@ -4,9 +4,9 @@
 
 #include "core/base/files/checksums.h"
 #include "core/store/conflicts.h"
-#include "core/store/entry_tables.h"
+#include "core/store/entries.h"
 #include "core/store/feel_records.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"

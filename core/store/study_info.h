@@ -26,7 +26,7 @@ struct StudyInfo {
   long long simulated_persons = 0;
   long long placements = 0;        ///< of a tube while feeling a model (feel_records.h); stored as events
   long long feel_recordings = 0;   ///< of feeling a model; stored as events, with their pieces as strokes
-  int protocol_version = 0;        ///< of the study's protocol (protocols.h); 0: none was set
+  int protocol_version = 0;        ///< of the study's protocol (study_records.h); 0: none was set
   bool protocol_locked = false;    ///< a participant's session follows it
   std::vector<TableCount> counts;  ///< of person, session, each kind of record, model_version, tombstone, import_log
 };

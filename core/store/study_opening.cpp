@@ -1,23 +1,178 @@
 #include "core/store/study_opening.h"
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <sqlite3.h>
+#include <string>
 #include <system_error>
 #include <utility>
 
-#include "core/store/journal_check.h"
+#include "core/store/connection.h"
+#include "core/store/journal_file.h"
 #include "core/store/migrations.h"
 #include "core/store/opening.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
-#include "core/store/schema.h"
-#include "core/store/schema_check.h"
+#include "core/store/record_tables.h"
 #include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {
 namespace {
+
+// Checks whether the journal beside a study belongs to it and is complete. Private to core/store.
+
+/// An event that lost or may have lost records; a row of the table `incident`.
+struct Incident {
+  std::string kind;    ///< journal_missing, journal_cut, journal_damaged
+  std::string detail;  ///< a sentence for the user
+};
+
+struct JournalFindings {
+  /// The journal belongs to another file, or to another state of this one. None of it may be used.
+  bool is_foreign = false;
+  /// The study file is newer than the readable part of the journal, so the journal is ignored.
+  bool is_behind = false;
+  std::optional<Incident> incident;
+};
+
+std::string counted(long long count, const char* one, const char* many) {
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+/// `3 saved records are gone`: what is committed at once, a record or a batch of them, counts as one.
+std::string gone(long long count) { return counted(count, "saved record is gone", "saved records are gone"); }
+
+bool belongs(const OpeningRow& file, const OpeningRow& both, const JournalFile& journal) {
+  // Commits that are not counted, such as that of VACUUM, only loosen this.
+  if (both.token == file.token) return both.commits - journal.commits <= file.commits;
+  return both.previous == file.token && both.commits == file.commits + 1;
+}
+
+/// Compares three sources: `file`, the row of `opening` read without the journal; `both`, the row read together with
+/// the journal (empty if unreadable); and the journal itself.
+/// Every commit counts in the row of `opening`. So a journal belongs to the file only if it continues the count under
+/// the same token, or if it holds only the commit with the next token. The mark in the journal's last bytes gives the
+/// number of acknowledged commits. A file of version 1 has no row, so nothing can be checked.
+JournalFindings examineJournal(const std::optional<OpeningRow>& file, const std::optional<OpeningRow>& both,
+                               const JournalFile& journal) {
+  JournalFindings findings;
+  if (!file) return findings;
+  const bool is_read = journal.commits > 0;
+  if (is_read && (!both || !belongs(*file, *both, journal))) {
+    findings.is_foreign = true;
+    return findings;
+  }
+  const OpeningRow& last = is_read ? *both : *file;
+  findings.is_behind = is_read && last.token == file->token && file->commits > last.commits;
+
+  // What only the journal promises may have come to the disk before the journal's length did, while the token was
+  // drawn.
+  const bool is_promised = is_read && last.is_open && last.token == file->token;
+  const long long promised = std::max(file->is_open ? file->journal_bytes : 0, is_promised ? last.journal_bytes : 0);
+  if (promised == 0) return findings;
+  if (journal.isEmpty()) {
+    findings.incident = {
+        "journal_missing",
+        "the journal of a study that was not closed was missing when it was opened: what was saved last "
+        "before may be gone, how many records cannot be told"};
+    return findings;
+  }
+  const long long there = std::max(last.commits, file->commits);
+  const bool is_marked = journal.mark && journal.mark->token == last.token;
+  const long long acknowledged = is_marked ? journal.mark->commits : 0;
+  // Of the transactions behind the last readable one the very last may have been on its way. Where none is readable,
+  // their numbers are not known, and the file may hold all of them.
+  const long long behind = is_read ? last.commits + journal.commits_behind - 1 - there : 0;
+  const long long lost = std::max({0LL, acknowledged - there, behind});
+  if (journal.bytes < promised) {
+    std::string detail = "the journal was cut to " + std::to_string(journal.bytes) + " of " + std::to_string(promised) +
+                         " bytes when the study was opened: ";
+    if (lost > 0) {
+      detail += "at least " + gone(lost);
+    } else if (journal.ends_in_file) {
+      detail += "no record was in the part that is missing";
+    } else {
+      detail += "what was saved last may be gone, how many records cannot be told";
+    }
+    findings.incident = {"journal_cut", std::move(detail)};
+  } else if (lost > 0) {
+    findings.incident = {"journal_damaged", "the journal was damaged when the study was opened: " +
+                                                std::string(is_marked ? "" : "at least ") + gone(lost)};
+  } else if (!is_marked && (!journal.has_header || (!is_read && journal.commits_behind > 1))) {
+    findings.incident = {
+        "journal_damaged",
+        "the beginning of the journal was damaged when the study was opened: what was saved last may be "
+        "gone, how many records cannot be told"};
+  }
+  return findings;
+}
+
+// Checks that the schema of a file is exactly that of its version. Private to core/store.
+
+using base::ErrorCode;
+
+/// The SQL of each table, index, view and trigger, by type and name. Indexes that SQLite makes by itself have none.
+using Schema = std::map<std::string, std::string>;
+
+Schema schemaOf(SQLite::Database& database) {
+  SQLite::Statement rows(database,
+                         "SELECT type || ' ' || name || ' of ' || tbl_name, coalesce(sql, '') FROM main.sqlite_schema"
+                         " WHERE NOT (type = 'table' AND name = 'sqlite_stat1')");
+  Schema schema;
+  while (rows.executeStep()) schema[rows.getColumn(0).getString()] = rows.getColumn(1).getString();
+  return schema;
+}
+
+/// The schema of each version, from 1: what its steps make of an empty database.
+const std::vector<Schema>& knownSchemas() {
+  static const std::vector<Schema> schemas = [] {
+    SQLite::Database database(":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    addRecordChecksum(database.getHandle());
+    std::vector<Schema> made;
+    for (const Migration& step : schemaSteps()) {
+      database.exec("BEGIN");
+      database.exec(step.sql);
+      database.exec("COMMIT");
+      made.push_back(schemaOf(database));
+    }
+    return made;
+  }();
+  return schemas;
+}
+
+[[noreturn]] void refuseSchema(const std::string& found, int version) {
+  refuse(ErrorCode::kSchema, {}, found,
+         "the tables of a study of version " + std::to_string(version) + " as Tactus makes them");
+}
+
+void requireOrdinaryTables(const Schema& found, int version) {
+  for (const RecordTable& table : recordTables()) {
+    const std::string name(table.name);
+    const auto at = found.find("table " + name + " of " + name);
+    if (at == found.end() || !at->second.starts_with("CREATE TABLE")) refuseSchema("no table " + name, version);
+  }
+}
+
+/// Call before any SQL of the file runs, because a foreign schema can contain an endless view, a trigger that changes
+/// data, or a false table. Refuses, and names missing, added and different parts. If the program does not know the
+/// version, each table of the newest known version must be an ordinary table.
+void requireSchema(Connection& connection, int version) {
+  const Schema found = schemaOf(connection.database());
+  if (version > static_cast<int>(knownSchemas().size())) return requireOrdinaryTables(found, version);
+  const Schema& wanted = knownSchemas()[static_cast<std::size_t>(version) - 1];
+  if (found == wanted) return;
+  for (const auto& [object, sql] : wanted) {
+    const auto at = found.find(object);
+    if (at == found.end()) refuseSchema("no " + object, version);
+    if (at->second != sql) refuseSchema("another " + object, version);
+  }
+  for (const auto& [object, sql] : found) {
+    if (!wanted.contains(object)) refuseSchema("a foreign object (" + base::quoted(object) + ")", version);
+  }
+}
 
 namespace fs = std::filesystem;
 using base::Error;

@@ -4,12 +4,90 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/store/connection.h"
+#include "core/store/merge.h"
 #include "core/store/study_file.h"
+#include "core/store/withdrawn_codes.h"
+#include "core/study/record_id.h"
 
 namespace tactus::store {
+
+// The persons who withdrew from one of two studies being merged: their data do not enter and are removed where present.
+// Private to core/store.
+
+/// The names of one person who withdrew, for removal from texts.
+struct TimedCleaning {
+  NameCleaning cleaning;
+  std::int64_t utc_ms = 0;  ///< time of the withdrawal
+};
+
+/// Use inside the transaction of a merge. Throws as Query does.
+class MergedWithdrawals {
+ public:
+  /// Refuses the merge if a participant of one file has the code of another person who withdrew from the other file. It
+  /// may be the same person, recorded again, or a different one who needs another code.
+  MergedWithdrawals(Connection& ours, Connection& theirs);
+
+  /// Adds the tombstones of the other file, removes from this file the persons who withdrew there, and cleans our
+  /// models and texts. Reports the removed and excluded persons in `merge`.
+  void apply(Merge& merge);
+
+  /// The cleanings to apply to each incoming text.
+  const std::vector<TimedCleaning>& cleanings() const { return cleanings_; }
+
+  /// Call after all rows are added. Returns whether traces in this file must be erased after the commit.
+  bool finish();
+
+ private:
+  void requireOtherCodes(Connection& living, Connection& withdrawn, const std::vector<TombstoneRow>& rows) const;
+  bool hasWithdrawn(const study::RecordId& person) const;
+  void findNames();
+  void tellWhoStaysOut(Merge& merge) const;
+
+  Connection& ours_;
+  Connection& theirs_;
+  std::vector<TombstoneRow> our_rows_;
+  std::vector<TombstoneRow> their_rows_;
+  std::vector<TombstoneRow> all_;  ///< tombstones of both files, each person once
+  std::vector<TimedCleaning> cleanings_;
+  std::vector<study::RecordId> unfinished_before_;
+  bool must_erase_ = false;
+};
+
+// Deletes the rows of a person who withdrew. Private to core/store.
+
+/// Deletes all records of the person within the open transaction. The caller has set the tombstone before. Returns the
+/// number of deleted records. Throws as Query does.
+long long removePerson(Connection& connection, const study::RecordId& person);
+
+// What a withdrawal would delete, said beforehand.
+
+/// Counts of everything that `withdraw` (withdrawal.h) removes, with corrected records, and of what stays.
+struct WithdrawalPreview {
+  long long sessions = 0;
+  long long profiles = 0;
+  long long strokes = 0;  ///< of the speed experiment
+  long long judgements = 0;
+  long long answers = 0;
+  long long ratings = 0;
+  long long rules = 0;            ///< given directly
+  long long events = 0;           ///< lines of the logs
+  long long placements = 0;       ///< of the events: of a tube while feeling a model
+  long long feel_recordings = 0;  ///< of feeling a model
+  /// All removed records, as Withdrawal::records.
+  long long records = 0;
+  /// Versions of models that hold rules of the participant: the versions stay, without these rules.
+  long long models_cleaned = 0;
+  /// Versions of models that stay as they are. The participant may have taken part in their membership functions.
+  long long models_kept = 0;
+};
+
+/// Changes nothing. Returns an error for an unknown person.
+base::Result<WithdrawalPreview> previewWithdrawal(const StudyFile& file, const study::RecordId& person);
 
 /// The remaining record of a participant who withdrew.
 struct Tombstone {
@@ -35,7 +113,7 @@ base::Result<Withdrawal> withdraw(StudyFile& file, const study::RecordId& person
 
 /// The second part of `withdraw`: rewrites the file and empties its journal, so that no data remains in unused pages,
 /// notes that the erasure is finished, and removes the copies that were kept when the study was opened
-/// (rolling_copies.h). Memory use does not grow with the study. Needs disk space for two more copies. Can be
+/// (copies.h). Memory use does not grow with the study. Needs disk space for two more copies. Can be
 /// interrupted at any point and repeated.
 base::Result<void> eraseTraces(StudyFile& file);
 

@@ -14,7 +14,7 @@
 
 namespace tactus::study {
 
-// How the depths of the regions were measured on an image, as stored in a study file (core/store/depth_records.h).
+// How the depths of the regions were measured on an image, as stored in a study file (core/store/study_records.h).
 
 /// One state of the measurement. Append-only: a change, also an undo, is a further record; the latest counts.
 struct DepthRecord {
@@ -28,7 +28,7 @@ struct DepthRecord {
   bool operator==(const DepthRecord&) const = default;
 };
 
-// One version of a study's protocol, as stored in a study file (core/store/protocols.h).
+// One version of a study's protocol, as stored in a study file (core/store/study_records.h).
 
 /// What each participant is asked. Append-only: a change is a further record.
 struct ProtocolRecord {

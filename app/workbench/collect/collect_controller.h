@@ -10,7 +10,7 @@
 #include "app/workbench/base/message_act.h"
 #include "app/workbench/collect/study_overview.h"
 #include "app/workbench/study/connection/study_connection.h"
-#include "core/store/withdrawal_preview.h"
+#include "core/store/withdrawal.h"
 
 namespace tactus::workbench {
 

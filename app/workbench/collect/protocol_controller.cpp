@@ -6,7 +6,7 @@
 
 #include "app/session/protocol_values.h"
 #include "app/workbench/base/display_text.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 #include "core/store/research_key.h"
 
 namespace tactus::workbench {

@@ -10,7 +10,7 @@
 #include "app/workbench/study/connection/study_contents.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 #include "core/store/research_key.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"

@@ -8,7 +8,6 @@
 #include "core/store/person_codes.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
-#include "core/store/typed_code.h"
 
 namespace tactus::workbench {
 namespace {

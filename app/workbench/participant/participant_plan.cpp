@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "app/session/study_protocol.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 
 namespace tactus::workbench {
 

@@ -5,7 +5,7 @@
 
 #include "app/session/study_import.h"
 #include "core/model_io/model_file.h"
-#include "core/store/depth_records.h"
+#include "core/store/study_records.h"
 #include "core/study/csv_tables.h"
 
 #include "tests/app/cli/run_program.h"

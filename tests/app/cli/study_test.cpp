@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
-#include "core/store/import_log.h"
+#include "core/store/study_records.h"
 #include "core/store/persons.h"
 
 #include "tests/app/cli/run_program.h"

@@ -14,7 +14,7 @@
 #include "app/session/study_export.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
-#include "core/store/backup.h"
+#include "core/store/copies.h"
 
 #include "tests/core/store/sample_records.h"
 #include "tests/support/temp_folder.h"

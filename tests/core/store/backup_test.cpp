@@ -1,4 +1,4 @@
-#include "core/store/backup.h"
+#include "core/store/copies.h"
 
 #include <filesystem>
 #include <fstream>

@@ -5,7 +5,6 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-#include "core/store/backup.h"
 #include "core/store/persons.h"
 
 #include "tests/core/store/sample_records.h"

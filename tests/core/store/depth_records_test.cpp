@@ -1,9 +1,9 @@
-#include "core/store/depth_records.h"
+#include "core/store/study_records.h"
 
 #include <gtest/gtest.h>
 
 #include "core/store/merge.h"
-#include "core/store/record_export.h"
+#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
 #include "core/store/study_info.h"
 

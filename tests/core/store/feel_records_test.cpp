@@ -5,7 +5,7 @@
 
 #include "core/store/merge.h"
 #include "core/store/persons.h"
-#include "core/store/record_export.h"
+#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"

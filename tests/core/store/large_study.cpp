@@ -5,7 +5,7 @@
 #include <iostream>
 
 #include "core/base/text.h"
-#include "core/store/backup.h"
+#include "core/store/copies.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"

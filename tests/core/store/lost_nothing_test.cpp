@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 
-#include "core/store/backup.h"
+#include "core/store/copies.h"
 #include "core/store/entries.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"

@@ -5,12 +5,11 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "core/store/depth_records.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
-#include "core/store/protocols.h"
-#include "core/store/record_export.h"
+#include "core/store/study_records.h"
+#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
 #include "core/store/research_key.h"
 #include "core/store/sessions.h"

@@ -1,4 +1,4 @@
-#include "core/store/pair_list.h"
+#include "core/store/query.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 
 #include "core/base/close_match.h"
 #include "core/store/person_codes.h"
-#include "core/store/recoding.h"
 
 #include "tests/core/store/plain_sql.h"
 #include "tests/core/store/sample_records.h"

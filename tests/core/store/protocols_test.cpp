@@ -1,10 +1,10 @@
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 
 #include <gtest/gtest.h>
 
 #include "core/store/merge.h"
 #include "core/store/persons.h"
-#include "core/store/record_export.h"
+#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"

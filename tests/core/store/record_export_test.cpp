@@ -1,4 +1,3 @@
-#include "core/store/record_export.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <filesystem>
@@ -8,7 +7,7 @@
 #include <random>
 #include <sstream>
 
-#include "core/store/backup.h"
+#include "core/store/copies.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"

@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/store/passphrase.h"
-#include "core/store/record_export.h"
+#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
 
 #include "tests/core/store/plain_sql.h"

@@ -1,4 +1,3 @@
-#include "core/store/rolling_copies.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

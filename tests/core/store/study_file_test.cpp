@@ -10,7 +10,6 @@
 #include <unistd.h>
 
 #include "core/store/entries.h"
-#include "core/store/read_only.h"
 #include "core/store/study_info.h"
 
 #include "tests/core/store/plain_sql.h"

@@ -5,7 +5,7 @@
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
-#include "core/store/record_export.h"
+#include "core/store/record_tables.h"
 #include "core/store/sessions.h"
 
 #include "tests/core/store/plain_sql.h"

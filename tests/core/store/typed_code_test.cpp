@@ -1,4 +1,4 @@
-#include "core/store/typed_code.h"
+#include "core/store/person_codes.h"
 
 #include <gtest/gtest.h>
 

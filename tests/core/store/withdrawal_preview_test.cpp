@@ -1,4 +1,3 @@
-#include "core/store/withdrawal_preview.h"
 
 #include <gtest/gtest.h>
 

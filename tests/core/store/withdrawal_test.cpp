@@ -9,7 +9,7 @@
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
 #include "core/store/persons.h"
-#include "core/store/recoding.h"
+#include "core/store/person_codes.h"
 #include "core/store/recording_codec.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"

@@ -6,7 +6,7 @@
 
 #include "app/session/session.h"
 #include "core/store/persons.h"
-#include "core/store/protocols.h"
+#include "core/store/study_records.h"
 #include "core/store/research_key.h"
 
 #include "tests/gui/sample_study.h"

@@ -18,7 +18,7 @@
 #include "app/workbench/labs/depth/image_reader.h"
 #include "app/workbench/labs/depth/length_page.h"
 #include "app/workbench/labs/frame/lab_screen.h"
-#include "core/store/depth_records.h"
+#include "core/store/study_records.h"
 
 #include "tests/gui/sample_study.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "core/store/depth_records.h"
+#include "core/store/study_records.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {

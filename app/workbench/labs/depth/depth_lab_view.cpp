@@ -31,7 +31,7 @@
 #include "app/workbench/labs/depth/dicom_image.h"
 #include "app/workbench/labs/depth/image_reader.h"
 #include "app/workbench/labs/depth/length_page.h"
-#include "core/store/depth_records.h"
+#include "core/store/study_records.h"
 
 namespace tactus::workbench {
 namespace {

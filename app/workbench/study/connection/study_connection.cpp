@@ -8,10 +8,9 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/check.h"
-#include "core/store/backup.h"
+#include "core/store/copies.h"
 #include "core/store/persons.h"
-#include "core/store/read_only.h"
-#include "core/store/rolling_copies.h"
+#include "core/store/study_file.h"
 #include "core/store/withdrawal.h"
 
 namespace tactus::workbench {
