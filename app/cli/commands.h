@@ -9,7 +9,7 @@
 
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
-#include "elicitation/depth/measured_terms.h"
+#include "elicitation/depth/depth_measurement.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/speed/speed_terms.h"
 

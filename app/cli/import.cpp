@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/exchange/import/import_model.h"
 #include "core/model_io/model_file.h"
-#include "elicitation/model/model_checks.h"
+#include "elicitation/model/model_provenance.h"
 
 namespace tactus::cli {
 namespace {

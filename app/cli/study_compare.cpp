@@ -6,7 +6,7 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/expert_influence.h"
-#include "elicitation/model/method_words.h"
+#include "elicitation/model/method_study.h"
 
 namespace tactus::cli {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 #include "core/fuzzy/takes_part.h"
-#include "elicitation/force/force_step_limits.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::editing {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/fuzzy/every_expert.h"
-#include "elicitation/force/force_step_limits.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::figures {
 namespace {

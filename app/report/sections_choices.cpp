@@ -1,7 +1,7 @@
 // The method study: does a choice of the method matter for this study?
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "elicitation/model/method_words.h"
+#include "elicitation/model/method_study.h"
 
 namespace tactus::report {
 

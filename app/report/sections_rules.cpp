@@ -4,7 +4,7 @@
 
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "elicitation/agreement/expert_cells.h"
+#include "elicitation/agreement/conflict_map.h"
 
 namespace tactus::report {
 

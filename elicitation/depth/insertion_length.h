@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "elicitation/depth/depth_terms.h"
+#include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::elicitation {
 
@@ -41,7 +41,7 @@ inline constexpr DepthRange kNoseEarXiphoidMm{300, 800};
 inline constexpr double kSphincterMm = 440;
 
 /// Where the tip should lie: 30 to 100 mm beyond the lower esophageal sphincter (Boeykens 2023, Crit Care 27:317), with
-/// the sphincter at `sphincter_mm` times `scale` (kSameAnatomy in depth_terms.h).
+/// the sphincter at `sphincter_mm` times `scale` (kSameAnatomy in depth_measurement.h).
 DepthRange targetDepth(double scale = kSameAnatomy, double sphincter_mm = kSphincterMm);
 
 /// The three lengths for a nose-ear-xiphoid length `nex_mm`. The plain length is too short in 96.7 % of people when

@@ -5,12 +5,20 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/study/records.h"
 #include "elicitation/force/force_voting.h"
 
 namespace tactus::elicitation {
+
+// Checks that the participants of a force experiment judged the same forces.
+
+/// One sentence for each participant with a step of `series` at another force than most judgements of that step (on a
+/// tie the lowest force). The vote counts by force, so such a judgement may be alone.
+std::vector<std::string> stepForceNotes(std::span<const study::ForceJudgement> judgements, std::string_view series);
 
 /// The steps that count, and the steps above them. One participant who continues after all others stopped must not move
 /// the terms of all experts: a universe that ends later moves the centroid of the highest term.

@@ -8,7 +8,7 @@
 
 #include "core/fuzzy/force_model.h"
 #include "elicitation/force/force_end.h"
-#include "elicitation/force/force_frequency_fit.h"
+#include "elicitation/force/force_frequency.h"
 #include "elicitation/force/force_terms.h"
 
 namespace tactus::elicitation {

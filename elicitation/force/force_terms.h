@@ -18,7 +18,7 @@ enum class ForceTermsFrom {
   kVote,        ///< from the winner of each force (paper, Section 3.3)
   kFrequency,   ///< from the shares of all answers (force_frequency.h)
   kThresholds,  ///< from the mean of the participants' thresholds (force_thresholds.h)
-  kProbit,      ///< from one ordered probit over all answers (force_probit.h)
+  kProbit,      ///< from one ordered probit over all answers (force_terms_from.h)
 };
 
 /// `vote`, `frequency`, `thresholds`, `probit`: the values of `tactus build --force-terms`.

@@ -9,11 +9,10 @@
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "elicitation/force/force_terms_from.h"
-#include "elicitation/force/step_forces.h"
-#include "elicitation/model/model_checks.h"
+#include "elicitation/force/force_end.h"
 #include "elicitation/model/model_provenance.h"
-#include "elicitation/model/rebuilt_model.h"
-#include "elicitation/rules/rule_checks.h"
+#include "elicitation/model/record_influence.h"
+#include "elicitation/rules/expert_rules.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {

@@ -12,7 +12,7 @@
 #include "core/fuzzy/force_model.h"
 #include "core/study/records.h"
 #include "elicitation/agreement/expert_influence.h"
-#include "elicitation/depth/measured_terms.h"
+#include "elicitation/depth/depth_measurement.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/force/force_voting.h"
 #include "elicitation/model/expert_weights.h"

@@ -9,7 +9,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/model/model_provenance.h"
-#include "elicitation/model/rebuilt_model.h"
+#include "elicitation/model/record_influence.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -2,13 +2,31 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <stop_token>
 #include <string_view>
+#include <vector>
 
 #include "core/analysis/force_difference.h"
 #include "core/base/error.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::elicitation {
+
+// The model of a study again, with other settings, to be compared with the one that there is.
+
+/// Where the speeds of another build come from.
+enum class SpeedsOf {
+  kBuilt,  ///< the clusters of `built`: of BuildSettings::speed only alpha is another
+  kStudy,  ///< clustered again
+};
+
+/// The model of buildModel for other settings, without what leaving out an expert changes: many of them are compared
+/// with `built`, which is from the same study.
+base::Result<fuzzy::ForceModel> rebuiltModel(const BuiltModel& built, const study::Study& study,
+                                             std::span<const study::Form> forms, const BuildSettings& settings,
+                                             SpeedsOf speeds);
 
 struct RecordInfluence {
   analysis::ForceDifference difference;  ///< `first_n` with the record, `second_n` without it
@@ -30,5 +48,15 @@ base::Result<RecordInfluence> withoutRule(const BuiltModel& built, std::size_t e
 base::Result<RecordInfluence> withoutStroke(const BuiltModel& built, const study::Study& study,
                                             const BuildSettings& settings, std::string_view participant,
                                             std::string_view level, int stroke);
+
+// What the rules of many experts move, one rule of each: the averaged force with and without it.
+
+/// For each expert of `built` what leaving out its rule `rules[expert]` moves, as `withoutRule` does one by one: at the
+/// same points, and the forces agree but for rounding. The forces of the other experts are computed once for all, so
+/// that hundreds of experts take seconds. Nothing where an expert has no rule to leave out. Incomplete after a stop
+/// request. Thread: any.
+std::vector<std::optional<RecordInfluence>> withoutRules(const BuiltModel& built,
+                                                         std::span<const std::optional<std::size_t>> rules,
+                                                         const std::stop_token& stop = {});
 
 }  // namespace tactus::elicitation

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/statistics.h"
-#include "elicitation/speed/participant_samples.h"
+#include "elicitation/speed/participant_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

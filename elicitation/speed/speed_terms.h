@@ -1,6 +1,7 @@
 // Converts the clusters of insertion speeds to trapezoids (paper, Section 3.2, Fig. 8).
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,6 +12,14 @@
 #include "core/study/records.h"
 
 namespace tactus::elicitation {
+
+// Where the membership in a cluster has fallen to a given value on the way to the next center.
+
+/// The point between the center of `cluster` and the neighboring one `neighbor` (the index before or after it) where
+/// the membership in `cluster` is alpha, rounded towards the cluster, so that it has at least alpha. The membership
+/// falls all the way. `centres`: ascending, distinct. `m`: > 1. `alpha`: in (1/2, 1).
+double membershipEdge(std::span<const double> centres, std::size_t cluster, std::size_t neighbor, double m,
+                      double alpha);
 
 /// Default membership at the ends of the speed ramps (alphaCutRamps). It gives the ramp that best fits the membership
 /// between two centers.

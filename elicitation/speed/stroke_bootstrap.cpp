@@ -3,14 +3,321 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
+#include <map>
 #include <utility>
 
 #include "core/base/check.h"
 #include "core/base/statistics.h"
 #include "elicitation/clustering/fcm_data.h"
-#include "elicitation/clustering/fcm_descent.h"
+#include "elicitation/clustering/fcm_pass.h"
+#include "elicitation/clustering/fcm_starts.h"
+#include "elicitation/clustering/positive_solve.h"
 
 namespace tactus::elicitation {
+namespace {
+
+constexpr double kSmall = 1e-300;
+constexpr int kMostTerms = 10000;  // of the continued fraction; some dozens do for all but millions of degrees
+constexpr int kMostHalvings = 200;
+
+/// The continued fraction of the incomplete beta function (Abramowitz and Stegun 26.5.8) by Lentz's method.
+double betaFraction(double a, double b, double x) {
+  double c = 1;
+  double d = 1 / std::fmax(1 - (a + b) * x / (a + 1), kSmall);
+  double result = d;
+  for (int i = 1; i < kMostTerms; ++i) {
+    const double m = i;
+    const double even = m * (b - m) * x / ((a + 2 * m - 1) * (a + 2 * m));
+    d = 1 / (1 + even * d);
+    c = 1 + even / c;
+    result *= c * d;
+    const double odd = -(a + m) * (a + b + m) * x / ((a + 2 * m) * (a + 2 * m + 1));
+    d = 1 / (1 + odd * d);
+    c = 1 + odd / c;
+    result *= c * d;
+    if (std::abs(c * d - 1) < 1e-16) break;
+  }
+  return result;
+}
+
+/// Regularised incomplete beta function I_x(a, b), with y = 1 - x given for its digits.
+double incompleteBeta(double a, double b, double x, double y) {
+  if (x <= 0) return 0;
+  if (y <= 0) return 1;
+  const double front =
+      std::exp(std::lgamma(a + b) - std::lgamma(a) - std::lgamma(b) + a * std::log(x) + b * std::log(y));
+  return x < (a + 1) / (a + b + 2) ? front * betaFraction(a, b, x) / a : 1 - front * betaFraction(b, a, y) / b;
+}
+
+/// Probability above t >= 0.
+double upperTail(double t, double degrees) {
+  const double all = degrees + t * t;
+  return incompleteBeta(degrees / 2, 0.5, degrees / all, t * t / all) / 2;
+}
+
+}  // namespace
+
+double studentQuantile(double share, double degrees) {
+  TACTUS_CHECK(share >= 0 && share <= 1 && degrees > 0);
+  if (share < 0.5) return -studentQuantile(1 - share, degrees);
+  if (share == 0.5) return 0;
+  if (share == 1) return std::numeric_limits<double>::infinity();
+  const double tail = 1 - share;
+  double low = 0;
+  double high = 1;
+  while (upperTail(high, degrees) > tail && high < 1e150) {
+    low = high;
+    high *= 2;
+  }
+  for (int i = 0; i < kMostHalvings && low < high; ++i) {
+    const double middle = low + (high - low) / 2;
+    if (middle == low || middle == high) break;
+    (upperTail(middle, degrees) > tail ? low : high) = middle;
+  }
+  return high;
+}
+
+namespace {
+
+/// Widened variances of all parts, their sum, and the fewest degrees of freedom.
+struct Widened {
+  std::vector<double> variances;
+  double draws = 0;
+  double sum = 0;
+  double fewest_degrees = 0;
+};
+
+Widened widened(std::span<const double> variances, std::span<const DrawSpread> parts) {
+  TACTUS_CHECK(!parts.empty() && variances.size() == parts.size());
+  Widened out;
+  out.fewest_degrees = parts.front().degrees;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    out.variances.push_back(variances[i] * parts[i].widening);
+    out.draws += variances[i];
+    out.sum += out.variances.back();
+    out.fewest_degrees = std::min(out.fewest_degrees, parts[i].degrees);
+  }
+  return out;
+}
+
+}  // namespace
+
+DrawSpread spreadOf(std::size_t strokes) {
+  TACTUS_CHECK(strokes >= 2);
+  const auto n = static_cast<double>(strokes);
+  return {n / (n - 1), n - 1};
+}
+
+DrawSpread mixedSpread(std::span<const double> variances, std::span<const DrawSpread> parts) {
+  const Widened all = widened(variances, parts);
+  if (!(all.sum > 0)) return {1, all.fewest_degrees};
+  double inverse = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) inverse += all.variances[i] / all.sum / parts[i].degrees;
+  return {all.sum / all.draws, 1 / inverse};
+}
+
+DrawSpread pooledSpread(std::span<const double> variances, std::span<const DrawSpread> persons) {
+  const Widened all = widened(variances, persons);
+  if (!(all.sum > 0)) return {1, all.fewest_degrees};
+  double inverse = 0;
+  for (std::size_t i = 0; i < persons.size(); ++i) {
+    const double share = all.variances[i] / all.sum;
+    inverse += share * share / persons[i].degrees;
+  }
+  return {all.sum / all.draws, 1 / inverse};
+}
+
+Interval drawInterval(double value, const std::vector<double>& draws, const DrawSpread& spread, double lowest,
+                      double coverage) {
+  const double sd = base::standardDeviation(draws);
+  if (!(sd > 0)) return {value, value};
+  const double half = studentQuantile((1 + coverage) / 2, spread.degrees) * std::sqrt(spread.widening) * sd;
+  return {std::max(value - half, std::min(lowest, value)), value + half};
+}
+
+namespace {
+
+std::size_t binOf(double scaled) {
+  const double place = (scaled + 1) / 2 * static_cast<double>(StrokeResampler::kBins);
+  return std::min(static_cast<std::size_t>(std::max(place, 0.0)), StrokeResampler::kBins - 1);
+}
+
+void addTimes(double times, const std::vector<double>& from, std::span<double> to) {
+  const double* const source = from.data();
+  double* const target = to.data();
+  for (std::size_t i = 0; i < from.size(); ++i) target[i] += times * source[i];
+}
+
+}  // namespace
+
+StrokeResampler::StrokeResampler(std::span<const study::SpeedSample> samples, std::span<const std::string> levels)
+    : levels_(levels.size()), times_(levels.size()), bin_count_(kBins), bin_sum_(kBins) {
+  TACTUS_CHECK(!samples.empty());
+  const auto [low, high] = std::minmax_element(
+      samples.begin(), samples.end(), [](const auto& a, const auto& b) { return a.speed_mm_s < b.speed_mm_s; });
+  half_range_mm_s_ = high->speed_mm_s / 2 - low->speed_mm_s / 2;
+  middle_mm_s_ = low->speed_mm_s + half_range_mm_s_;
+  TACTUS_CHECK(half_range_mm_s_ > 0);
+
+  std::vector<std::map<int, std::size_t>> places(levels.size());
+  for (const auto& sample : samples) {
+    const auto level = static_cast<std::size_t>(std::find(levels.begin(), levels.end(), sample.level) - levels.begin());
+    TACTUS_CHECK(level < levels.size());
+    auto& strokes = levels_[level];
+    const std::size_t stroke = places[level].try_emplace(sample.stroke, strokes.size()).first->second;
+    if (stroke == strokes.size()) strokes.emplace_back();
+    const double scaled = toScaled(sample.speed_mm_s);
+    StrokeBins& own = strokes[stroke];
+    own.count += 1;
+    own.sum += scaled;
+    const std::size_t bin = binOf(scaled);
+    if (own.counts.empty()) own.first = bin;
+    if (bin < own.first) {
+      own.counts.insert(own.counts.begin(), own.first - bin, 0.0);
+      own.sums.insert(own.sums.begin(), own.first - bin, 0.0);
+      own.first = bin;
+    }
+    if (bin - own.first >= own.counts.size()) {
+      own.counts.resize(bin - own.first + 1);
+      own.sums.resize(bin - own.first + 1);
+    }
+    own.counts[bin - own.first] += 1;
+    own.sums[bin - own.first] += scaled;
+  }
+  for (std::size_t level = 0; level < levels_.size(); ++level) times_[level].resize(levels_[level].size());
+  takeAll();
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> StrokeResampler::levelWithoutChoice() const {
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    if (levels_[level].size() < 2) return std::pair{level, levels_[level].size()};
+  }
+  return std::nullopt;
+}
+
+void StrokeResampler::draw(base::Random& random) {
+  for (auto& times : times_) {
+    std::fill(times.begin(), times.end(), 0.0);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      times[static_cast<std::size_t>(random.below(static_cast<int>(times.size())))] += 1;
+    }
+  }
+  collect();
+}
+
+void StrokeResampler::takeAll() {
+  for (auto& times : times_) std::fill(times.begin(), times.end(), 1.0);
+  collect();
+}
+
+void StrokeResampler::takeOnly(std::size_t level, std::size_t stroke) {
+  for (auto& times : times_) std::fill(times.begin(), times.end(), 0.0);
+  times_[level][stroke] = 1;
+  collect();
+}
+
+void StrokeResampler::leaveOut(std::size_t level, std::size_t stroke) {
+  for (auto& times : times_) std::fill(times.begin(), times.end(), 1.0);
+  times_[level][stroke] = 0;
+  collect();
+}
+
+std::vector<std::size_t> StrokeResampler::strokeCounts() const {
+  std::vector<std::size_t> counts;
+  for (const auto& level : levels_) counts.push_back(level.size());
+  return counts;
+}
+
+void StrokeResampler::collect() {
+  std::fill(bin_count_.begin(), bin_count_.end(), 0.0);
+  std::fill(bin_sum_.begin(), bin_sum_.end(), 0.0);
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    for (std::size_t stroke = 0; stroke < levels_[level].size(); ++stroke) {
+      const double times = times_[level][stroke];
+      if (times == 0) continue;
+      const StrokeBins& own = levels_[level][stroke];
+      addTimes(times, own.counts, std::span(bin_count_).subspan(own.first));
+      addTimes(times, own.sums, std::span(bin_sum_).subspan(own.first));
+    }
+  }
+  values_.resize(kBins);
+  weights_.resize(kBins);
+  std::size_t filled = 0;
+  for (std::size_t place = 0; place < kBins; ++place) {
+    const double count = bin_count_[place];
+    values_[filled] = bin_sum_[place] / (count > 0 ? count : 1);
+    weights_[filled] = count;
+    filled += count > 0 ? 1 : 0;  // an empty bin is written over
+  }
+  values_.resize(filled);
+  weights_.resize(filled);
+}
+
+std::vector<double> StrokeResampler::levelMeans() const {
+  std::vector<double> means;
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    double count = 0;
+    double sum = 0;
+    for (std::size_t stroke = 0; stroke < levels_[level].size(); ++stroke) {
+      count += times_[level][stroke] * levels_[level][stroke].count;
+      sum += times_[level][stroke] * levels_[level][stroke].sum;
+    }
+    TACTUS_CHECK(count > 0);
+    means.push_back(toOriginal(sum / count));
+  }
+  return means;
+}
+
+namespace {
+
+constexpr double kLongestStep = 0.25;  // of the smallest gap between centers; what is longer may leave the valley of J
+
+}  // namespace
+
+StrokeSums::StrokeSums(StrokeResampler& strokes, std::span<const double> centres, double m)
+    : centres_(centres.begin(), centres.end()), longest_(2 * kLongestStep) {
+  for (std::size_t k = 1; k < centres_.size(); ++k) {
+    longest_ = std::min(longest_, kLongestStep * (centres_[k] - centres_[k - 1]));
+  }
+  FcmPass pass(centres_.size(), m);
+  FcmSums sums;
+  const auto counts = strokes.strokeCounts();
+  for (std::size_t level = 0; level < counts.size(); ++level) {
+    sums_.emplace_back();
+    for (std::size_t stroke = 0; stroke < counts[level]; ++stroke) {
+      strokes.takeOnly(level, stroke);
+      pass.run(scaledFcmData(strokes.values(), strokes.weights()), centres_, sums);
+      std::vector<double>& own = sums_[level].emplace_back(sums.pull);
+      own.insert(own.end(), sums.curvature.begin(), sums.curvature.end());
+    }
+  }
+  strokes.takeAll();
+}
+
+std::vector<double> StrokeSums::firstStep(std::span<const std::vector<double>> times) {
+  const std::size_t c = centres_.size();
+  step_.assign(c, 0.0);
+  matrix_.assign(c * c, 0.0);
+  for (std::size_t level = 0; level < sums_.size(); ++level) {
+    for (std::size_t stroke = 0; stroke < sums_[level].size(); ++stroke) {
+      const double factor = times[level][stroke];
+      if (factor == 0) continue;
+      const std::vector<double>& own = sums_[level][stroke];
+      for (std::size_t k = 0; k < c; ++k) step_[k] += factor * own[k];
+      for (std::size_t k = 0; k < c * c; ++k) matrix_[k] += factor * own[c + k];
+    }
+  }
+  if (!solvePositive(matrix_, step_)) return centres_;
+  std::vector<double> out = centres_;
+  for (std::size_t k = 0; k < c; ++k) {
+    if (!(std::abs(step_[k]) <= longest_)) return centres_;
+    out[k] += step_[k];
+  }
+  if (out.front() < -1 || out.back() > 1) return centres_;
+  return out;
+}
+
 namespace {
 
 constexpr double kTolerance = 1e-4;  // of the gaps between centers; far below what the bins of the strokes cost

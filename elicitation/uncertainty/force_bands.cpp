@@ -11,8 +11,8 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_thresholds.h"
 #include "elicitation/force/noticeable_force.h"
-#include "elicitation/speed/participant_samples.h"
-#include "elicitation/speed/student_t.h"
+#include "elicitation/speed/participant_speeds.h"
+#include "elicitation/speed/stroke_bootstrap.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {

@@ -2,13 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "core/base/check.h"
 #include "core/base/json/json_members.h"
-#include "elicitation/variables/embedded_data.h"
 
 namespace tactus::elicitation {
+
+// The data files of this folder, embedded in the program (tactus_embed).
+
+/// data/ngt_variables.json
+std::string_view ngtVariablesJson();
+
 namespace {
 
 using base::JsonMembers;

@@ -9,7 +9,7 @@
 #include "core/base/check.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
-#include "elicitation/rules/rules_from_answers.h"
+#include "elicitation/rules/expert_rules.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/support/ngt_model.h"

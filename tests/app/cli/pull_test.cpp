@@ -7,7 +7,7 @@
 
 #include "core/model_io/model_file.h"
 #include "core/store/model_versions.h"
-#include "elicitation/model/model_checks.h"
+#include "elicitation/model/model_provenance.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/support/invented_experts.h"

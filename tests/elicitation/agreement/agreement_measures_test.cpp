@@ -2,9 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "elicitation/agreement/fleiss_kappa.h"
-#include "elicitation/agreement/item_consensus.h"
-#include "elicitation/agreement/kendall_w.h"
+#include "elicitation/agreement/agreement.h"
 #include "elicitation/agreement/krippendorff_alpha.h"
 
 namespace tactus::elicitation {

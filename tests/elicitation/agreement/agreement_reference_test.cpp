@@ -3,8 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "elicitation/agreement/fleiss_kappa.h"
-#include "elicitation/agreement/kendall_w.h"
+#include "elicitation/agreement/agreement.h"
 #include "elicitation/agreement/krippendorff_alpha.h"
 
 namespace tactus::elicitation {

@@ -1,4 +1,4 @@
-#include "elicitation/agreement/alpha_interval.h"
+#include "elicitation/agreement/krippendorff_alpha.h"
 
 #include <gtest/gtest.h>
 

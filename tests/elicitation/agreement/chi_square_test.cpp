@@ -1,4 +1,4 @@
-#include "elicitation/agreement/chi_square.h"
+#include "elicitation/agreement/agreement.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

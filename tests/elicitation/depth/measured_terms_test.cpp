@@ -1,4 +1,4 @@
-#include "elicitation/depth/measured_terms.h"
+#include "elicitation/depth/depth_measurement.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

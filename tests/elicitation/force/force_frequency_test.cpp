@@ -6,7 +6,6 @@
 
 #include "core/base/random.h"
 #include "core/fuzzy/membership.h"
-#include "elicitation/force/force_frequency_fit.h"
 
 #include "tests/elicitation/table2.h"
 

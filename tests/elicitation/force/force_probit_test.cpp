@@ -1,4 +1,4 @@
-#include "elicitation/force/force_probit.h"
+#include "elicitation/force/force_terms_from.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "elicitation/force/step_forces.h"
+#include "elicitation/force/force_end.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <tuple>
 
 #include "app/session/known_forms.h"
-#include "elicitation/model/method_words.h"
+#include "elicitation/model/method_study.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/four_people.h"

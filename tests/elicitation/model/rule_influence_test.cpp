@@ -1,4 +1,4 @@
-#include "elicitation/model/rule_influence.h"
+#include "elicitation/model/record_influence.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "elicitation/rules/rules_from_answers.h"
+#include "elicitation/rules/expert_rules.h"
 
 #include <gtest/gtest.h>
 #include <tuple>

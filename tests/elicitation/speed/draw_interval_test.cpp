@@ -1,11 +1,10 @@
-#include "elicitation/speed/draw_interval.h"
+#include "elicitation/speed/stroke_bootstrap.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 
-#include "elicitation/speed/student_t.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -1,4 +1,4 @@
-#include "elicitation/speed/level_confusion.h"
+#include "elicitation/speed/level_diagnostics.h"
 
 #include <gtest/gtest.h>
 

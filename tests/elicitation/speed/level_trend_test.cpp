@@ -1,4 +1,4 @@
-#include "elicitation/speed/level_trend.h"
+#include "elicitation/speed/level_diagnostics.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

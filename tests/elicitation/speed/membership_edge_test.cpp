@@ -1,4 +1,4 @@
-#include "elicitation/speed/membership_edge.h"
+#include "elicitation/speed/speed_terms.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

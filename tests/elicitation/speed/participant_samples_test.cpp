@@ -1,4 +1,4 @@
-#include "elicitation/speed/participant_samples.h"
+#include "elicitation/speed/participant_speeds.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "app/session/known_forms.h"
-#include "elicitation/tracing/rule_places.h"
 
 #include "tests/elicitation/four_people.h"
 #include "tests/support/table_study.h"

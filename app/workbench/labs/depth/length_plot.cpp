@@ -7,7 +7,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
-#include "elicitation/depth/depth_terms.h"
+#include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::workbench {
 namespace {

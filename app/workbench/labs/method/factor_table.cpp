@@ -1,7 +1,7 @@
 #include "app/workbench/labs/method/factor_table.h"
 
 #include "app/workbench/base/display_text.h"
-#include "elicitation/model/method_words.h"
+#include "elicitation/model/method_study.h"
 
 namespace tactus::workbench {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/frame/lab_caption.h"
 #include "app/workbench/labs/method/method_lab.h"
-#include "elicitation/model/method_words.h"
+#include "elicitation/model/method_study.h"
 
 namespace tactus::workbench {
 namespace {

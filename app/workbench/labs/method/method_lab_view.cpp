@@ -25,7 +25,7 @@
 #include "app/workbench/labs/method/method_plot.h"
 #include "app/workbench/labs/method/variant_table.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "elicitation/model/method_words.h"
+#include "elicitation/model/method_study.h"
 
 namespace tactus::workbench {
 namespace {

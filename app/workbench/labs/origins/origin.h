@@ -12,7 +12,6 @@
 #include "app/workbench/labs/data/lab_study.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/record_influence.h"
-#include "elicitation/tracing/rule_places.h"
 #include "elicitation/tracing/sources.h"
 
 namespace tactus::workbench {

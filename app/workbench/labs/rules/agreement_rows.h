@@ -8,7 +8,7 @@
 
 #include "app/workbench/labs/data/lab_study.h"
 #include "elicitation/agreement/agreement.h"
-#include "elicitation/agreement/alpha_interval.h"
+#include "elicitation/agreement/krippendorff_alpha.h"
 #include "questionnaires/scale_summary.h"
 
 namespace tactus::workbench {

@@ -8,7 +8,7 @@
 #include "app/workbench/model/finding_sentence.h"
 #include "app/workbench/model/finding_words.h"
 #include "core/fuzzy/compiled_model.h"
-#include "elicitation/model/rule_influence.h"
+#include "elicitation/model/record_influence.h"
 #include "elicitation/rules/rule_lint.h"
 
 namespace tactus::workbench {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/workbench/labs/speed/speed_result.h"
-#include "elicitation/speed/draw_interval.h"
+#include "elicitation/speed/stroke_bootstrap.h"
 
 class QCPPainter;
 class QCustomPlot;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "elicitation/clustering/fcm_data.h"
-#include "elicitation/clustering/fcm_entries.h"
 #include "elicitation/clustering/fcm_pass.h"
 #include "elicitation/clustering/fcm_starts.h"
 

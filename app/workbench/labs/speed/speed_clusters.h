@@ -12,7 +12,7 @@
 #include "app/workbench/labs/data/lab_study.h"
 #include "app/workbench/labs/speed/speed_result.h"
 #include "elicitation/model/model_builder.h"
-#include "elicitation/speed/participant_samples.h"
+#include "elicitation/speed/participant_speeds.h"
 
 namespace tactus::workbench {
 
