@@ -6,12 +6,20 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/study/ordered_probit.h"
 #include "core/study/session_records.h"
 
 namespace tactus::experiments {
+
+// Agreement of two series of ordered answers beyond chance.
+
+/// Cohen's kappa with quadratic weights (Cohen 1968; Fleiss and Cohen 1973): 1 - (sum of squared differences) / (the
+/// same sum expected by chance from the shares of both sides). `pairs`: indices of categories from 0. Nothing if there
+/// are no pairs, or if all answers are one category.
+std::optional<double> quadraticWeightedKappa(std::span<const std::pair<std::size_t, std::size_t>> pairs);
 
 /// Pairs of forces of one series in which the larger force got the lower term.
 struct MonotonicityCheck {
@@ -31,7 +39,7 @@ struct HysteresisCheck {
 /// Agreement of the answers to equal forces in the random block, over all pairs of judgements, the earlier one first.
 struct RepeatCheck {
   std::size_t pairs = 0;
-  std::optional<double> kappa;        ///< quadratic weights (weighted_kappa.h)
+  std::optional<double> kappa;        ///< quadratic weights (judgement_checks.h)
   std::optional<double> within_one;   ///< share of pairs that differ by at most one term
   std::size_t hidden_pairs = 0;       ///< pairs with a hidden repeat as the later judgement
   std::optional<double> hidden_same;  ///< share of hidden_pairs with equal terms

@@ -1,15 +1,82 @@
-// The likelihood of a smooth movement with tremor for given positions: the inner part of smooth_motion.h.
+// The likelihood of a smooth movement with tremor for given positions: the inner part of stroke_segmentation.h.
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "experiments/band_matrix.h"
-
 namespace tactus::experiments {
+
+// Cholesky factorization of a symmetric band matrix, and the solution of equations in two halves.
+
+/// A symmetric positive definite matrix A, stored as its lower triangle: `Band` elements in each row, the diagonal
+/// last. The factor L with A = L Lᵀ has the same shape, so factorization costs a few operations for each stored
+/// element. A full matrix of at most `Band` rows is a band matrix too.
+template <std::size_t Band>
+class BandMatrix {
+ public:
+  explicit BandMatrix(std::size_t size) : rows_(kAbove + size), inverse_(kAbove + size) {}
+
+  std::size_t size() const { return rows_.size() - kAbove; }
+
+  /// A stored element: row - Band < column <= row.
+  double& at(std::size_t row, std::size_t column) { return rows_[kAbove + row][kAbove + column - row]; }
+
+  /// Replaces the matrix by its factor. Returns the logarithm of its determinant, or infinity if it is not positive
+  /// definite.
+  double factorize() {
+    double log_determinant = 0;
+    for (std::size_t i = kAbove; i < rows_.size(); ++i) {
+      auto& row = rows_[i];
+      for (std::size_t k = 0; k < kAbove; ++k) {
+        const auto& above = rows_[i - kAbove + k];
+        for (std::size_t m = 0; m < k; ++m) row[k] -= row[m] * above[kAbove - k + m];
+        row[k] *= inverse_[i - kAbove + k];
+      }
+      double pivot = row[kAbove];
+      for (std::size_t k = 0; k < kAbove; ++k) pivot -= row[k] * row[k];
+      if (!(pivot > 0)) return std::numeric_limits<double>::infinity();
+      log_determinant += std::log(pivot);
+      row[kAbove] = std::sqrt(pivot);
+      inverse_[i] = 1 / row[kAbove];
+    }
+    return log_determinant;
+  }
+
+  /// Replaces `right`, of `size` elements for each of `Columns` right sides, by L⁻¹ right. Call after `factorize`.
+  template <std::size_t Columns>
+  void forward(std::span<std::array<double, Columns>> right) const {
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      const auto& row = rows_[kAbove + i];
+      for (std::size_t k = i < kAbove ? kAbove - i : 0; k < kAbove; ++k) {
+        for (std::size_t c = 0; c < Columns; ++c) right[i][c] -= row[k] * right[i - kAbove + k][c];
+      }
+      for (double& value : right[i]) value *= inverse_[kAbove + i];
+    }
+  }
+
+  /// Replaces `right` by L⁻ᵀ right. `forward`, then `backward`, solve the equations.
+  template <std::size_t Columns>
+  void backward(std::span<std::array<double, Columns>> right) const {
+    for (std::size_t i = right.size(); i-- > 0;) {
+      for (double& value : right[i]) value *= inverse_[kAbove + i];
+      const auto& row = rows_[kAbove + i];
+      for (std::size_t k = i < kAbove ? kAbove - i : 0; k < kAbove; ++k) {
+        for (std::size_t c = 0; c < Columns; ++c) right[i - kAbove + k][c] -= row[k] * right[i][c];
+      }
+    }
+  }
+
+ private:
+  static constexpr std::size_t kAbove =
+      Band - 1;  // rows of zeros above the matrix: each row has a whole band before it
+
+  std::vector<std::array<double, Band>> rows_;
+  std::vector<double> inverse_;  ///< of the factor's diagonal; 0 above the matrix
+};
 
 inline constexpr double kKnotS = 0.012;  // between knots: resolves ramps of 30 ms; the penalty smooths shorter details
 inline constexpr std::size_t kSplineOrder = 4;    // cubic

@@ -7,19 +7,105 @@
 #include <span>
 #include <vector>
 
-#include "experiments/even_positions.h"
-#include "experiments/movement_detector.h"
+#include "experiments/speed_from_positions.h"
 #include "experiments/stroke.h"
 
 namespace tactus::experiments {
+
+// Detects forward and backward movements in resampled positions with tremor and noise. Its edges are coarse.
+
+/// A movement, in steps of EvenPositions.
+struct Movement {
+  std::size_t begin = 0;
+  std::size_t fast_from = 0;  ///< first and last step at the starting speed or above
+  std::size_t fast_to = 0;
+  std::size_t end = 0;
+  bool forward = true;
+  bool interrupted = false;  ///< the positions ended during the movement
+};
+
+/// The two-threshold rule of stroke_segmentation.h, applied to one stretch without gaps.
+class MovementDetector {
+ public:
+  /// `lowest_been_mm`: the furthest-back position of the hand in earlier stretches.
+  MovementDetector(const StrokeSettings& settings, double lowest_been_mm);
+
+  /// Processes all steps with enough positions after them; all steps if the stretch has `ended`.
+  void advance(const EvenPositions& positions, bool ended);
+  /// The next completed movement, or nothing.
+  std::optional<Movement> take();
+
+  bool movingForward() const noexcept { return phase_ == Phase::kMoving; }
+  double lowestBeenMm() const noexcept { return lowest_been_mm_; }
+  /// Positions before this step are no longer needed, except to measure movements already taken.
+  std::size_t earliestNeeded() const noexcept;
+  void forgetBefore(std::size_t step);
+
+ private:
+  enum class Phase { kIdle, kMoving, kPausing };
+
+  double slopeAt(const EvenPositions& positions, std::size_t step) const;
+  double speedAt(std::size_t step) const { return speeds_mm_s_[step - first_]; }
+  std::size_t quietBefore(std::size_t step, double direction) const;
+  void lookForward(std::size_t step, double position_mm, double speed_mm_s);
+  void lookBack(std::size_t step, double position_mm, double speed_mm_s);
+  void close(std::size_t end, double length_mm, bool interrupted);
+
+  StrokeSettings settings_;
+  std::size_t half_window_;
+  std::size_t pause_steps_;
+  std::deque<double> speeds_mm_s_;
+  std::size_t first_ = 0;
+  std::size_t decided_ = 0;
+
+  Phase phase_ = Phase::kIdle;
+  Movement forward_;
+  double begin_mm_ = 0;
+  double furthest_mm_ = 0;
+  std::size_t paused_at_ = 0;
+
+  std::optional<Movement> back_;
+  double lowest_been_mm_;
+  std::deque<Movement> found_;
+};
+
+// A hand movement without its tremor: a smooth curve fitted to positions, and its derivative.
+
+/// Positions = smooth movement + one sinusoid of 7 to 13 Hz + white noise.
+///
+/// The movement is a cubic spline with a penalty on its third differences (Eilers and Marx 1996). The penalty is
+/// smaller where the movement is rough, as at the ends of a quick stroke; roughness and fit are computed alternately.
+/// The sinusoid has an amplitude of about 0.2 mm; its amplitude and phase may drift linearly. So it absorbs the tremor
+/// (8 to 12 Hz). Penalty, frequency and the best of six starts are chosen by the largest restricted likelihood (REML;
+/// Patterson and Thompson 1971). The fit uses both sides of each point equally, so it has no delay. It takes about
+/// 2 ms.
+class SmoothMotion {
+ public:
+  /// Fits `positions_mm`, at equal steps of `step_s` (1 to 12 ms): from kFewestPositions to a few hundred positions,
+  /// each within 1e6 mm.
+  SmoothMotion(std::span<const double> positions_mm, double step_s);
+
+  static constexpr std::size_t kFewestPositions = 20;
+
+  /// Speed of the movement without tremor, `time_s` after the first position. Times outside the stretch are clamped.
+  double speedMmS(double time_s) const;
+  /// Position of the movement without tremor at the same time.
+  double positionMm(double time_s) const;
+
+ private:
+  std::vector<double> coefficients_;
+  double knot_s_;
+  double length_s_;
+  double offset_mm_;
+};
 
 /// Finds strokes while samples arrive.
 ///
 /// A stroke starts when the hand's speed reaches `start_speed_mm_s`. It ends when the speed stays below
 /// `stop_speed_mm_s` for longer than `longest_pause_s`, or when the hand moves back by more than `longest_reversal_mm`.
 /// This decision uses the slope over `speed_window_s`. Then both ends are measured again without delay, on the movement
-/// without tremor (smooth_motion.h), at its speed `edge_speed_mm_s`. A movement back to earlier positions is a return,
-/// not a stroke. Neither is a forward movement of less than `least_mm`.
+/// without tremor (stroke_segmentation.h), at its speed `edge_speed_mm_s`. A movement back to earlier positions is a
+/// return, not a stroke. Neither is a forward movement of less than `least_mm`.
 ///
 /// Samples may arrive at any rate above about 60 Hz, evenly or not. A sample is ignored if its time does not rise, it
 /// is not finite, or it is further away than a kilometer; it still counts for `first` and `last`. The strokes depend on

@@ -6,10 +6,25 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/study/records.h"
 #include "core/study/session_records.h"
 #include "experiments/speed_from_positions.h"
 
 namespace tactus::experiments {
+
+/// The content of Table 1: mean and standard deviation of the insertion speed, per participant and level.
+struct SpeedSummary {
+  std::string participant;
+  std::string level;
+  std::size_t strokes = 0;
+  std::size_t samples = 0;
+  double mean_mm_s = 0;
+  double sd_mm_s = 0;  ///< n - 1 in the denominator; 0 for one sample
+};
+
+/// One summary per participant and level, over all samples of their strokes (paper, Table 1), in the order of first
+/// appearance in `samples`.
+std::vector<SpeedSummary> summarizeSpeeds(std::span<const study::SpeedSample> samples);
 
 /// The motion between the first and the last sample of a stroke, in steps of 1 ms, from `depth` (and `time`, if
 /// recorded) as in speed_from_positions.h. Time and depth start at 0; all values are rounded to a millionth. A

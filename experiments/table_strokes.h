@@ -1,11 +1,13 @@
 // The rows of a table of speeds, grouped by stroke.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/study/data_finding.h"
 #include "core/study/records.h"
 
 namespace tactus::experiments {
@@ -32,5 +34,28 @@ std::vector<std::vector<const TableStroke*>> byParticipant(std::span<const Table
 /// Names of strokes for a sentence, e.g. `stroke 1 at slow`, `3 strokes at slow`, `all 12 strokes`. `of`: the number of
 /// all strokes.
 std::string strokesText(std::span<const TableStroke* const> strokes, std::size_t of);
+
+// Checks that the rows of strokes in a table are in time order, without duplicates.
+
+/// The order of the rows of one stroke.
+enum class RowOrder {
+  kRising,     ///< times never fall
+  kNoTimes,    ///< all times are equal
+  kBackwards,  ///< times fall from the first row to the last
+  kTwice,      ///< at least a fifth of the rows are exact duplicates
+  kRestarts,   ///< times start again, or depths at least 2 mm apart have the same time: two strokes with one number
+  kUnsorted,
+};
+
+RowOrder rowOrder(const TableStroke& stroke);
+
+/// Findings about the rows of one participant's strokes: one sentence per kind of disorder.
+std::vector<study::DataFinding> rowFindings(std::span<const TableStroke* const> strokes);
+
+// Whether two columns of a table of strokes stand under each other's names.
+
+/// Refused: strokes of one participant, most of which make no sense as they stand, while time, depth and speed fit each
+/// other in three quarters of them, two or more, once two of the columns are exchanged.
+std::optional<study::DataFinding> swappedColumns(std::span<const TableStroke* const> strokes);
 
 }  // namespace tactus::experiments

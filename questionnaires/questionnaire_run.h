@@ -6,14 +6,27 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/study/session_records.h"
-#include "questionnaires/item_order.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::questionnaires {
+
+/// The display order of a form's items.
+enum class ItemOrder {
+  kFixed,     ///< as in the form
+  kShuffled,  ///< random, from a seed
+};
+
+/// `fixed`, `shuffled`.
+std::string_view name(ItemOrder order) noexcept;
+
+/// The indices 0 to count - 1 in display order. Shuffled: every order is equally likely (Fisher and Yates), and the
+/// same seed gives the same order on every machine.
+std::vector<std::size_t> itemOrder(std::size_t count, ItemOrder order, std::uint64_t seed);
 
 /// The content of a screen.
 struct Page {

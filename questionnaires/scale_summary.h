@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/study/session_records.h"
-#include "questionnaires/scale_form.h"
+#include "questionnaires/form_file.h"
 
 namespace tactus::questionnaires {
 

@@ -9,6 +9,160 @@
 namespace tactus::questionnaires {
 namespace {
 
+constexpr std::string_view kHead =
+    "class\ttype/scale\tname\trelevance\ttext\thelp\tlanguage\tvalidation\tmandatory\tother\tdefault\tsame_default\n";
+
+/// One row of the structure; members that it has not stay empty.
+struct StructureRow {
+  std::string_view kind;
+  std::string_view type;
+  std::string_view name;
+  std::string_view relevance;
+  std::string_view text;
+  std::string_view language;
+  bool question = false;
+};
+
+std::string quotedCell(std::string_view text) {
+  if (text.empty()) return {};
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+std::string line(const StructureRow& row) {
+  std::string out(row.kind);
+  for (const std::string_view cell : {row.type, row.name, row.relevance}) out += '\t' + std::string(cell);
+  out += '\t' + quotedCell(row.text) + "\t\t" + std::string(row.language) + '\t';
+  return out + (row.question ? "\tN\tN" : "\t\t") + "\t\t\n";
+}
+
+/// Groups, questions and answers in one language.
+std::string contents(const Survey& survey) {
+  const std::string language = limeSurveyLanguage(survey.language);
+  std::string out = line({"G", "1", survey.code_label, "1", "", language});
+  out += line({"Q", "S", "code", "1", survey.code_label, language, true});
+  std::size_t group = 1;
+  for (const SurveyMatrix& matrix : survey.matrices) {
+    const std::string range =
+        std::to_string(matrix.fields.front().item) + " - " + std::to_string(matrix.fields.back().item);
+    out += line({"G", std::to_string(++group), range, "1", "", language});
+    out += line({"Q", "F", matrix.name, "1", survey.title, language, true});
+    for (const SurveyField& field : matrix.fields) {
+      out += line({"SQ", "0", field.name, "1", field.text, language});
+    }
+    for (const SurveyChoice& choice : survey.choices) {
+      out += line({"A", "0", choice.code, "", choice.label, language});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string limeSurveyLanguage(std::string_view language) {
+  if (language == "zh-Hant") return "zh-Hant-TW";
+  return std::string(language);
+}
+
+std::string limeSurveyStructure(std::span<const Survey> languages) {
+  std::string further;
+  for (const Survey& survey : languages.subspan(1)) {
+    further += (further.empty() ? "" : " ") + limeSurveyLanguage(survey.language);
+  }
+  std::string out(kHead);
+  out += line({"S", "", "language", "", limeSurveyLanguage(languages.front().language), ""});
+  if (!further.empty()) out += line({"S", "", "additional_languages", "", further, ""});
+  out += line({"S", "", "format", "", "G", ""});
+  for (const Survey& survey : languages) {
+    const std::string language = limeSurveyLanguage(survey.language);
+    out += line({"SL", "", "surveyls_title", "", survey.title, language});
+    if (!survey.instructions.empty()) {
+      out += line({"SL", "", "surveyls_welcometext", "", survey.instructions, language});
+    }
+  }
+  for (const Survey& survey : languages) out += contents(survey);
+  return out;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 18> kColumns = {
+    "Variable / Field Name",
+    "Form Name",
+    "Section Header",
+    "Field Type",
+    "Field Label",
+    "Choices, Calculations, OR Slider Labels",
+    "Field Note",
+    "Text Validation Type OR Show Slider Number",
+    "Text Validation Min",
+    "Text Validation Max",
+    "Identifier?",
+    "Branching Logic (Show field only if...)",
+    "Required Field?",
+    "Custom Alignment",
+    "Question Number (surveys only)",
+    "Matrix Group Name",
+    "Matrix Ranking?",
+    "Field Annotation",
+};
+enum Column : std::size_t { kName, kForm, kHeader, kType, kLabel, kChoices, kNumber = 14, kMatrix };
+
+using Row = std::array<std::string, kColumns.size()>;
+
+/// A label between separators: `|` would end it.
+std::string safe(std::string label) {
+  for (char& c : label) {
+    if (c == '|') c = '/';
+  }
+  return label;
+}
+
+std::string choicesText(const Survey& survey) {
+  std::string text;
+  for (const SurveyChoice& choice : survey.choices) {
+    text += (text.empty() ? "" : " | ") + choice.code + ", " + safe(choice.label);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string redcapDictionary(const Survey& survey) {
+  base::CsvWriter csv{std::vector<std::string>(kColumns.begin(), kColumns.end())};
+  const auto add = [&](const Row& row) {
+    for (const std::string& cell : row) csv.cell(cell);
+    csv.endRow();
+  };
+  Row row;
+  row[kForm] = survey.name;
+  row[kName] = "record_id";
+  row[kType] = "text";
+  row[kLabel] = survey.code_label;
+  add(row);
+  row[kName] = survey.name + "_intro";
+  row[kType] = "descriptive";
+  row[kLabel] = survey.title + (survey.instructions.empty() ? "" : "\n" + survey.instructions);
+  add(row);
+  row[kType] = "radio";
+  row[kChoices] = choicesText(survey);
+  for (const SurveyMatrix& matrix : survey.matrices) {
+    row[kMatrix] = matrix.name;
+    row[kHeader] = std::to_string(matrix.fields.front().item) + " – " + std::to_string(matrix.fields.back().item);
+    for (const SurveyField& field : matrix.fields) {
+      row[kName] = field.name;
+      row[kLabel] = field.text;
+      row[kNumber] = std::to_string(field.item);
+      add(row);
+      row[kHeader].clear();
+    }
+  }
+  return csv.text();
+}
+
+namespace {
+
 /// What a survey says besides the form. Those in Chinese and German are composed; no nurse has reviewed them.
 struct SurveyWords {
   std::string_view language;

@@ -11,7 +11,7 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
-#include "questionnaires/survey_files.h"
+#include "questionnaires/survey.h"
 
 namespace tactus::cli {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "experiments/speed_summary.h"
+#include "experiments/stroke_speeds.h"
 
 namespace tactus::report {
 

@@ -3,7 +3,7 @@
 
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "questionnaires/scale_form.h"
+#include "questionnaires/form_file.h"
 
 namespace tactus::report {
 

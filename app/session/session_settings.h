@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "experiments/force_series.h"
 #include "experiments/speed_protocol.h"
-#include "questionnaires/item_order.h"
+#include "questionnaires/questionnaire_run.h"
 
 namespace tactus::base {
 class JsonMembers;

@@ -7,7 +7,7 @@
 
 #include "app/session/stroke_capture.h"
 #include "core/base/check.h"
-#include "experiments/forward_motion.h"
+#include "experiments/stroke.h"
 #include "experiments/published_tables.h"
 
 namespace tactus::session {

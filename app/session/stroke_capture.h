@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/study/session_records.h"
-#include "experiments/even_positions.h"
+#include "experiments/speed_from_positions.h"
 #include "experiments/stroke.h"
 #include "experiments/stroke_segmentation.h"
 

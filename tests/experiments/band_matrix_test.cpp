@@ -1,4 +1,4 @@
-#include "experiments/band_matrix.h"
+#include "experiments/motion_likelihood.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

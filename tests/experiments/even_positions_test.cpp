@@ -1,4 +1,4 @@
-#include "experiments/even_positions.h"
+#include "experiments/speed_from_positions.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/forward_motion.h"
+#include "experiments/stroke.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "experiments/even_positions.h"
+#include "experiments/speed_from_positions.h"
 
 namespace tactus::experiments {
 

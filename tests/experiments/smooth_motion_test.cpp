@@ -1,4 +1,4 @@
-#include "experiments/smooth_motion.h"
+#include "experiments/stroke_segmentation.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

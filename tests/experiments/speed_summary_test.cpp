@@ -1,4 +1,4 @@
-#include "experiments/speed_summary.h"
+#include "experiments/stroke_speeds.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

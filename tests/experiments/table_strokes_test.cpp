@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "experiments/stroke_rows.h"
 #include "experiments/stroke_units.h"
 
 namespace tactus::experiments {

@@ -1,4 +1,4 @@
-#include "experiments/weighted_kappa.h"
+#include "experiments/judgement_checks.h"
 
 #include <gtest/gtest.h>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "questionnaires/scale_form.h"
+#include "questionnaires/form_file.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 
 #include "core/base/tables/csv.h"
 #include "questionnaires/form_file.h"
-#include "questionnaires/survey_files.h"
 
 namespace tactus::questionnaires {
 namespace {

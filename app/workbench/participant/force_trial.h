@@ -8,7 +8,7 @@
 #include "app/workbench/device/device_session.h"
 #include "core/haptics/servo/stimulus_delivery.h"
 #include "experiments/force_protocol.h"
-#include "experiments/forward_motion.h"
+#include "experiments/stroke.h"
 
 namespace tactus::workbench {
 

@@ -12,7 +12,7 @@
 #include "core/store/study_info.h"
 #include "core/study/csv_tables.h"
 #include "experiments/published_tables.h"
-#include "experiments/speed_summary.h"
+#include "experiments/stroke_speeds.h"
 
 #include "tests/support/temp_folder.h"
 
