@@ -4,7 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/wrapped_text.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"

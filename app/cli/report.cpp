@@ -4,7 +4,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/study_build.h"
 #include "app/report/study_report.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"

@@ -6,8 +6,6 @@
 #include "app/cli/accepted_data.h"
 #include "app/cli/output_file.h"
 #include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
-#include "app/session/study_aside.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"

@@ -2,7 +2,7 @@
 #include "app/cli/study_build.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/wrapped_text.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/expert_influence.h"

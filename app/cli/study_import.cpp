@@ -7,7 +7,7 @@
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/session/data_checks.h"
-#include "app/session/leftovers.h"
+#include "app/session/export_folder.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/store/record_import.h"

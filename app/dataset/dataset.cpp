@@ -4,7 +4,6 @@
 #include "app/dataset/psych_ds.h"
 #include "app/dataset/published_study.h"
 #include "app/session/export_folder.h"
-#include "app/session/leftovers.h"
 
 namespace tactus::dataset {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <map>
 
-#include "app/session/codebook.h"
+#include "app/session/study_export.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"

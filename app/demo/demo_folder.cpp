@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/report/demo_report.h"
-#include "app/session/known_forms.h"
-#include "app/session/leftovers.h"
+#include "app/session/study_source.h"
+#include "app/session/export_folder.h"
 #include "app/session/simulated_study.h"
 #include "app/session/study_view.h"
 #include "app/simulation/scenario.h"

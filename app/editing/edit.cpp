@@ -1,8 +1,116 @@
 #include "app/editing/edit.h"
 
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace tactus::editing {
+namespace {
+
+bool same(double one, double other) { return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other); }
+
+bool same(const fuzzy::Term& one, const fuzzy::Term& other);
+bool same(const fuzzy::Variable& one, const fuzzy::Variable& other);
+bool same(const fuzzy::TermOverride& one, const fuzzy::TermOverride& other);
+bool same(const fuzzy::Rule& one, const fuzzy::Rule& other);
+bool same(const fuzzy::Expert& one, const fuzzy::Expert& other);
+bool same(const fuzzy::Check& one, const fuzzy::Check& other);
+
+template <class List>
+bool allSame(const List& one, const List& other) {
+  return one.size() == other.size() &&
+         std::equal(one.begin(), one.end(), other.begin(), [](const auto& a, const auto& b) { return same(a, b); });
+}
+
+bool same(const fuzzy::Term& one, const fuzzy::Term& other) { return allSame(one.points, other.points); }
+
+bool same(const fuzzy::Variable& one, const fuzzy::Variable& other) {
+  return same(one.min, other.min) && same(one.max, other.max) && allSame(one.terms, other.terms);
+}
+
+bool same(const fuzzy::TermOverride& one, const fuzzy::TermOverride& other) { return allSame(one.terms, other.terms); }
+
+bool same(const fuzzy::Rule& one, const fuzzy::Rule& other) { return same(one.weight, other.weight); }
+
+bool same(const fuzzy::Expert& one, const fuzzy::Expert& other) {
+  return same(one.weight, other.weight) && allSame(one.overrides, other.overrides) && allSame(one.rules, other.rules);
+}
+
+bool same(const fuzzy::Check& one, const fuzzy::Check& other) {
+  return same(one.force, other.force) && allSame(one.in, other.in);
+}
+
+bool same(const fuzzy::RendererParameters& one, const fuzzy::RendererParameters& other) {
+  return std::all_of(std::begin(fuzzy::kRendererFields), std::end(fuzzy::kRendererFields),
+                     [&](const auto& field) { return same(one.*field.member, other.*field.member); });
+}
+
+}  // namespace
+
+// Everything but the numbers is compared by ==, the numbers once more by their bits.
+bool sameBits(const fuzzy::Expert& one, const fuzzy::Expert& other) { return one == other && same(one, other); }
+
+bool sameBits(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other) {
+  return one == other && same(one.default_force_n, other.default_force_n) && allSame(one.inputs, other.inputs) &&
+         same(one.output, other.output) && allSame(one.experts, other.experts) && allSame(one.checks, other.checks) &&
+         (!one.renderer || same(*one.renderer, *other.renderer));
+}
+
+base::Result<SharedModel> ready(fuzzy::ForceModel model) {
+  auto compiled = fuzzy::compile(model);
+  if (!compiled) return tl::unexpected(std::move(compiled.error()));
+  return std::make_shared<const ReadyModel>(ReadyModel{std::move(model), std::move(*compiled)});
+}
+
+SharedModel withFreshChecks(SharedModel model) {
+  if (model->model.checks.empty()) return model;
+  ReadyModel fresh = *model;
+  refreshChecks(fresh.model, fresh.compiled);
+  return std::make_shared<const ReadyModel>(std::move(fresh));
+}
+
+namespace {
+
+struct UnitSteps {
+  const char* unit;
+  double fine;
+  double coarse;
+};
+
+constexpr UnitSteps kSteps[] = {{"mm", 1, 10}, {"mm/s", 1, 10}, {"deg", 1, 5}, {"N", 0.01, 0.05}};
+
+double roundBelow(double value) {
+  constexpr double kRounding = 1 + 1e-9;  // a hundredth of 1 is a step itself
+  const double power = std::pow(10, std::floor(std::log10(value * kRounding)));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= value * kRounding) return factor * power;
+  }
+  return power;
+}
+
+}  // namespace
+
+double editStep(const fuzzy::Variable& variable, StepSize size) {
+  for (const auto& steps : kSteps) {
+    if (variable.unit == steps.unit) return size == StepSize::kFine ? steps.fine : steps.coarse;
+  }
+  constexpr double kFineShare = 0.01;
+  constexpr double kCoarseShare = 0.1;
+  return roundBelow((variable.max - variable.min) * (size == StepSize::kFine ? kFineShare : kCoarseShare));
+}
+
+double stepped(double value, double step, int count) {
+  constexpr double kOnGrid = 1e-9;
+  const double steps = value / step;
+  const double nearest = std::round(steps);
+  if (std::abs(steps - nearest) > kOnGrid * std::fmax(1, std::abs(nearest))) return value + count * step;
+  // Dividing by a whole number rounds once, so 0.3 is the double nearest to 0.3.
+  const double inverse = std::round(1 / step);
+  const double place = nearest + count;
+  return step < 1 && std::abs(inverse * step - 1) < kOnGrid ? place / inverse : place * step;
+}
 
 base::Result<Edit> finished(fuzzy::ForceModel model, std::string label, std::string stopped) {
   auto compiled = fuzzy::compile(model);

@@ -1,6 +1,7 @@
 // The result of an edit of a force model: the new model, compiled, and the change in words.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "core/base/error.h"
@@ -8,6 +9,40 @@
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::editing {
+
+// Compares parts of a model bit for bit. The operator == treats 0 and -0 as equal; these functions do not.
+
+bool sameBits(const fuzzy::Expert& one, const fuzzy::Expert& other);
+
+/// The same for whole models. Undo guarantees it.
+bool sameBits(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other);
+
+/// A force model and its compiled form, which belong together. An edit makes them once; history, plots and servo share
+/// them.
+struct ReadyModel {
+  fuzzy::ForceModel model;        ///< valid
+  fuzzy::CompiledModel compiled;  ///< of `model`
+};
+
+/// Immutable, so any thread may read it. Never null, except where a comment says so.
+using SharedModel = std::shared_ptr<const ReadyModel>;
+
+/// Compiles `model`. A model that does not make sense is refused with the error of `fuzzy::validate`.
+base::Result<SharedModel> ready(fuzzy::ForceModel model);
+
+/// `model` with checks that are evaluated anew (refreshChecks); the same one if it has none.
+SharedModel withFreshChecks(SharedModel model);
+
+/// How far one press of an arrow key moves a vertex.
+enum class StepSize { kFine, kCoarse };
+
+/// Step in the unit of the variable, fine and coarse. mm and mm/s: 1 and 10; deg: 1 and 5; N: 0.01 and 0.05. Any other
+/// unit: the round number (1, 2 or 5 times a power of ten) just below a hundredth and a tenth of the universe; for a
+/// ratio 0.01 and 0.1.
+double editStep(const fuzzy::Variable& variable, StepSize size);
+
+/// `value` moved by `count` steps. A multiple of the step stays an exact multiple, without rounding errors.
+double stepped(double value, double step, int count);
 
 /// A finished edit. Edits are pure functions of the model before. During a drag each edit starts from the model at the
 /// beginning of the gesture (EditHistory::base). So a drag into a neighbor and back leaves no trace.

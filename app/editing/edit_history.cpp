@@ -4,10 +4,176 @@
 #include <unordered_set>
 #include <utility>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "core/base/check.h"
 
 namespace tactus::editing {
+namespace {
+
+using Place = HistoryRow::Place;
+
+class Rows {
+ public:
+  explicit Rows(const EditHistory& history)
+      : history_(history), children_(history.states().size()), places_(history.states().size(), Place::kBranch) {
+    const auto& states = history_.states();
+    for (StateId state = 0; state < states.size(); ++state) {
+      if (states[state].parent) children_[*states[state].parent].push_back(state);
+    }
+    Place place = Place::kDone;
+    for (const StateId state : history_.line()) {
+      if (state == history_.current()) {
+        places_[state] = Place::kCurrent;
+        place = Place::kUndone;
+      } else {
+        places_[state] = place;
+      }
+    }
+  }
+
+  std::vector<HistoryRow> all() {
+    const auto& states = history_.states();
+    for (StateId state = 0; state < states.size(); ++state) {
+      if (!states[state].parent) add(state);
+    }
+    addMarks();
+    return std::move(rows_);
+  }
+
+ private:
+  struct Chain {
+    StateId state;
+    std::size_t level;
+    bool starts;
+  };
+
+  // Chains wait on a stack, the one to come next on top: a history may be deeper than a call stack.
+  void add(StateId root) {
+    std::vector<Chain> waiting = {{root, 0, true}};
+    while (!waiting.empty()) {
+      const Chain chain = waiting.back();
+      waiting.pop_back();
+      const auto& next = history_.states()[chain.state].redo;
+      HistoryRow row;
+      row.state = chain.state;
+      row.place = places_[chain.state];
+      row.level = chain.level;
+      row.starts = chain.starts;
+      row.goes_on = next.has_value();
+      rows_.push_back(std::move(row));
+      if (next) waiting.push_back({*next, chain.level, false});
+      const auto& children = children_[chain.state];
+      for (auto child = children.rbegin(); child != children.rend(); ++child) {
+        if (*child != next) waiting.push_back({*child, chain.level + 1, true});
+      }
+    }
+  }
+
+  void addMarks() {
+    std::vector<std::size_t> row_of(rows_.size());
+    for (std::size_t row = 0; row < rows_.size(); ++row) row_of[rows_[row].state] = row;
+    const auto& events = history_.events();
+    for (std::size_t e = 0; e < events.size(); ++e) {
+      const EventKind kind = events[e].kind;
+      if (kind == EventKind::kSnapshot || kind == EventKind::kSignOff)
+        rows_[row_of[events[e].state]].marks.push_back(e);
+    }
+  }
+
+  const EditHistory& history_;
+  std::vector<std::vector<StateId>> children_;
+  std::vector<Place> places_;
+  std::vector<HistoryRow> rows_;
+};
+
+}  // namespace
+
+std::vector<HistoryRow> historyRows(const EditHistory& history) { return Rows(history).all(); }
+
+namespace {
+
+std::size_t bytesOf(const std::vector<fuzzy::Term>& terms) {
+  std::size_t bytes = 0;
+  for (const auto& term : terms) bytes += sizeof(fuzzy::Term) + term.points.size() * sizeof(double) + term.label.size();
+  return bytes;
+}
+
+std::size_t bytesOf(const fuzzy::Expert& expert) {
+  std::size_t bytes = sizeof(fuzzy::Expert);
+  for (const auto& own : expert.overrides) bytes += bytesOf(own.terms);
+  for (const auto& rule : expert.rules) {
+    bytes += sizeof(fuzzy::Rule) + rule.conditions.size() * sizeof(fuzzy::Condition);
+  }
+  return bytes;
+}
+
+/// A copy without the experts, which may be many.
+fuzzy::ForceModel withoutExperts(const fuzzy::ForceModel& model) {
+  fuzzy::ForceModel out;
+  out.name = model.name;
+  out.created_utc = model.created_utc;
+  out.generator = model.generator;
+  out.provenance = model.provenance;
+  out.inputs = model.inputs;
+  out.output = model.output;
+  out.implication = model.implication;
+  out.default_force_n = model.default_force_n;
+  out.accepted_holes = model.accepted_holes;
+  out.renderer = model.renderer;
+  out.checks = model.checks;
+  out.extra = model.extra;
+  return out;
+}
+
+}  // namespace
+
+KeptModel::KeptModel(const fuzzy::ForceModel& model, const KeptModel* like) : rest_(withoutExperts(model)) {
+  experts_.reserve(model.experts.size());
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    const bool shared = like != nullptr && e < like->experts_.size() && sameBits(model.experts[e], *like->experts_[e]);
+    experts_.push_back(shared ? like->experts_[e] : std::make_shared<const fuzzy::Expert>(model.experts[e]));
+  }
+}
+
+fuzzy::ForceModel KeptModel::restored() const {
+  fuzzy::ForceModel out = rest_;
+  out.experts.reserve(experts_.size());
+  for (const auto& expert : experts_) out.experts.push_back(*expert);
+  return out;
+}
+
+std::size_t KeptModel::bytes(std::unordered_set<const fuzzy::Expert*>& counted) const {
+  std::size_t bytes = sizeof(KeptModel) + experts_.size() * sizeof(experts_[0]) + bytesOf(rest_.output.terms);
+  for (const auto& input : rest_.inputs) bytes += sizeof(fuzzy::Variable) + bytesOf(input.terms);
+  for (const auto& check : rest_.checks) bytes += sizeof(fuzzy::Check) + check.in.size() * sizeof(double);
+  for (const auto& expert : experts_) {
+    if (counted.insert(expert.get()).second) bytes += bytesOf(*expert);
+  }
+  return bytes;
+}
+
+namespace {
+
+constexpr auto kFelt = "feels right";
+constexpr auto kUnfelt = "approved without feeling";
+
+std::string counted(std::size_t number, const std::string& what) {
+  return std::to_string(number) + ' ' + what + (number == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string signOffText(std::size_t edits, const Felt& felt) {
+  const std::string after = ", after " + counted(edits, "edit");
+  if (felt.strokes == 0) return kUnfelt + after;
+  std::string out = kFelt + after + ": " + counted(felt.strokes, "stroke") + " on " + felt.device;
+  if (felt.simulated) out += " (simulated)";
+  if (!felt.regions.empty()) out += ", " + felt.regions.front();
+  if (felt.regions.size() > 1) out += " to " + felt.regions.back();
+  return out;
+}
+
+bool saysFelt(const std::string& label) { return label.starts_with(kFelt); }
 
 using base::ErrorCode;
 using base::fail;

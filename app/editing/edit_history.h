@@ -4,22 +4,57 @@
 //   state 1 now has two children: 2 (a branch) and 3 (the current line)
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <unordered_set>
 #include <vector>
 
 #include "app/editing/edit.h"
 #include "app/editing/edit_impact.h"
-#include "app/editing/kept_model.h"
-#include "app/editing/model_ghost.h"
-#include "app/editing/ready_model.h"
-#include "app/editing/sign_off.h"
+#include "core/fuzzy/force_model.h"
 #include "core/study/record_id.h"
 
 namespace tactus::editing {
+
+/// A model in the history. Experts that an edit did not change share their memory with the previous state.
+class KeptModel {
+ public:
+  /// Keeps `model`. An expert that is bit for bit the same in `like`, at the same index, is shared. `like` may be null.
+  KeptModel(const fuzzy::ForceModel& model, const KeptModel* like);
+
+  /// The model, bit for bit.
+  fuzzy::ForceModel restored() const;
+
+  /// The approximate bytes of the model without the experts in `counted`; adds its experts to `counted`.
+  std::size_t bytes(std::unordered_set<const fuzzy::Expert*>& counted) const;
+
+ private:
+  fuzzy::ForceModel rest_;  ///< the model without experts
+  std::vector<std::shared_ptr<const fuzzy::Expert>> experts_;
+};
+
+// What a sign-off says. "Feels right" needs a stroke of the hand on that very state; without one it is an approval.
+
+/// How one state of the model was felt.
+struct Felt {
+  unsigned strokes = 0;              ///< that began on this state
+  std::string device;                ///< its name; that of the last stroke
+  bool simulated = false;            ///< a program moved, or there was no hardware
+  std::vector<std::string> regions;  ///< labels of the regions that the tip reached, in the order of the depth
+
+  bool operator==(const Felt&) const = default;
+};
+
+/// `feels right, after 3 edits: 4 strokes on Touch, Nasal cavity to Oropharynx`; the device with `(simulated)` behind
+/// it where it is one. `approved without feeling, after 3 edits` for no stroke.
+std::string signOffText(std::size_t edits, const Felt& felt);
+
+/// Whether the label of a sign-off says that the state was felt. Labels stay as they are stored.
+bool saysFelt(const std::string& label);
 
 /// The number of a state of the model, from 0 in the order of creation.
 using StateId = std::size_t;
@@ -110,7 +145,7 @@ class EditHistory {
   /// Names the current state.
   void snapshot(const std::string& name, const Stamp& stamp);
   /// The author of `stamp` signs off the current state. The event's label says after how many edits and how it was felt
-  /// (sign_off.h).
+  /// (edit_history.h).
   void signOff(const Stamp& stamp, const Felt& felt = {});
   /// A sign-off that was recorded elsewhere, with its label.
   void repeatSignOff(const Stamp& stamp, const std::string& label);
@@ -132,7 +167,7 @@ class EditHistory {
   /// How much the edit that made `state` changed the force, computed when first asked for (editImpact says how long
   /// that takes). Nothing for a model that was opened, or where a model is not in memory.
   std::optional<EditImpact> impact(StateId state);
-  /// Raises the impact of `state` to the change that a curve on the screen shows (model_ghost.h). Returns whether it
+  /// Raises the impact of `state` to the change that a curve on the screen shows (edit_impact.h). Returns whether it
   /// grew; false if there is no impact.
   bool include(StateId state, const GhostCurve& curve, std::size_t input, std::span<const double> point);
   /// The difference between any two states.
@@ -170,5 +205,26 @@ class EditHistory {
   };
   std::optional<Shown> shown_;
 };
+
+// The history as rows from top to bottom: the line of undo and redo, and the branches beside it.
+
+/// One state of the model.
+struct HistoryRow {
+  enum class Place {
+    kDone,  ///< on the way to the current state
+    kCurrent,
+    kUndone,  ///< redo leads to it
+    kBranch,  ///< left by an edit after an undo; the user can return to it
+  };
+  StateId state = 0;
+  Place place = Place::kDone;
+  std::size_t level = 0;           ///< depth of the indent: a branch is one level deeper than its parent state
+  bool starts = false;             ///< first row of its level in this run
+  bool goes_on = false;            ///< more rows of its level follow
+  std::vector<std::size_t> marks;  ///< indices of the events that named or signed it, oldest first
+};
+
+/// Every state once. A branch stands between its parent state and the next state of the line.
+std::vector<HistoryRow> historyRows(const EditHistory& history);
 
 }  // namespace tactus::editing

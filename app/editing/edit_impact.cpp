@@ -9,9 +9,118 @@
 #include "core/analysis/sample_points.h"
 #include "core/base/check.h"
 #include "core/fuzzy/batch.h"
+#include "core/fuzzy/scene.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::editing {
+namespace {
+
+constexpr double kRounding = 1e-12;  // share of a force; less is no difference of the models
+
+struct GhostForces {
+  std::vector<double> force_n;
+  std::vector<std::uint8_t> fired;
+};
+
+base::Result<GhostForces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
+                                std::span<const double> places) {
+  const auto scene = fuzzy::Scene::specialize(model, fixed);
+  if (!scene) return tl::unexpected(scene.error());
+  GhostForces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
+  scene->evaluateBatch(std::span(&places, 1), {out.force_n, out.fired});
+  return out;
+}
+
+}  // namespace
+
+base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& compiled_before,
+                                    const fuzzy::CompiledModel& compiled_after, std::size_t input,
+                                    std::span<const double> point, std::span<const double> places) {
+  TACTUS_CHECK(compiled_before.inputCount() == compiled_after.inputCount());
+  if (input >= point.size() || point.size() != compiled_after.inputCount() || places.empty()) {
+    return base::fail(base::ErrorCode::kValue, "curve",
+                      "input " + std::to_string(input) + ", " + std::to_string(point.size()) + " values, " +
+                          std::to_string(places.size()) + " places",
+                      "an input of the model, a value for each, a place or more");
+  }
+  std::vector<std::optional<double>> fixed(point.begin(), point.end());
+  fixed[input].reset();
+  const auto before = along(compiled_before, fixed, places);
+  if (!before) return tl::unexpected(before.error());
+  const auto after = along(compiled_after, fixed, places);
+  if (!after) return tl::unexpected(after.error());
+
+  GhostCurve out;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const GhostCurve::Point here{places[k], before->force_n[k], after->force_n[k], before->fired[k] != 0,
+                                 after->fired[k] != 0};
+    out.points.push_back(here);
+    if (here.before_fired && !here.after_fired) ++out.opened;
+    if (!here.before_fired && here.after_fired) ++out.closed;
+    if (!here.before_fired || !here.after_fired) continue;
+    const double newtons = std::abs(here.after_n - here.before_n);
+    if (newtons <= kRounding * std::abs(here.before_n)) continue;
+    const double noticeable = newtons / elicitation::justNoticeableDifference(std::abs(here.before_n));
+    if (noticeable > out.noticeable) {
+      out.noticeable = noticeable;
+      out.noticeable_at = here.at;
+    }
+    if (newtons <= out.largest_n) continue;
+    out.largest_n = newtons;
+    out.largest_at = here.at;
+    out.before_n = here.before_n;
+    out.after_n = here.after_n;
+  }
+  return out;
+}
+
+bool include(EditImpact& impact, const GhostCurve& curve, std::size_t input, std::span<const double> point) {
+  bool grew = false;
+  if (curve.largest_at && curve.largest_n > impact.largest_n) {
+    impact.largest_n = curve.largest_n;
+    impact.at.assign(point.begin(), point.end());
+    impact.at[input] = *curve.largest_at;
+    impact.before_n = curve.before_n;
+    impact.after_n = curve.after_n;
+    grew = true;
+  }
+  grew = grew || curve.noticeable > impact.noticeable || curve.opened > impact.opened || curve.closed > impact.closed;
+  impact.noticeable = std::max(impact.noticeable, curve.noticeable);
+  impact.opened = std::max(impact.opened, curve.opened);
+  impact.closed = std::max(impact.closed, curve.closed);
+  return grew;
+}
+
+ModelGhost::ModelGhost(const fuzzy::ForceModel& before, const fuzzy::CompiledModel& compiled_before,
+                       const fuzzy::ForceModel& after, const fuzzy::CompiledModel& compiled_after)
+    : model_before_(before),
+      model_after_(after),
+      compiled_before_(compiled_before),
+      compiled_after_(compiled_after),
+      region_(changedRegion(before, after)) {
+  TACTUS_CHECK(before.inputs.size() == after.inputs.size());
+}
+
+base::Result<GhostCurve> ModelGhost::curve(std::size_t input, std::span<const double> point, std::size_t count) const {
+  const auto& inputs = model_after_.inputs;
+  if (input >= inputs.size() || point.size() != inputs.size() || count < 2) {
+    return base::fail(base::ErrorCode::kValue, "curve",
+                      "input " + std::to_string(input) + ", " + std::to_string(point.size()) + " values, " +
+                          std::to_string(count) + " points",
+                      "an input of the model, a value for each, two points or more");
+  }
+  std::vector<double> places;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double share = static_cast<double>(k) / static_cast<double>(count - 1);
+    places.push_back(inputs[input].min * (1 - share) + inputs[input].max * share);
+  }
+  return ghostCurve(compiled_before_, compiled_after_, input, point, places);
+}
+
+analysis::ForceDifference ModelGhost::difference() const {
+  return analysis::forceDifference(model_before_, compiled_before_, model_after_, compiled_after_);
+}
+
 namespace {
 
 using analysis::SamplePoints;

@@ -7,15 +7,190 @@
 #include <utility>
 
 #include "app/editing/edit_text.h"
-#include "app/editing/hole_fixes.h"
-#include "app/editing/partition.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/step_fixes.h"
 #include "app/editing/term_edits.h"
+#include "app/editing/term_list.h"
 #include "core/analysis/coverage.h"
 #include "core/analysis/finding_place.h"
+#include "core/fuzzy/support.h"
+#include "core/fuzzy/takes_part.h"
 
 namespace tactus::editing {
+namespace {
+
+using analysis::Hole;
+using analysis::InputRange;
+using base::ErrorCode;
+using base::fail;
+using base::Result;
+using fuzzy::Expert;
+using fuzzy::ForceModel;
+using fuzzy::MembershipFunction;
+using fuzzy::Shape;
+using fuzzy::Term;
+
+/// The experts whose hole it is, as indices.
+std::vector<std::size_t> expertsOf(const ForceModel& model, const std::string& expert) {
+  std::vector<std::size_t> out;
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (expert.empty() ? model.experts[e].weight > 0 : model.experts[e].id == expert) out.push_back(e);
+  }
+  return out;
+}
+
+std::vector<Hole> holesOf(const ForceModel& model, const std::string& expert) {
+  const auto experts = expertsOf(model, expert);
+  return experts.empty() ? std::vector<Hole>() : analysis::coverage(model, experts).holes;
+}
+
+bool overlap(const InputRange& one, const InputRange& other) {
+  const double low = std::max(one.low, other.low);
+  const double high = std::min(one.high, other.high);
+  if (low < high) return true;
+  const auto holds = [low](const InputRange& r) {
+    return (low > r.low || r.low_included) && (low < r.high || r.high_included);
+  };
+  return low == high && holds(one) && holds(other);
+}
+
+bool overlap(const Hole& one, const Hole& other) {
+  return std::equal(one.ranges.begin(), one.ranges.end(), other.ranges.begin(),
+                    [](const InputRange& a, const InputRange& b) { return overlap(a, b); });
+}
+
+bool isUsed(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input, const std::string& term) {
+  return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
+    return fuzzy::takesPart(rule) && names(rule, model, input, term);
+  });
+}
+
+/// Terms in use on both sides of a gap; null where there is none. A Gaussian has no edge that could be stretched.
+struct Neighbors {
+  Term* left = nullptr;  ///< the nearest that can be stretched
+  Term* right = nullptr;
+  const Term* nearest_left = nullptr;  ///< of any shape
+  const Term* nearest_right = nullptr;
+};
+
+fuzzy::Support supportOf(const Term& term) { return fuzzy::supportOf(MembershipFunction::of(term)); }
+
+Neighbors neighborsOf(const ForceModel& model, const Expert& expert, const fuzzy::Variable& input,
+                      std::vector<Term>& terms, const InputRange& gap) {
+  Neighbors out;
+  for (Term& term : terms) {
+    if (!isUsed(model, expert, input, term.id)) continue;
+    const auto [low, high] = supportOf(term);
+    const bool can_stretch = term.shape != Shape::kGaussian;
+    const auto later = [high = high](const Term* other) { return other == nullptr || high > supportOf(*other).high; };
+    const auto sooner = [low = low](const Term* other) { return other == nullptr || low < supportOf(*other).low; };
+    if (high <= gap.low && can_stretch && later(out.left)) out.left = &term;
+    if (high <= gap.low && later(out.nearest_left)) out.nearest_left = &term;
+    if (low >= gap.high && can_stretch && sooner(out.right)) out.right = &term;
+    if (low >= gap.high && sooner(out.nearest_right)) out.nearest_right = &term;
+  }
+  return out;
+}
+
+/// Its edge on the side of the gap goes from `from` to `to`.
+void stretch(Term& term, bool to_the_right, double from, double to) {
+  if (term.shape == Shape::kTriangle) {
+    term.shape = Shape::kTrapezoid;
+    term.points.insert(term.points.begin() + 1, term.points[1]);
+  }
+  const std::size_t first = to_the_right ? 2 : 0;
+  term.points[first] = from;
+  term.points[first + 1] = to;
+}
+
+/// The model with one term stretched over `gap`, or nothing where no term ends there.
+std::optional<Result<Edit>> stretched(const ForceModel& model, std::size_t reader, bool own, const InputRange& gap,
+                                      bool to_the_right, std::string& text) {
+  ForceModel out = model;
+  Expert& expert = out.experts[reader];
+  const auto& input = **findVariable(out, gap.input);
+  if (own) expert.overrides.push_back({gap.input, input.terms});
+  const TermListId list = listOf(expert, gap.input);
+  const auto open = openList(out, list);
+  if (!open) return std::nullopt;
+  const auto neighbors = neighborsOf(out, expert, input, *open->terms, gap);
+  Term* const term = to_the_right ? neighbors.left : neighbors.right;
+  const Term* const facing = to_the_right ? neighbors.nearest_right : neighbors.nearest_left;
+  if (term == nullptr) return std::nullopt;
+  const double end = to_the_right ? input.max : input.min;
+  double from = end;
+  double to = end;
+  if (facing != nullptr) {
+    const auto f = MembershipFunction::of(*facing);
+    const auto [low, high] = supportOf(*facing);
+    from = to_the_right ? low : f.gaussian ? f.mean : f.c;
+    to = !to_the_right ? high : f.gaussian ? f.mean : f.b;
+  }
+  stretch(*term, to_the_right, from, to);
+  text = "Stretch " + (list.expert.empty() ? "" : labelOf(expert) + "'s ") + labelOf(*term) + " over the gap";
+  std::string label = open->title() + " / " + labelOf(*term) + ": stretched over " + numberText(input, gap.low) +
+                      " to " + quantityText(input, gap.high);
+  return finished(std::move(out), std::move(label));
+}
+
+/// Whether an expert's hole has to be closed in a list of its own, because others read the shared one too.
+bool needsOwnList(const ForceModel& model, const std::string& expert, std::size_t reader, const std::string& input) {
+  if (expert.empty() || listOf(model.experts[reader], input).expert == expert) return false;
+  return std::count_if(model.experts.begin(), model.experts.end(), [&](const Expert& other) {
+           return reads(other, {input, {}});
+         }) > 1;
+}
+
+/// The edit without the acceptance of the hole `name`, where it closed that of the last expert.
+Result<Edit> withoutAcceptance(Edit edit, const std::string& name) {
+  auto& accepted = edit.model.accepted_holes;
+  const auto it = std::find(accepted.begin(), accepted.end(), name);
+  if (it == accepted.end()) return edit;
+  const auto names = holeNames(edit.model);
+  if (!names || std::find(names->begin(), names->end(), name) != names->end()) return edit;
+  accepted.erase(it);
+  return finished(std::move(edit.model), std::move(edit.label));
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, Result<Edit>>> closeHole(const ForceModel& model, const std::string& expert,
+                                                            const Hole& hole, const std::stop_token& stop) {
+  std::vector<std::pair<std::string, Result<Edit>>> out;
+  const auto holes = holesOf(model, expert);
+  if (std::find(holes.begin(), holes.end(), hole) == holes.end()) return out;
+  const std::string name = analysis::describe(hole, model);
+  const auto offer = [&](std::size_t reader, bool own, const InputRange& gap, bool to_the_right) {
+    std::string text;
+    auto edit = stretched(model, reader, own, gap, to_the_right, text);
+    if (!edit || !*edit) return;
+    const auto left = holesOf((*edit)->model, expert);
+    if (std::any_of(left.begin(), left.end(), [&](const Hole& one) { return overlap(one, hole); })) return;
+    out.emplace_back(std::move(text), withoutAcceptance(std::move(**edit), name));
+  };
+  for (const InputRange& gap : hole.ranges) {
+    if (gap.whole_universe || stop.stop_requested()) continue;
+    std::vector<TermListId> tried;
+    for (const std::size_t reader : expertsOf(model, expert)) {
+      const bool own = needsOwnList(model, expert, reader, gap.input);
+      const TermListId list =
+          own ? TermListId{gap.input, model.experts[reader].id} : listOf(model.experts[reader], gap.input);
+      if (stop.stop_requested() || out.size() >= kMostStretches ||
+          std::find(tried.begin(), tried.end(), list) != tried.end())
+        continue;
+      tried.push_back(list);
+      for (const bool to_the_right : {true, false}) offer(reader, own, gap, to_the_right);
+    }
+  }
+  const auto& accepted = model.accepted_holes;
+  if (std::find(accepted.begin(), accepted.end(), name) != accepted.end()) {
+    out.emplace_back("Take the acceptance back", withdrawAcceptance(model, name));
+  } else {
+    out.emplace_back("Accept the hole", acceptHole(model, name));
+  }
+  return out;
+}
+
 namespace {
 
 using fuzzy::CompiledModel;

@@ -39,7 +39,7 @@ base::Result<Edit> enableRules(const fuzzy::ForceModel& model, const std::string
 base::Result<Edit> removeRules(const fuzzy::ForceModel& model, const std::string& expert,
                                std::span<const std::size_t> indices);
 
-/// Puts a block of rules (rule_text.h) among those of the expert: a rule takes the place of the one with the same
+/// Puts a block of rules (rule_grid.h) among those of the expert: a rule takes the place of the one with the same
 /// conditions, the second of such rules that of the second one; the others are appended.
 base::Result<Edit> putRules(const fuzzy::ForceModel& model, const std::string& expert,
                             std::span<const fuzzy::Rule> rules);

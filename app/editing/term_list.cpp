@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/editing/edit_text.h"
-#include "app/editing/rules_of_term.h"
+#include "app/editing/term_edits.h"
 #include "core/base/text.h"
 
 namespace tactus::editing {

@@ -4,8 +4,7 @@
 #include <chrono>
 #include <utility>
 
-#include "app/session/force_device.h"
-#include "app/session/session_order.h"
+#include "app/session/judged_forces.h"
 #include "app/session/session_state.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"

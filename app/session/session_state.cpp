@@ -1,10 +1,143 @@
 #include "app/session/session_state.h"
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "app/session/session_notes.h"
+#include "core/base/json/json_members.h"
+#include "core/store/entries.h"
+#include "core/store/sessions.h"
+#include "experiments/force_series.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::session {
+namespace {
+
+using base::Result;
+using study::RecordId;
+
+constexpr const char* kAfter = "after";
+
+std::optional<RecordId> afterIn(const std::string& detail_text) {
+  const auto id = base::readJson(detail_text, {}, [](base::JsonMembers& json, auto&) {
+    std::string after;
+    json.text(kAfter, after);
+    return after;
+  });
+  return id ? study::parseRecordId(*id) : std::nullopt;
+}
+
+}  // namespace
+
+std::string afterDetail(const std::optional<RecordId>& latest) {
+  return latest ? detail(kAfter, toText(*latest)) : std::string();
+}
+
+Result<std::vector<study::SessionRecord>> sessionsInOrder(const store::StudyFile& file, const RecordId& person) {
+  auto waiting = store::sessions(file, person);  // by time and id
+  if (!waiting || waiting->size() < 2) return waiting;
+  const auto events = store::events(file, {person, {}, false});
+  if (!events) return tl::unexpected(events.error());
+  std::map<RecordId, RecordId> after;
+  for (const auto& event : *events) {
+    if (const auto before = afterIn(event.detail); before && event.kind == kBegan) {
+      after.emplace(event.entry.session, *before);
+    }
+  }
+  std::vector<study::SessionRecord> ordered;
+  while (!waiting->empty()) {
+    const auto is_free = [&](const study::SessionRecord& session) {
+      const auto it = after.find(session.id);
+      return it == after.end() ||
+             std::none_of(waiting->begin(), waiting->end(), [&](const study::SessionRecord& other) {
+               return other.id == it->second && other.id != session.id;
+             });
+    };
+    auto next = std::find_if(waiting->begin(), waiting->end(), is_free);
+    if (next == waiting->end()) next = waiting->begin();  // logs that contradict each other leave the time
+    ordered.push_back(std::move(*next));
+    waiting->erase(next);
+  }
+  return ordered;
+}
+
+Result<std::optional<RecordId>> latestSession(const store::StudyFile& file, const RecordId& person) {
+  const auto ordered = sessionsInOrder(file, person);
+  if (!ordered) return tl::unexpected(ordered.error());
+  return ordered->empty() ? std::nullopt : std::optional(ordered->back().id);
+}
+
+namespace {
+
+using base::Result;
+
+void countStrokes(const std::vector<study::StrokeRecord>& strokes, SessionProgress& out) {
+  for (const study::StrokeRecord& stroke : strokes) {
+    if (stroke.verdict != name(experiments::StrokeVerdict::kAccepted)) continue;
+    ++(stroke.practice ? out.practice : *out.speed).done;
+  }
+}
+
+void planStrokes(const SessionSettings& settings, SessionProgress& out) {
+  const int levels = static_cast<int>(settings.speed.levels.size());
+  out.speed = Share{0, levels * settings.speed.strokes};
+  out.practice.wanted += levels * settings.speed.practice;
+}
+
+// A step that was tried to the end counts as done, as the protocol leaves it out.
+void countForces(const experiments::ForceProtocol& force, SessionProgress& out) {
+  const auto next = force.next();
+  out.force = Share{};
+  bool reached = false;
+  for (const experiments::SeriesStep& step : force.steps()) {
+    reached = reached || (!next.finished && step == next.step);
+    Share& share = step.series == experiments::kFamiliarisation ? out.practice : *out.force;
+    ++share.wanted;
+    if (!reached) ++share.done;
+  }
+}
+
+void countReplies(const questionnaires::Progress& progress, SessionProgress& out) {
+  const std::size_t done = progress.answered + progress.skipped + progress.cant_tell;
+  out.form = Share{static_cast<int>(done), static_cast<int>(done + progress.open + progress.cleared)};
+}
+
+}  // namespace
+
+Result<SessionProgress> sessionProgress(const store::StudyFile& file, const study::SessionRecord& session) {
+  auto settings = parseSessionSettings(session.settings);
+  if (!settings) return tl::unexpected(settings.error());
+  const auto events = store::events(file, {{}, session.id, true});
+  if (!events) return tl::unexpected(events.error());
+  SessionRecords records(session);
+  records.settings = std::move(*settings);
+  if (auto ok = records.readBack(file, *events); !ok) return tl::unexpected(ok.error());
+
+  SessionProgress out;
+  out.part = records.part();
+  out.block = records.block();
+  out.paused = records.paused;
+  out.has_profile = records.profile.has_value();
+  out.skipped = records.skipped;
+  if (records.speed) {
+    planStrokes(records.settings, out);
+    const auto strokes = store::strokes(file, {{}, session.id, false}, store::Recordings::kLeaveOut);
+    if (!strokes) return tl::unexpected(strokes.error());
+    countStrokes(*strokes, out);
+  }
+  if (records.force) countForces(*records.force, out);
+  if (records.form) countReplies(records.form->progress(), out);
+  out.sealed = records.form && records.rated.contains(Block::kForm);
+  out.last_utc_ms = session.started.utc_ms;
+  for (const study::EventRecord& event : *events) {
+    out.last_utc_ms = std::max(out.last_utc_ms, event.entry.when.utc_ms);
+    const auto own = ownModelIn(event);
+    if (own && *own && (*own)->verdict) ++out.own_model_verdicts;
+  }
+  return out;
+}
 
 using base::Result;
 

@@ -1,4 +1,4 @@
-// The state of a session, and how it is read back from the file. For session.cpp and session_progress.cpp only.
+// The state of a session, and how it is read back from the file. For session.cpp and session_state.cpp only.
 #pragma once
 
 #include <optional>
@@ -9,10 +9,59 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "app/session/session_settings.h"
+#include "core/base/error.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
+#include "core/store/study_file.h"
+#include "core/study/session_records.h"
 
 namespace tactus::session {
+
+// The order of a participant's sessions, independent of the clocks of the stations.
+
+/// The detail of a session's first event: the participant's latest session in the file when this one began. Exports and
+/// merges keep it.
+std::string afterDetail(const std::optional<study::RecordId>& latest);
+
+/// The sessions of `person`, earliest first. A session comes after the one that its log names. Sessions without such a
+/// relation, for example of two stations, are ordered by their start time, then by id. So a clock that was set back
+/// does not change the order within a file, and the order of merges never does.
+base::Result<std::vector<study::SessionRecord>> sessionsInOrder(const store::StudyFile& file,
+                                                                const study::RecordId& person);
+
+/// The last of them; nothing if there is none.
+base::Result<std::optional<study::RecordId>> latestSession(const store::StudyFile& file, const study::RecordId& person);
+
+// How far a session has come, read from the study file alone: nothing is added to its log.
+
+/// Things done of things planned.
+struct Share {
+  int done = 0;
+  int wanted = 0;
+
+  bool isComplete() const { return done >= wanted; }
+  bool operator==(const Share&) const = default;
+};
+
+/// A part is nothing where the session has no such block.
+struct SessionProgress {
+  SessionPart part = SessionPart::kProfile;
+  std::optional<Block> block;  ///< in progress or being rated
+  bool paused = false;
+  bool has_profile = false;
+  std::set<Block> skipped;
+  Share practice;                ///< insertions and forces before the counted ones
+  std::optional<Share> speed;    ///< accepted insertions
+  std::optional<Share> force;    ///< forces; `wanted` falls where a series ends early
+  std::optional<Share> form;     ///< questions with a reply
+  bool sealed = false;           ///< the participant locked the answers to the form, or rated it
+  int own_model_verdicts = 0;    ///< regions of the own model that were judged
+  std::int64_t last_utc_ms = 0;  ///< time of the last line of the log
+};
+
+/// Errors: settings or records that cannot be read. Reads no recordings. Thread: that of `file`.
+base::Result<SessionProgress> sessionProgress(const store::StudyFile& file, const study::SessionRecord& session);
 
 // Kinds of events in the log of a session.
 inline constexpr const char* kBegan = "began";

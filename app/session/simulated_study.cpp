@@ -1,17 +1,170 @@
 #include "app/session/simulated_study.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <future>
+#include <iterator>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "app/session/session.h"
-#include "app/session/simulated_clock.h"
 #include "app/session/simulated_nurse.h"
-#include "app/session/simulated_traits.h"
+#include "app/session/simulated_strokes.h"
+#include "core/base/check.h"
+#include "core/base/random.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
+#include "experiments/published_tables.h"
+#include "questionnaires/form_file.h"
 
 namespace tactus::session {
+namespace {
+
+// Levels count the form's terms: 0 is very small, 1 small, 2 medium, 3 large, 4 very large.
+
+struct Region {
+  std::string_view term;
+  double level;  // before a condition has its effect
+};
+// The force rises in the nasal cavity, drops, peaks in the oropharynx, and settles in the esophagus near S4's answers.
+constexpr std::array<Region, 5> kRegions = {
+    {{"nasal_cavity", 2.4}, {"nasopharynx", 1.5}, {"oropharynx", 3.5}, {"laryngopharynx", 2.5}, {"esophagus", 2.7}}};
+
+struct Effect {
+  std::string_view input;
+  std::string_view term;
+  double level;
+};
+constexpr std::array<Effect, 9> kEffects = {{{"lubrication", "poor", 0.9},
+                                             {"lubrication", "medium", 0},
+                                             {"lubrication", "well", -0.9},
+                                             {"neck_flexion", "small", 0.4},
+                                             {"neck_flexion", "medium", -0.4},
+                                             {"neck_flexion", "large", -1.2},
+                                             {"speed", "slow", -0.8},
+                                             {"speed", "medium", 0},
+                                             {"speed", "fast", 0.9}}};
+
+struct Nurse {
+  std::string_view code;
+  std::string_view sensitive_to;  // an input whose effects the nurse feels more
+  double sensitivity;
+  double oropharynx;  // extra level there
+};
+constexpr std::array<Nurse, 3> kNurses = {{{"S1", "neck_flexion", 1.15, 0},
+                                           {"S2", "lubrication", 1.15, 0.8},  // Fig. 11: "relatively higher"
+                                           {"S3", "speed", 1.15, 0}}};
+
+// Deviations are uniform in ± this. Of two answers, regions differ by at most 0.2 and effects by at most 0.2 through
+// them: less than the differences above that the statements of the header rest on.
+constexpr double kDeviation = 0.1;
+
+/// One nurse's levels.
+struct Beliefs {
+  std::array<double, kRegions.size()> region;
+  std::array<double, kEffects.size()> effect;
+};
+
+Beliefs beliefsOf(const Nurse& nurse, base::Random& random) {
+  Beliefs beliefs{};
+  for (std::size_t i = 0; i < kRegions.size(); ++i) {
+    const double extra = kRegions[i].term == "oropharynx" ? nurse.oropharynx : 0;
+    beliefs.region[i] = kRegions[i].level + extra + random.uniform(-kDeviation, kDeviation);
+  }
+  for (std::size_t i = 0; i < kEffects.size(); ++i) {
+    const double sensitivity = kEffects[i].input == nurse.sensitive_to ? nurse.sensitivity : 1;
+    beliefs.effect[i] = sensitivity * kEffects[i].level + random.uniform(-kDeviation, kDeviation);
+  }
+  return beliefs;
+}
+
+double effectOf(const study::ItemCondition& condition, const Beliefs& beliefs) {
+  const auto effect = std::find_if(kEffects.begin(), kEffects.end(), [&condition](const Effect& candidate) {
+    return candidate.input == condition.input && candidate.term == condition.term;
+  });
+  if (effect != kEffects.end()) return beliefs.effect[static_cast<std::size_t>(effect - kEffects.begin())];
+  const auto region = std::find_if(kRegions.begin(), kRegions.end(), [&condition](const Region& candidate) {
+    return condition.input == "depth" && candidate.term == condition.term;
+  });
+  TACTUS_CHECK(region != kRegions.end());
+  return beliefs.region[static_cast<std::size_t>(region - kRegions.begin())];
+}
+
+const std::string& termAt(double level, const std::vector<study::AnswerWord>& answers) {
+  TACTUS_CHECK(!answers.empty());
+  const double highest = static_cast<double>(answers.size() - 1);
+  return answers[static_cast<std::size_t>(std::clamp(std::round(level), 0.0, highest))].term;
+}
+
+}  // namespace
+
+std::vector<study::Answer> simulatedAnswers(const study::Form& form, std::uint64_t seed) {
+  std::vector<study::Answer> answers;
+  base::Random random(seed);
+  for (const auto& nurse : kNurses) {
+    const Beliefs beliefs = beliefsOf(nurse, random);
+    for (const auto& item : form.items) {
+      double level = 0;
+      for (const auto& condition : item.conditions) level += effectOf(condition, beliefs);
+      answers.push_back({std::string(nurse.code), form.id, item.number, termAt(level, form.answers),
+                         study::Answer::Status::kAnswered});
+    }
+  }
+  return answers;
+}
+
+namespace {
+
+constexpr std::uint64_t kCells = 1000;  // of Table 1, more than there are
+
+/// The nurses that `wanted` names. Each level of Table 1 takes a second or less; they are computed at the same time.
+std::vector<NurseTraits> nursesOf(std::uint64_t seed, const std::function<bool(std::string_view)>& wanted) {
+  const auto table = experiments::publishedSpeeds();
+  std::vector<std::future<SimulatedLevel>> levels(table.size());
+  for (std::size_t cell = 0; cell < table.size(); ++cell) {
+    if (!wanted(table[cell].participant)) continue;
+    levels[cell] = std::async(std::launch::async, [target = table[cell], own_seed = seed * kCells + cell] {
+      return simulatedLevel(target, own_seed);
+    });
+  }
+  const auto answers = simulatedAnswers(questionnaires::ngtForceForm(), seed);
+  std::vector<NurseTraits> nurses;
+  for (auto& responder : respondersOfTable2()) {
+    if (!wanted(responder.code)) continue;
+    NurseTraits nurse;
+    nurse.profile.category = "expert";
+    nurse.profile.handedness = "right";
+    nurse.responder = std::move(responder);
+    nurse.responder.noise = 0;
+    nurse.responder.lapse = 0;
+    const auto& code = nurse.responder.code;
+    for (std::size_t cell = 0; cell < table.size(); ++cell) {
+      if (table[cell].participant == code) nurse.levels[table[cell].level] = levels[cell].get();
+    }
+    std::copy_if(answers.begin(), answers.end(), std::back_inserter(nurse.answers),
+                 [&](const study::Answer& answer) { return answer.participant == code; });
+    nurses.push_back(std::move(nurse));
+  }
+  return nurses;
+}
+
+}  // namespace
+
+std::vector<NurseTraits> simulatedNurses(std::uint64_t seed) {
+  return nursesOf(seed, [](std::string_view) { return true; });
+}
+
+NurseTraits simulatedNurseCalled(std::string_view code, std::uint64_t seed) {
+  auto nurses = nursesOf(seed, [code](std::string_view each) { return each == code; });
+  TACTUS_CHECK(nurses.size() == 1);
+  return std::move(nurses.front());
+}
+
 namespace {
 
 using base::Result;

@@ -1,15 +1,68 @@
 // The paper's study. Data that the paper does not print are simulated.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "app/session/session.h"
+#include "app/session/simulated_nurse.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
+#include "core/study/records.h"
 #include "questionnaires/published_rules.h"
 
 namespace tactus::session {
+
+// The traits of the paper's four nurses, S1 to S4, as simulated persons.
+
+// Simulated answers to the force questionnaire, made to follow the paper's text about its nurses. They are not real.
+
+/// The answers of S1, S2 and S3 to all items of `form` (`ngt-force-v1`: each item asks about one condition in one
+/// region). The paper does not print their answers. The model: a level is the sum of
+///   the region's level + the condition's effect × the nurse's sensitivity + the nurse's own extra in the oropharynx
+/// plus a seeded deviation of each nurse for each region and each condition, rounded to one of the form's terms. For
+/// every seed, by construction (paper, Section 3.4 and Fig. 11): more lubrication never increases the force; more neck
+/// flexion never increases it; more speed never decreases it; the nasal cavity is never below the nasopharynx; no
+/// region is above the oropharynx; no nurse is above S2 there; in the esophagus the three differ by at most one term.
+std::vector<study::Answer> simulatedAnswers(const study::Form& form, std::uint64_t seed);
+
+/// The nurses in the order of their codes. They hear and feel without noise: their strokes have the means and
+/// deviations of Table 1, and their votes are those of Table 2. S1 to S3 have answers to the form `ngt-force-v1`
+/// (simulated_study.h); S4 has none. The same `seed` gives the same traits. Takes a second or more.
+std::vector<NurseTraits> simulatedNurses(std::uint64_t seed);
+
+/// One of them; `code` is `S1` to `S4`, anything else is our own bug.
+NurseTraits simulatedNurseCalled(std::string_view code, std::uint64_t seed);
+
+// A clock under the control of a simulation, so that the same seed gives the same study file.
+
+/// Time advances on request, and by one millisecond with each reading. Copies share the same time.
+class SimulatedClock {
+ public:
+  explicit SimulatedClock(std::int64_t utc_ms) : now_(std::make_shared<study::Moment>(study::Moment{utc_ms, 0})) {}
+
+  void pass(double seconds) const { passMs(std::llround(seconds * 1000)); }
+  study::Moment look() const {
+    passMs(1);
+    return *now_;
+  }
+  /// Tools for a session, with ids derived from `seed`. Two sessions of one file need different seeds.
+  SessionTools tools(std::uint64_t seed) const {
+    return {[clock = *this] { return clock.look(); }, study::RecordIds(seed)};
+  }
+
+ private:
+  void passMs(std::int64_t ms) const {
+    now_->utc_ms += ms;
+    now_->monotonic_ns += ms * 1'000'000;
+  }
+
+  std::shared_ptr<study::Moment> now_;
+};
 
 /// The default seed. The value is arbitrary.
 inline constexpr std::uint64_t kDefaultSeed = 2;

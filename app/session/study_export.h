@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -10,6 +11,28 @@
 #include "core/store/study_file.h"
 
 namespace tactus::session {
+
+// The codebook of exported tables: the contents of each column, for programs (JSON) and people (Markdown).
+
+inline constexpr std::string_view kCodebookFormat = "tactus-study-export";
+
+/// A codebook under construction: the tables in order, with their file names below the folder.
+struct Codebook {
+  struct Table {
+    std::string file;
+    const store::RecordTable* table = nullptr;
+  };
+  bool shareable = false;
+  std::vector<std::string> notes;  ///< one sentence each
+  std::vector<Table> tables;
+};
+
+/// The five tables at the top of an export. `input_ids`: the inputs in rules.csv; they must outlive the result.
+/// `shareable`: with the column of experience bands.
+std::vector<store::RecordTable> viewTables(const std::vector<std::string>& input_ids, bool shareable);
+
+std::string asJson(const Codebook& codebook);
+std::string asMarkdown(const Codebook& codebook);
 
 struct ExportOptions {
   /// True: only the tables of the study as it counts now, without identifying details (shareable.h) and without
@@ -30,7 +53,7 @@ struct StudyExport {
 /// study file (core/store/record_tables.h). The same study gives the same bytes. The folder appears completely or not
 /// at all. It must be new, empty, or an earlier export, which is replaced. If the study has no view for elicitation
 /// (study_view.h), a full export omits the five tables, with a note. Leftovers of crashes beside the study and the
-/// folder are deleted, with a note, if they are certainly ours (leftovers.h).
+/// folder are deleted, with a note, if they are certainly ours (export_folder.h).
 base::Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder,
                                       const ExportOptions& options = {});
 

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/session/session_order.h"
 #include "app/session/session_state.h"
 #include "core/base/files/file.h"
 #include "core/base/files/checksums.h"

@@ -29,7 +29,7 @@ struct ImportSource {
 /// ids follow from the study's id, the participant's code and rows, and the time of the import. The same rows in
 /// another study belong to another person: after a merge both exist, and one needs another code (store/recoding.h).
 /// Rows equal to a participant's latest import are not added again. Rows equal to an older import are added, so that
-/// the last import counts (counted_session.h), also instead of an earlier recorded session. Records have the time of
+/// the last import counts (study_view.cpp), also instead of an earlier recorded session. Records have the time of
 /// the import, and the study logs their origin (store/import_log.h). The code identifies the participant. Refused: a
 /// participant who withdrew, a code of two persons of the study, a participant who is simulated in one place and real
 /// in the other.

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/session/force_device.h"
+#include "app/session/judged_forces.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"
 #include "questionnaires/questionnaire.h"

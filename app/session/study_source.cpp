@@ -1,13 +1,54 @@
 #include "app/session/study_source.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include "app/session/study_view.h"
 #include "app/session/table_words.h"
+#include "core/store/entries.h"
 #include "core/store/study_file.h"
+#include "core/store/study_records.h"
+#include "questionnaires/form_file.h"
+#include "questionnaires/published_rules.h"
 
 namespace tactus::session {
+
+base::Result<StudyAside> asideOf(const store::StudyFile& file) {
+  StudyAside out;
+  const auto measured = store::depthMeasurement(file);
+  if (!measured) return tl::unexpected(measured.error());
+  if (*measured) {
+    auto depths = elicitation::readMeasurement((*measured)->text);
+    if (!depths) return tl::unexpected(depths.error());
+    out.measured_depths = std::move(*depths);
+  }
+  const auto answers = store::answers(file);
+  if (!answers) return tl::unexpected(answers.error());
+  auto rows = questionnaires::summarize(questionnaires::usabilityForm(), *answers);
+  if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.n > 0; })) out.usability = std::move(rows);
+  return out;
+}
+
+base::Result<StudyAside> readAside(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return StudyAside{};
+  const auto file = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
+  if (!file) return tl::unexpected(file.error());
+  return asideOf(*file);
+}
+
+std::vector<study::Form> knownForms() {
+  std::vector<study::Form> forms = {questionnaires::ngtForceForm()};
+  for (const auto& reading : questionnaires::s4Readings()) {
+    study::Form form;
+    form.id = reading.id;
+    form.title = reading.title;
+    form.depth_terms = reading.depth_terms;
+    forms.push_back(std::move(form));
+  }
+  return forms;
+}
 
 base::Result<study::StudyTables> readTables(const std::string& folder, const std::vector<std::string>& input_ids) {
   auto tables = study::readStudyFolder(folder, input_ids);

@@ -1,13 +1,36 @@
 // Reads a study from a study file or from a folder of tables.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
+#include "core/study/records.h"
+#include "elicitation/depth/depth_measurement.h"
+#include "questionnaires/scale_summary.h"
 
 namespace tactus::session {
+
+/// What a study file holds beside the data of its experts: the depths measured on an image, and what participants think
+/// of the simulator.
+struct StudyAside {
+  std::optional<elicitation::DepthMeasurement> measured_depths;  ///< the latest; nothing: none was made
+  std::vector<questionnaires::ScaleSummary> usability;           ///< one row per statement; empty without any answer
+};
+
+base::Result<StudyAside> asideOf(const store::StudyFile& file);
+
+/// The same of the study at `path`; a folder of tables has neither. The file is not changed. Errors name the file.
+base::Result<StudyAside> readAside(const std::string& path);
+
+// The forms to which answers and given rules of a study can refer.
+
+/// The forms with items (Table A1), and the readings of published rule tables as forms without items. A form without
+/// items only gives the set of depth terms that its rules use.
+std::vector<study::Form> knownForms();
 
 /// Reads the tables of a folder (csv_tables.h, with `input_ids` as there); accepts everyday spellings (table_words.h).
 base::Result<study::StudyTables> readTables(const std::string& folder, const std::vector<std::string>& input_ids);

@@ -25,7 +25,7 @@ struct StudyView {
 /// scored, catch trials and usability sessions; of real persons on a device that gives no force, judgements and (unless
 /// the session's settings accept them) strokes. If a participant did a block in several sessions (a speed level, a
 /// series, a form, rules), the latest complete one counts; without a complete one, the one with the most records
-/// (counted_session.h). A note then names all of them. Speeds come from the recorded positions
+/// (study_view.cpp). A note then names all of them. Speeds come from the recorded positions
 /// (experiments/speed_from_positions.h); a recording with a channel `speed`, as in imported tables, is used unchanged.
 /// Refused: two persons with one code, for example after a merge.
 base::Result<StudyView> studyForElicitation(const store::StudyFile& file);

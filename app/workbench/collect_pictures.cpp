@@ -7,7 +7,6 @@
 
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_study.h"
-#include "app/session/simulated_traits.h"
 #include "app/session/study_protocol.h"
 #include "app/workbench/collect/collect_view.h"
 #include "app/workbench/collect/monitor_window.h"

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/session/simulated_traits.h"
+#include "app/session/simulated_study.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/participant_plan.h"
 #include "app/workbench/rehearsal/rehearsal_check.h"

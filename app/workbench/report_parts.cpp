@@ -8,8 +8,7 @@
 
 #include "app/report/study_report.h"
 #include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
-#include "app/session/study_aside.h"
+#include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"

@@ -14,7 +14,7 @@ namespace tactus::store {
 /// Behind the study's name: the folder in which an import or a demo's study is prepared (base/files/unfinished.h).
 inline constexpr std::string_view kImportEnding = ".import-";
 
-/// A crash leaves it behind: it blocks nothing, and the next export or demo deletes it (app/session/leftovers.h).
+/// A crash leaves it behind: it blocks nothing, and the next export or demo deletes it (app/session/export_folder.h).
 class WorkFolder {
  public:
   /// Creates the folder. Only the user can access it (0700).

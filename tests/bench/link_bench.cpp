@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/editing/ready_model.h"
+#include "app/editing/edit.h"
 #include "app/link/link_server.h"
 #include "core/model_io/model_file.h"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/editing/rule_grid.h"
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "core/fuzzy/membership.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"

@@ -2,7 +2,7 @@
 #include <QTest>
 #include <utility>
 
-#include "app/editing/hole_acceptance.h"
+#include "app/editing/step_fixes.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
 

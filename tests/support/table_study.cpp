@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/known_forms.h"
-#include "app/session/simulated_responder.h"
+#include "app/session/study_source.h"
+#include "app/session/simulated_nurse.h"
 #include "core/base/random.h"
 
 namespace tactus::support {

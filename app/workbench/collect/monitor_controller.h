@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "app/session/session_progress.h"
+#include "app/session/session_state.h"
 #include "app/workbench/collect/force_trace.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "app/session/force_device.h"
+#include "app/session/judged_forces.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/study/connection/study_contents.h"
 #include "core/store/entries.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/session/session_progress.h"
+#include "app/session/session_state.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
 #include "core/study/session_records.h"

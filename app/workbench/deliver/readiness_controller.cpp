@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editing/hole_acceptance.h"
+#include "app/editing/step_fixes.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/model/edit_controller.h"

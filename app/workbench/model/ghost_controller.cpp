@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/impact_text.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/editing/edit_history.h"
-#include "app/editing/model_ghost.h"
+#include "app/editing/edit_impact.h"
 #include "app/figures/force_curves.h"
 #include "app/workbench/model/open_model.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "app/editing/ready_model.h"
+#include "app/editing/edit.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "app/editing/edit_impact.h"
-#include "app/editing/model_ghost.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/session/force_device.h"
+#include "app/session/judged_forces.h"
 
 namespace tactus::workbench {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <numeric>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/session/session_notes.h"
 #include "app/session/study_view.h"
 #include "app/version.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 
 namespace tactus::workbench {
 namespace {

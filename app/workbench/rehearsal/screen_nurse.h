@@ -12,7 +12,6 @@
 
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_recording.h"
-#include "app/session/simulated_responder.h"
 #include "app/workbench/participant/participant_state.h"
 #include "app/workbench/rehearsal/screen_hands.h"
 #include "core/base/random.h"

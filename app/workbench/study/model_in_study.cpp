@@ -7,7 +7,7 @@
 
 #include "app/editing/history_versions.h"
 #include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/session/session_notes.h"
 #include "app/session/study_view.h"
 #include "app/version.h"

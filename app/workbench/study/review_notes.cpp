@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/workbench/base/display_text.h"
 #include "core/model_io/model_file.h"
 

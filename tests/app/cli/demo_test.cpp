@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/session/leftovers.h"
+#include "app/session/export_folder.h"
 #include "core/base/files/unfinished.h"
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"

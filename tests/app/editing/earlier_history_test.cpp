@@ -1,8 +1,8 @@
-#include "app/editing/earlier_history.h"
+#include "app/editing/history_versions.h"
 
 #include <gtest/gtest.h>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 
 #include "tests/app/editing/sample_models.h"
 

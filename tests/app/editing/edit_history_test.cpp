@@ -3,9 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/rule_edits.h"
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
-#include "app/editing/term_split.h"
 
 #include "tests/app/editing/sample_models.h"
 

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editing/model_ghost.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_edits.h"
 #include "core/analysis/force_difference.h"

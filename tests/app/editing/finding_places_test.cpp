@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "app/editing/hole_acceptance.h"
+#include "app/editing/step_fixes.h"
 #include "app/editing/lint_fixes.h"
 #include "core/analysis/lint.h"
 #include "core/base/random.h"

@@ -3,14 +3,11 @@
 #include <limits>
 
 #include "app/editing/edit_history.h"
-#include "app/editing/hole_acceptance.h"
-#include "app/editing/partition.h"
+#include "app/editing/step_fixes.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
-#include "app/editing/same_bits.h"
-#include "app/editing/shape_conversion.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
-#include "app/editing/term_split.h"
 #include "core/base/random.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"

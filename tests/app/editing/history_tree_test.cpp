@@ -1,4 +1,4 @@
-#include "app/editing/history_tree.h"
+#include "app/editing/edit_history.h"
 
 #include <gtest/gtest.h>
 #include <string>

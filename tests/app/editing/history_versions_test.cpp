@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "core/store/model_versions.h"
 
 #include "tests/app/editing/sample_models.h"

@@ -1,11 +1,11 @@
-#include "app/editing/hole_acceptance.h"
+#include "app/editing/step_fixes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <span>
 
-#include "app/editing/hole_fixes.h"
-#include "app/editing/same_bits.h"
+#include "app/editing/lint_fixes.h"
+#include "app/editing/edit.h"
 
 #include "tests/app/editing/sample_models.h"
 

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "app/editing/edit_steps.h"
-#include "app/editing/partition.h"
+#include "app/editing/edit.h"
+#include "app/editing/term_edits.h"
 
 #include "tests/app/editing/sample_models.h"
 

@@ -1,4 +1,4 @@
-#include "app/editing/partition.h"
+#include "app/editing/term_edits.h"
 
 #include <gtest/gtest.h>
 

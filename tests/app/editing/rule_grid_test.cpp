@@ -5,8 +5,8 @@
 
 #include "app/editing/edit_history.h"
 #include "app/editing/rule_edits.h"
-#include "app/editing/same_bits.h"
-#include "app/session/known_forms.h"
+#include "app/editing/edit.h"
+#include "app/session/study_source.h"
 #include "core/base/random.h"
 #include "elicitation/model/model_builder.h"
 #include "questionnaires/form_file.h"

@@ -1,4 +1,4 @@
-#include "app/editing/rule_text.h"
+#include "app/editing/rule_grid.h"
 
 #include <gtest/gtest.h>
 

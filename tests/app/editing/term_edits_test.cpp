@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editing/partition.h"
 
 #include "tests/app/editing/sample_models.h"
 

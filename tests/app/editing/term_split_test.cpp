@@ -1,9 +1,8 @@
-#include "app/editing/term_split.h"
+#include "app/editing/term_edits.h"
 
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "app/editing/partition.h"
 
 #include "tests/app/editing/sample_models.h"
 

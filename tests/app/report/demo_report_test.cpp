@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "core/base/text.h"
 #include "questionnaires/published_rules.h"
 

@@ -5,7 +5,7 @@
 #include <regex>
 
 #include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/support/table_study.h"

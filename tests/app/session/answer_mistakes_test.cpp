@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 
 #include "tests/app/session/data_mistakes.h"
 

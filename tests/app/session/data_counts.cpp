@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/session/data_checks.h"
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 
 #include "tests/support/table_study.h"
 

@@ -1,4 +1,4 @@
-#include "app/session/force_device.h"
+#include "app/session/judged_forces.h"
 
 #include <algorithm>
 #include <cmath>

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <vector>
 
-#include "app/session/simulated_answers.h"
+#include "app/session/simulated_study.h"
 #include "app/session/simulated_nurse.h"
 #include "core/base/check.h"
 #include "core/store/batch.h"

@@ -1,4 +1,3 @@
-#include "app/session/leftovers.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "app/session/session_progress.h"
+#include "app/session/session_state.h"
 
 #include <gtest/gtest.h>
 #include <optional>

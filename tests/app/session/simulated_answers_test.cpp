@@ -1,5 +1,5 @@
 // What the paper says of its nurses holds for the simulated ones, whatever the seed.
-#include "app/session/simulated_answers.h"
+#include "app/session/simulated_study.h"
 
 #include <algorithm>
 #include <cmath>

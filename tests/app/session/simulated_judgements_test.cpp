@@ -1,4 +1,4 @@
-#include "app/session/simulated_judgements.h"
+#include "app/session/simulated_nurse.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/session/simulated_clock.h"
+#include "app/session/simulated_study.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"

@@ -1,10 +1,9 @@
-#include "app/session/simulated_responder.h"
+#include "app/session/simulated_nurse.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 
-#include "app/session/simulated_judgements.h"
 #include "experiments/published_tables.h"
 
 namespace tactus::session {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "app/session/simulated_strokes.h"
 #include "app/session/study_view.h"
 #include "core/base/random.h"

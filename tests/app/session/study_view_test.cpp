@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/session.h"
-#include "app/session/session_order.h"
+#include "app/session/session_state.h"
 #include "app/session/study_import.h"
 #include "core/store/entries.h"
 #include "core/store/merge.h"

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <tuple>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "elicitation/model/method_study.h"
 #include "elicitation/variables/ngt_variables.h"
 

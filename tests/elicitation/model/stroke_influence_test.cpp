@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/model/record_influence.h"
 

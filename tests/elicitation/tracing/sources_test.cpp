@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "app/session/known_forms.h"
+#include "app/session/study_source.h"
 
 #include "tests/elicitation/four_people.h"
 #include "tests/support/table_study.h"

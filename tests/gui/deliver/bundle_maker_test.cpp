@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/bundle/verify_bundle.h"
-#include "app/editing/hole_acceptance.h"
+#include "app/editing/step_fixes.h"
 #include "app/workbench/deliver/bundle_place.h"
 #include "app/workbench/deliver/readiness_controller.h"
 #include "core/fuzzy/compiled_model.h"

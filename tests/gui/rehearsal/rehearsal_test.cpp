@@ -10,7 +10,7 @@
 #include <map>
 #include <set>
 
-#include "app/session/simulated_traits.h"
+#include "app/session/simulated_study.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/rehearse_start.h"
 #include "core/fuzzy/compiled_model.h"

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/session/known_forms.h"
-#include "app/session/study_aside.h"
+#include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"

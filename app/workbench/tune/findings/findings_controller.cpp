@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
-#include "app/editing/hole_acceptance.h"
+#include "app/editing/step_fixes.h"
 #include "app/editing/lint_fixes.h"
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/impact_text.h"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editing/earlier_history.h"
+#include "app/editing/history_versions.h"
 #include "core/store/study_file.h"
 
 namespace tactus::workbench {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/editing/history_tree.h"
+#include "app/editing/edit_history.h"
 
 namespace tactus::workbench {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/study_path.h"
 #include "app/workbench/model/edit_controller.h"

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/editing/rule_edits.h"
-#include "app/editing/rule_text.h"
+#include "app/editing/rule_grid.h"
 #include "app/editing/term_list.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"

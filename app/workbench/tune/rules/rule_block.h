@@ -1,4 +1,4 @@
-// Copies and pastes rules as a block of text (app/editing/rule_text.h).
+// Copies and pastes rules as a block of text (app/editing/rule_grid.h).
 #pragma once
 
 #include <QString>

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editing/edit_steps.h"
+#include "app/editing/edit.h"
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"

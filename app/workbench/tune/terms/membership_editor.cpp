@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/editing/edit_steps.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_list.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/ink.h"

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editing/edit_steps.h"
-#include "app/editing/partition.h"
-#include "app/editing/rules_of_term.h"
-#include "app/editing/shape_conversion.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
-#include "app/editing/term_split.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/tune/terms/term_id.h"
 #include "core/fuzzy/membership.h"

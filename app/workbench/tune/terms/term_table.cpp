@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editing/edit_steps.h"
+#include "app/editing/edit.h"
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/muted_text.h"

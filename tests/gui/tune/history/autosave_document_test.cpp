@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 
 #include "tests/gui/tune/history/autosave_test.h"
 

@@ -1,7 +1,7 @@
 // What a later run finds of the edits before: the history, and what a crash left.
 #include <gtest/gtest.h>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 
 #include "tests/gui/crashed.h"
 #include "tests/gui/tune/history/autosave_test.h"

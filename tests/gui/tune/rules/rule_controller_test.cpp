@@ -4,8 +4,8 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/editing/same_bits.h"
-#include "app/editing/term_split.h"
+#include "app/editing/edit.h"
+#include "app/editing/term_edits.h"
 #include "app/workbench/tune/history/compare_controller.h"
 
 #include "tests/gui/s4_rules.h"

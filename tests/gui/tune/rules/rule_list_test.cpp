@@ -9,7 +9,7 @@
 #include <QToolButton>
 #include <gtest/gtest.h>
 
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/reading_order.h"

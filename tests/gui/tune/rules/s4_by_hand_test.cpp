@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/rule_edits.h"
-#include "app/editing/same_bits.h"
+#include "app/editing/edit.h"
 #include "app/figures/force_curves.h"
 #include "app/workbench/kit/popup_form.h"
 #include "app/workbench/model/ghost_controller.h"

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/editing/edit_steps.h"
+#include "app/editing/edit.h"
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/kit/lock_button.h"

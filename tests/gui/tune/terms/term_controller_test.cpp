@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/editing/partition.h"
+#include "app/editing/term_edits.h"
 
 #include "tests/gui/sample_models.h"
 
