@@ -7,8 +7,8 @@
 #include <functional>
 
 #include "app/cli/commands.h"
-#include "app/cli/opened_model.h"
-#include "app/cli/wrapped_text.h"
+#include "app/cli/model_arguments.h"
+#include "app/cli/terminal.h"
 #include "core/analysis/force_difference.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"

@@ -1,6 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
-#include "app/cli/opened_model.h"
+#include "app/cli/model_arguments.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "elicitation/rules/rule_lint.h"

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/cli/wrapped_text.h"
+#include "app/cli/terminal.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"

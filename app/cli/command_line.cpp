@@ -4,7 +4,7 @@
 #include <cctype>
 #include <charconv>
 
-#include "app/cli/accepted_data.h"
+#include "app/cli/study_build.h"
 #include "core/base/close_match.h"
 #include "core/base/text.h"
 

@@ -63,7 +63,7 @@ inline void addPoint(CLI::App& command, std::vector<std::string>& at) {
 
 inline void addJson(CLI::App& command, bool& json) { command.add_flag("--json", json, "Print the results as JSON"); }
 
-/// Adds `--accept KIND`, which may be repeated (accepted_data.h). `what`: the work that findings of these kinds do not
+/// Adds `--accept KIND`, which may be repeated (study_build.h). `what`: the work that findings of these kinds do not
 /// stop, for the help text.
 void addAccept(CLI::App& command, std::vector<std::string>& kinds, const std::string& what);
 
@@ -74,7 +74,7 @@ void addBuildOptions(CLI::App& command, BuildOptions& options, const std::string
 /// `build`, `report`, `vote`.
 void addBuildCommands(CLI::App& app, Chosen& chosen);
 
-/// `study` with its subcommands (study_commands.h).
+/// `study` with its subcommands (commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 
 /// `bundle`, `verify`, `convert`, `import`, `diff`.
@@ -84,7 +84,7 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen);
 void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostream& err);
 
 struct Terminal;
-/// Adds `devices` with its subcommands (device_commands.h). `terminal`: for the dialog with the person; `aside`: the
+/// Adds `devices` with its subcommands (commands.h). `terminal`: for the dialog with the person; `aside`: the
 /// same while standard output is used for JSON.
 void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, const Terminal& aside);
 

@@ -1,5 +1,5 @@
 #include "app/cli/commands.h"
-#include "app/cli/opened_model.h"
+#include "app/cli/model_arguments.h"
 #include "core/analysis/force_difference.h"
 #include "core/analysis/model_difference.h"
 #include "core/base/json/json_writer.h"

@@ -2,7 +2,6 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
-#include "app/cli/opened_model.h"
 #include "app/cli/output_file.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"

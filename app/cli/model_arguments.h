@@ -4,13 +4,47 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::cli {
+
+// The names and numbers of a model as the commands print them.
+
+/// `+0.086 N`, `-0.010 N`.
+std::string signedNewtons(double newtons);
+
+/// `60.000 deg`; without a unit for a share. Three digits after the point.
+std::string withUnit(double number, const fuzzy::Variable& variable);
+
+/// The label of a term, `id` without one; escaped. `term` may be null.
+std::string labelOf(const fuzzy::Term* term, const std::string& id);
+
+/// The label of the output term `id` in the shared list.
+std::string wordLabel(const fuzzy::ForceModel& model, const std::string& id);
+
+std::string variableLabel(const fuzzy::Variable& variable);
+
+/// `Lubrication Well, Insertion depth Laryngopharynx`: the conditions of rule number `rule` of expert number `expert`.
+std::string conditionsOf(const fuzzy::ForceModel& model, std::size_t expert, std::size_t rule);
+
+/// A model file as the commands use it: read, checked and compiled, with the file's name in every error.
+struct OpenedModel {
+  fuzzy::ForceModel model;
+  fuzzy::CompiledModel compiled;      ///< of `model`
+  std::vector<std::string> warnings;  ///< of the reader, one sentence each
+};
+
+/// Reads the model file `path` of at most 32 MiB.
+base::Result<OpenedModel> openedModel(const std::string& path);
+
+/// The same for `text`, which the caller has read from the file `path`.
+base::Result<OpenedModel> openedModel(std::string_view text, const std::string& path);
 
 /// The index of the expert with the id `id` in the model of file `path`; nothing for an empty `id`, which means the
 /// mean of all. Returns an error with the known ids for another one.

@@ -3,15 +3,21 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <condition_variable>
+#include <cstdio>
 #include <exception>
 #include <iostream>
+#include <mutex>
 #include <sstream>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <utility>
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
-#include "app/cli/device_commands.h"
-#include "app/cli/progress_line.h"
 #include "app/session/simulated_study.h"
 #include "app/version.h"
 #include "core/base/close_match.h"
@@ -21,6 +27,57 @@
 
 namespace tactus::cli {
 namespace {
+
+// A line on the terminal while a command takes long, so that nobody takes it for stuck.
+
+/// From 2 s on, writes `what` and the seconds that have passed to standard error, each second in the same line; the end
+/// clears the line. Does nothing where standard error is no terminal.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string what);
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+ private:
+  void show(const std::string& what);
+
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool end_ = false;
+  std::thread writer_;
+};
+
+using std::chrono::seconds;
+
+constexpr seconds kQuiet{2};
+
+ProgressLine::ProgressLine(std::string what) {
+  if (::isatty(STDERR_FILENO) == 1) writer_ = std::thread([this, what = std::move(what)] { show(what); });
+}
+
+ProgressLine::~ProgressLine() {
+  if (!writer_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    end_ = true;
+  }
+  ended_.notify_one();
+  writer_.join();
+}
+
+void ProgressLine::show(const std::string& what) {
+  const auto start = std::chrono::steady_clock::now();
+  std::unique_lock lock(mutex_);
+  if (ended_.wait_for(lock, kQuiet, [this] { return end_; })) return;
+  do {
+    const auto passed = std::chrono::duration_cast<seconds>(std::chrono::steady_clock::now() - start);
+    std::fprintf(stderr, "\r%s: working, %lld s", what.c_str(), static_cast<long long>(passed.count()));
+    std::fflush(stderr);
+  } while (!ended_.wait_for(lock, seconds(1), [this] { return end_; }));
+  std::fputs("\r\033[K", stderr);
+  std::fflush(stderr);
+}
 
 constexpr int kFine = 0;
 constexpr int kWrongInput = 1;

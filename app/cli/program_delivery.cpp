@@ -1,7 +1,60 @@
 // The commands that hand a model to other programs.
 #include "app/cli/command_line.h"
+#include "app/cli/commands.h"
 
 namespace tactus::cli {
+
+void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, const Terminal& aside) {
+  CLI::App& devices = *app.add_subcommand("devices", "List, test and calibrate devices");
+  devices.require_subcommand(0, 1);
+  const auto list = std::make_shared<DevicesOptions>();
+  addJson(devices, list->json);
+  // Runs after the callbacks of the subcommands.
+  devices.callback([&devices, &chosen, list] {
+    if (devices.get_subcommands().empty()) chosen = [list] { return cli::devices(*list); };
+  });
+  addCommand(devices, chosen, "test", "Guided self-test with at most 0.1 N", testDevice,
+             [&](CLI::App& command, DeviceTestOptions& o) {
+               command.add_option("ID", o.id, "Device as `tactus devices` names it; by default the first that works")
+                   ->check(notEmpty());
+               command.add_flag_callback(
+                   "--json",
+                   [&o, aside] {
+                     o.json = true;
+                     o.terminal = aside;
+                   },
+                   "Print the results as JSON; the conversation goes to standard error");
+               o.terminal = terminal;
+               o.results = terminal.out;
+             });
+  addCommand(devices, chosen, "calibrate", "Guided calibration; stored for this computer", calibrateDevice,
+             [&](CLI::App& command, DeviceCalibrateOptions& o) {
+               command.add_option("ID", o.id, "Device as `tactus devices` names it")->required()->check(notEmpty());
+               command.add_option("--method", o.method, "How newtons are measured: with a spring scale or a weight")
+                   ->check(oneOf({"spring", "weight"}));
+               command
+                   .add_option("--inwards", o.inwards,
+                               "Store the insertion axis of an OpenHaptics device, x,y,z (right, up, toward "
+                               "you): --inwards=0,0,-1; by default the calibration runs")
+                   ->check(notEmpty());
+               o.terminal = terminal;
+             });
+}
+
+void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostream& err) {
+  const auto o = std::make_shared<ServeOptions>();
+  CLI::App& command = *app.add_subcommand("serve", "The live link: gives a model to simulators while they run");
+  command.add_option("MODEL", o->model, "Model file")->required()->check(notEmpty());
+  command.add_option("--port", o->port, "TCP port on the loopback, 0 for a free one")->check(wholeNumberUpTo(65535));
+  command.add_option("--socket", o->socket, "Socket file to listen on as well")->check(notEmpty());
+  command
+      .add_option("--token-file", o->token_file,
+                  "File with the token that clients must know: read, or made if there is none; without it a new one in "
+                  "a private folder")
+      ->check(notEmpty());
+  command.add_flag("--watch", o->watch, "Serve the file again when it changes");
+  command.callback([&chosen, &out, &err, o] { chosen = [&out, &err, o] { return serve(*o, out, err); }; });
+}
 
 void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "bundle", "Everything that a simulator team needs of a model, with what each file promises",

@@ -1,6 +1,6 @@
 // The command line of `tactus study`.
 #include "app/cli/command_line.h"
-#include "app/cli/study_commands.h"
+#include "app/cli/commands.h"
 
 namespace tactus::cli {
 namespace {

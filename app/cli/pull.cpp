@@ -1,27 +1,237 @@
+#include "core/analysis/pull/pull.h"
+
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
-#include "app/cli/opened_model.h"
 #include "app/cli/output_file.h"
-#include "app/cli/pull_curve_text.h"
-#include "app/cli/pull_findings.h"
-#include "app/cli/pull_reference.h"
-#include "app/cli/pull_sign_offs.h"
 #include "app/cli/pull_text.h"
+#include "app/cli/terminal.h"
 #include "app/editing/edit.h"
 #include "app/version.h"
+#include "core/analysis/lint.h"
+#include "core/analysis/pull/pull_curve.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
+#include "core/base/text.h"
+#include "core/fuzzy/force_model.h"
 #include "core/model_io/model_file.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::cli {
 namespace {
+
+/// A reference curve or band from a CSV table.
+struct ReadReference {
+  analysis::ReferenceCurve curve;
+  std::vector<std::string> warnings;
+};
+
+using base::CsvTable;
+using base::ErrorCode;
+
+constexpr std::size_t kMostRows = 10'000;  // a search looks at each of them some ten thousand times
+
+/// The column of each input that the table has, and of the forces.
+struct ReferenceColumns {
+  std::vector<std::optional<std::size_t>> inputs;
+  std::optional<std::size_t> low, high;
+};
+
+/// `depth`, or with its unit `depth_mm`.
+std::optional<std::size_t> columnOf(const CsvTable& table, const fuzzy::Variable& variable,
+                                    const std::string& ending = {}) {
+  const auto plain = table.find(variable.id + ending);
+  return plain ? plain : table.find(variable.id + ending + "_" + base::columnKey(variable.unit));
+}
+
+base::Result<ReferenceColumns> referenceColumns(const CsvTable& table, const fuzzy::ForceModel& model) {
+  ReferenceColumns out;
+  std::vector<std::string> ids;
+  bool any = false;
+  for (const auto& input : model.inputs) {
+    out.inputs.push_back(columnOf(table, input));
+    any = any || out.inputs.back();
+    ids.push_back(input.id);
+  }
+  const auto refuse = [&](std::string wanted) {
+    return base::inFile({ErrorCode::kSchema, {}, "header", base::joined(table.columns(), ", "), std::move(wanted)},
+                        table.file());
+  };
+  if (!any) return refuse("a column of an input: " + base::joined(ids, ", "));
+  const std::string& name = model.output.id;
+  out.low = columnOf(table, model.output, "_min");
+  out.high = columnOf(table, model.output, "_max");
+  const auto force = columnOf(table, model.output);
+  if (force && (out.low || out.high)) return refuse("either " + name + ", or " + name + "_min and " + name + "_max");
+  if (force) out.low = out.high = force;
+  if (!out.low && !out.high) return refuse("a column " + name + ", or " + name + "_min, " + name + "_max or both");
+  return out;
+}
+
+/// The value of an input in a row.
+base::Result<double> inputValue(const CsvTable& table, std::size_t row, std::size_t column,
+                                const fuzzy::Variable& input) {
+  const auto value = table.number(row, column);
+  if (!value || (*value >= input.min && *value <= input.max)) return value;
+  return table.refuse(row, column, ErrorCode::kValue,
+                      "a value from " + base::formatNumber(input.min) + " to " + base::formatNumber(input.max));
+}
+
+/// Reads the file `path`: columns named after inputs, with or without their unit (`depth`, `depth_mm`; at least one,
+/// the others are at their values in `point`), and the output in the same way, or a band by `force_min`, `force_max` or
+/// both. Rows without a force are gaps. At most 10,000 rows.
+base::Result<ReadReference> readReference(const std::string& path, const fuzzy::ForceModel& model,
+                                          std::span<const double> point) {
+  const auto table = CsvTable::read(path);
+  if (!table) return tl::unexpected(table.error());
+  const auto columns = referenceColumns(*table, model);
+  if (!columns) return tl::unexpected(columns.error());
+  if (table->rowCount() == 0 || table->rowCount() > kMostRows) {
+    return base::inFile(
+        {ErrorCode::kLimit, {}, {}, std::to_string(table->rowCount()) + " rows", "1 to " + std::to_string(kMostRows)},
+        path);
+  }
+  ReadReference out;
+  if (auto note = table->note()) out.warnings.push_back(std::move(*note));
+  out.curve.columns.resize(model.inputs.size());
+  constexpr double kFree = std::numeric_limits<double>::infinity();
+  const auto isGap = [&](std::size_t row, const std::optional<std::size_t>& column) {
+    return !column || base::trimmed(table->cell(row, *column)).empty();
+  };
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    const bool no_low = isGap(row, columns->low);
+    const bool no_high = isGap(row, columns->high);
+    if (no_low && no_high) continue;
+    for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+      const auto& column = columns->inputs[i];
+      const auto value = column ? inputValue(*table, row, *column, model.inputs[i]) : base::Result<double>(point[i]);
+      if (!value) return tl::unexpected(value.error());
+      out.curve.columns[i].push_back(*value);
+    }
+    const auto low = no_low ? base::Result<double>(-kFree) : table->number(row, *columns->low);
+    if (!low) return tl::unexpected(low.error());
+    const auto high = no_high ? base::Result<double>(kFree) : table->number(row, *columns->high);
+    if (!high) return tl::unexpected(high.error());
+    if (*low > *high) {
+      return table->refuse(row, *columns->high, ErrorCode::kValue,
+                           "at least force_min, which is " + base::formatNumber(*low));
+    }
+    out.curve.low_n.push_back(*low);
+    out.curve.high_n.push_back(*high);
+  }
+  return out;
+}
+
+// The edits that come nearest to a reference curve, in words and as JSON.
+
+/// The force at the point of the pull, beside what was found.
+struct CurveQuestion {
+  const fuzzy::ForceModel& model;
+  std::optional<double> before_n;  ///< nothing in a hole
+  std::optional<double> target_n;
+  bool rules_left_out = false;  ///< the pull was of a mean
+};
+
+using base::formatFixed;
+
+constexpr std::size_t kMostShown = 3;
+
+/// What stays in the way if no edit comes close.
+std::optional<std::string> leftOver(const analysis::CurvePull& pull) {
+  if (pull.close) return std::nullopt;
+  if (pull.candidates.empty()) return "no edit of a term or rule gains a tenth of the distance";
+  return "up to three edits still leave " + formatFixed(pull.candidates[0].residual_n, 3) + " N (root mean square)";
+}
+
+/// The edits and what they leave; `5 edits give the same curve` where one curve does not tell them apart.
+std::string curveCandidateText(const fuzzy::ForceModel& model, const analysis::CurveCandidate& candidate) {
+  return editsText(model, candidate.candidate.edits) + "; leaves " + formatFixed(candidate.residual_n, 3) + " N" +
+         (candidate.same_curve == 0
+              ? ""
+              : "; as much as " + std::to_string(candidate.same_curve) +
+                    (candidate.same_curve == 1 ? " other edit" : " other edits") + " here, different elsewhere") +
+         contradictionText(candidate.candidate);
+}
+
+std::string asText(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
+  std::string sentence =
+      "The force is " + formatFixed(pull.residual_n, 3) + " N (root mean square) from the reference.";
+  if (const auto left = leftOver(pull)) sentence += " Out of reach: " + *left + ".";
+  if (pull.candidates.empty() && pull.close) sentence += " Nothing has to change.";
+  std::string text = wrapped(sentence, "", 0);
+  std::size_t shown = 0;
+  for (; shown < pull.candidates.size() && shown < kMostShown; ++shown) {
+    const analysis::CurveCandidate& one = pull.candidates[shown];
+    text += "\n" + wrapped(curveCandidateText(question.model, one), padded(std::to_string(shown + 1), 4), 4);
+    text += wrapped(elsewhereText(one.candidate), "    ", 4) + findingsText(notes.findings(one.candidate));
+  }
+  if (pull.candidates.size() > shown)
+    text += "\n" + std::to_string(pull.candidates.size() - shown) + " more with --json\n";
+  if (question.rules_left_out) text += "\nA rule belongs to one expert: its edits are offered with --expert ID.\n";
+  return text;
+}
+
+std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
+  base::JsonWriter json;
+  json.beginObject().key("before_n");
+  question.before_n ? json.value(*question.before_n) : json.null();
+  json.key("target_n");
+  question.target_n ? json.value(*question.target_n) : json.null();
+  json.key("residual_n").value(pull.residual_n).key("reachable").null().key("blocker");
+  const auto left = leftOver(pull);
+  left ? json.value(*left) : json.null();
+  writeSignOffs(json, notes.sign_offs);
+  json.key("candidates").beginArray();
+  for (const analysis::CurveCandidate& one : pull.candidates) {
+    json.beginObject();
+    writeMembers(json, question.model, one.candidate, notes.findings(one.candidate));
+    json.key("residual_n").value(one.residual_n);
+    json.key("text").value(curveCandidateText(question.model, one)).endObject();
+  }
+  return json.endArray().endObject().text();
+}
+
+/// What the lint finds in a model after an edit and did not find before.
+class NewFindings {
+ public:
+  /// `before` outlives this object.
+  explicit NewFindings(const OpenedModel& before)
+      : before_(before), known_(analysis::lint(before.model, before.compiled).findings) {}
+
+  /// One sentence for each finding of the model after `candidate` that the model before has not, with its expert.
+  std::vector<std::string> after(const analysis::PullCandidate& candidate) const;
+
+ private:
+  const OpenedModel& before_;
+  std::vector<analysis::Finding> known_;
+};
+
+std::vector<std::string> NewFindings::after(const analysis::PullCandidate& candidate) const {
+  const auto model = applied(before_.model, candidate.edits);
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return {};  // no such candidate is offered
+  std::vector<std::string> out;
+  for (const analysis::Finding& one : analysis::lint(model, *compiled).findings) {
+    const bool is_known = std::any_of(known_.begin(), known_.end(), [&](const analysis::Finding& other) {
+      return other.kind == one.kind && other.expert == one.expert && other.where == one.where;
+    });
+    if (!is_known) out.push_back((one.expert.empty() ? "" : one.expert + ": ") + one.text);
+  }
+  return out;
+}
 
 using base::ErrorCode;
 

@@ -1,12 +1,15 @@
+#include <chrono>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <poll.h>
+#include <string>
+#include <sys/stat.h>
 #include <utility>
 
 #include "app/cli/commands.h"
-#include "app/cli/interrupt_signals.h"
-#include "app/cli/opened_model.h"
-#include "app/cli/watched_file.h"
+#include "app/cli/terminal.h"
+#include "app/cli/model_arguments.h"
 #include "app/link/link_server.h"
 #include "app/link/token_file.h"
 #include "app/version.h"
@@ -16,6 +19,60 @@
 
 namespace tactus::cli {
 namespace {
+
+/// Tells when a file has changed, by looking at it again and again: that works on every file system, and for editors
+/// that replace a file as well as for those that write into it.
+class WatchedFile {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// A file that did not change for this long is whole.
+  static constexpr auto kQuiet = std::chrono::milliseconds(100);
+
+  enum class Change {
+    kNone,
+    kNew,      ///< it has just changed: it may be half written
+    kSettled,  ///< it changed a while ago, and not since
+  };
+
+  /// The first look says that the file is new.
+  explicit WatchedFile(std::string path);
+
+  /// What has happened since the last call. `now`: not before the last one.
+  Change look(Clock::time_point now);
+
+ private:
+  std::string path_;
+  struct stat seen_ {};  ///< all zero: no file
+  std::optional<Clock::time_point> changed_at_;
+};
+
+struct stat lookAt(const std::string& path) {
+  struct stat info {};
+  if (::stat(path.c_str(), &info) != 0) return {};
+  return info;
+}
+
+bool sameTime(const timespec& a, const timespec& b) { return a.tv_sec == b.tv_sec && a.tv_nsec == b.tv_nsec; }
+
+bool sameFile(const struct stat& a, const struct stat& b) {
+  return a.st_dev == b.st_dev && a.st_ino == b.st_ino && a.st_size == b.st_size && sameTime(a.st_mtim, b.st_mtim) &&
+         sameTime(a.st_ctim, b.st_ctim);
+}
+
+WatchedFile::WatchedFile(std::string path) : path_(std::move(path)) {}
+
+WatchedFile::Change WatchedFile::look(Clock::time_point now) {
+  const struct stat info = lookAt(path_);
+  if (!sameFile(info, seen_)) {
+    seen_ = info;
+    changed_at_ = now;
+    return Change::kNew;
+  }
+  // A write within one tick of the system's clock leaves no trace in the times, so the file is read once more.
+  if (!changed_at_ || now - *changed_at_ < kQuiet) return Change::kNone;
+  changed_at_.reset();
+  return Change::kSettled;
+}
 
 using base::Result;
 

@@ -2,7 +2,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"
-#include "app/cli/wrapped_text.h"
+#include "app/cli/terminal.h"
 #include "app/simulation/scenario_run.h"
 #include "app/simulation/trace_table.h"
 #include "core/base/files/file.h"

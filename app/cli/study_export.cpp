@@ -1,17 +1,136 @@
 #include "app/session/study_export.h"
 
+#include <filesystem>
 #include <random>
 #include <utility>
 
-#include "app/cli/study_commands.h"
+#include "app/cli/study_build.h"
+#include "app/cli/findings_text.h"
+#include "app/cli/commands.h"
 #include "app/cli/study_text.h"
 #include "app/dataset/dataset.h"
+#include "app/session/data_checks.h"
+#include "app/session/export_folder.h"
+#include "app/session/study_import.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/json/json_writer.h"
+#include "core/store/record_import.h"
+#include "core/store/study_info.h"
+#include "core/study/csv_tables.h"
+#include "core/study/table_line.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
+namespace {
+
+using base::Result;
+
+/// What the tables of a folder gave, and what is to be said besides.
+struct Imported {
+  session::StudyImport import;
+  std::vector<std::string> notices = {};   ///< of the opening of the study
+  std::vector<std::string> warnings = {};  ///< of its end
+};
+
+Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
+  std::error_code ignored;
+  if (!path.empty() && !std::filesystem::exists(path, ignored)) {
+    auto imported = session::importAsNewStudy(tables, path, source, std::string(kGenerator));
+    if (!imported) return tl::unexpected(imported.error());
+    return Imported{std::move(*imported)};
+  }
+  std::vector<std::string> notices;
+  auto file = openToWrite(path, notices);
+  if (!file) return tl::unexpected(file.error());
+  auto imported = session::importTables(tables, *file, source);
+  if (!imported) return base::inFile(imported.error(), path);
+  for (auto& notice : noticesOf(*file)) notices.push_back(std::move(notice));
+  return Imported{std::move(*imported), std::move(notices), closeSaved(*file)};
+}
+
+Result<Output> importFolder(const StudyImportOptions& options) {
+  const auto accepted = acceptedKinds(options.accept);
+  if (!accepted) return tl::unexpected(accepted.error());
+  // Everything that can be wrong with the tables is found before a file is made.
+  const auto tables = session::readTables(options.folder, elicitation::ngtInputIds());
+  if (!tables) return tl::unexpected(tables.error());
+  const auto data = session::dataFindings(tables->study);
+  if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.folder);
+  const auto source = session::tablesSource(options.folder, tables->study.name, utcNowMs());
+  if (!source) return tl::unexpected(source.error());
+  auto done = intoStudy(options.file, tables->study, *source);
+  if (!done) return tl::unexpected(done.error());
+  const auto* imported = &done->import;
+
+  std::vector<std::string> notes = std::move(done->warnings);
+  notes.insert(notes.end(), tables->notes.begin(), tables->notes.end());
+  notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
+  for (auto& note : acceptedNotes(data, *accepted)) notes.push_back(std::move(note));
+  if (options.json) {
+    base::JsonWriter json;
+    json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+    json.key("persons").value(imported->persons).key("sessions").value(imported->sessions);
+    json.key("records").value(imported->records).key("notes").values(notes);
+    json.key("notices").values(done->notices);
+    writeData(data, json);
+    json.endObject();
+    return Output{json.text(), std::move(done->notices)};
+  }
+  notes.insert(notes.begin(), done->notices.begin(), done->notices.end());
+  return Output{dataAsText(data, *accepted) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
+                    std::to_string(imported->sessions) + ", records " + std::to_string(imported->records) + " to " +
+                    base::oneLine(options.file) + '\n',
+                std::move(notes)};
+}
+
+/// Makes the study that a full export was made of.
+Result<Output> restore(const StudyImportOptions& options, const std::string& records) {
+  if (auto restored = store::restoreRecords(records, options.file); !restored) return tl::unexpected(restored.error());
+  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
+  if (!file) return tl::unexpected(file.error());
+  auto info = store::studyInfo(*file);
+  if (!info) return tl::unexpected(info.error());
+  if (!options.json) return Output{"Made " + base::oneLine(options.file) + " from the export\n", {}};
+  store::Merge merge;
+  merge.added = std::move(info->counts);
+  std::erase_if(merge.added, [](const store::TableCount& count) { return count.rows == 0; });
+  base::JsonWriter json;
+  json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+  writeMerge(merge, json);
+  json.key("notices").values(std::vector<std::string>{}).endObject();  // a study that was made just now
+  return Output{json.text(), {}};
+}
+
+/// Adds a full export to a study that is there.
+Result<Output> importRecords(const StudyImportOptions& options, const std::string& records) {
+  std::vector<std::string> warnings;
+  auto file = openToWrite(options.file, warnings);
+  if (!file) return tl::unexpected(file.error());
+  const auto merge = store::importRecords(*file, records, study::RecordIds().next(), utcNowMs());
+  if (!merge) return tl::unexpected(merge.error());
+  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
+  const auto notices = warnings;
+  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
+  if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(*merge), std::move(warnings)};
+  base::JsonWriter json;
+  json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+  writeMerge(*merge, json);
+  json.key("notices").values(notices).endObject();
+  return Output{json.text(), std::move(warnings)};
+}
+
+}  // namespace
+
+Result<Output> studyImport(const StudyImportOptions& options) {
+  std::error_code ignored;
+  session::removeOurs(session::leftoversOfStudy(options.file));  // of an import that was stopped
+  const std::string records = (std::filesystem::path(options.folder) / "records").string();
+  if (!std::filesystem::is_directory(records, ignored)) return importFolder(options);
+  const bool is_there = std::filesystem::exists(options.file, ignored);
+  return is_there ? importRecords(options, records) : restore(options, records);
+}
+
 namespace {
 
 /// A random seed that is not kept, so that the order of the participants stays secret.

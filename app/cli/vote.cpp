@@ -3,7 +3,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"
-#include "app/cli/wrapped_text.h"
+#include "app/cli/terminal.h"
 #include "app/session/study_source.h"
 #include "app/session/table_words.h"
 #include "core/base/json/json_writer.h"

@@ -8,8 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "app/cli/interrupt_signals.h"
-#include "app/cli/typed_lines.h"
+#include "app/cli/terminal.h"
 #include "app/devices/open_device.h"
 
 #include "tests/app/cli/run_program.h"

@@ -1,4 +1,4 @@
-#include "app/cli/wrapped_text.h"
+#include "app/cli/terminal.h"
 
 #include <gtest/gtest.h>
 
