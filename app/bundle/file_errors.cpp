@@ -2,15 +2,274 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <filesystem>
 #include <functional>
+#include <optional>
+#include <poll.h>
 #include <span>
+#include <spawn.h>
+#include <stop_token>
 #include <string>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <utility>
+#include <vector>
 
-#include "app/bundle/compiled_source.h"
+#include "app/bundle/zip.h"
+#include "core/analysis/check_points.h"
 #include "core/analysis/sampled_centroid.h"
+#include "core/base/files/file.h"
+#include "core/base/files/unfinished.h"
+#include "core/base/text.h"
+#include "core/exchange/c_source.h"
 
 namespace tactus::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+using model_io::FileCheck;
+
+constexpr std::size_t kMostFileBytes = std::size_t{256} << 20U;
+
+class Verifier {
+ public:
+  Verifier(const fuzzy::ForceModel& model, fuzzy::CompiledModel compiled, std::string folder, bool same_program)
+      : model_(model),
+        compiled_(std::move(compiled)),
+        folder_(std::move(folder)),
+        same_program_(same_program),
+        points_(analysis::checkPoints(model)) {}
+
+  void look(FileCheck& check) {
+    const std::string path = folder_ + "/" + check.file.path;
+    auto bytes = base::readFile(path, kMostFileBytes);
+    if (!bytes) return fail(check, bytes.error().message());
+    if (check.file.kind == "table") {
+      const auto table = parseTable(model_, std::move(*bytes), path);
+      if (!table) return fail(check, table.error().message());
+      return take(check, errorOf(*table, compiled_, points_));
+    }
+    if (check.file.kind == "c") return lookAtSource(check, *bytes);
+    for (const exchange::Dialect dialect : exchange::kDialects) {
+      if (check.file.kind == name(dialect)) return lookAtExpert(check, *bytes, dialect);
+    }
+  }
+
+ private:
+  void lookAtExpert(FileCheck& check, const std::string& bytes, exchange::Dialect dialect) {
+    const auto expert = std::find_if(model_.experts.begin(), model_.experts.end(),
+                                     [&](const fuzzy::Expert& one) { return one.id == check.file.expert; });
+    if (expert == model_.experts.end())
+      return fail(check, check.file.path + ": found the expert " + base::quoted(check.file.expert) +
+                             ", wanted one of the model");
+    const auto index = static_cast<std::size_t>(expert - model_.experts.begin());
+    const auto text = exchange::format(model_, index, dialect);
+    compare(check, bytes, text ? std::optional(*text) : std::nullopt);
+    if (check.ok) take(check, promiseOf(dialect, compiled_, index, points_));
+  }
+
+  /// The text of another version is not run, because it is not known what it does.
+  void lookAtSource(FileCheck& check, const std::string& bytes) {
+    const auto source = exchange::cSource(model_);
+    const bool header = check.file.path.ends_with(".h");
+    compare(check, bytes, source ? std::optional(header ? source->header : source->source) : std::nullopt);
+    if (!check.ok || !same_program_ || header) return;
+    const model_io::Promise now = promiseOf(*source, compiled_, points_);
+    if (now.measured) take(check, now);
+  }
+
+  void compare(FileCheck& check, const std::string& bytes, const std::optional<std::string>& wanted) const {
+    if (!same_program_ || (wanted && *wanted == bytes)) return;
+    fail(check, check.file.path + ": found another text than this program writes for the model, wanted the same");
+  }
+
+  /// The error of now takes the place of the promised one.
+  static void take(FileCheck& check, const model_io::Promise& now) {
+    check.evaluated = true;
+    check.largest_error_n = now.largest_error_n;
+    if (!check.file.promise || now.largest_error_n <= check.file.promise->tolerance_n) return;
+    fail(check, check.file.path + ": found an error of " + base::formatNumber(now.largest_error_n) +
+                    " N, wanted at most " + base::formatNumber(check.file.promise->tolerance_n) + " N");
+  }
+
+  static void fail(FileCheck& check, std::string sentence) {
+    check.ok = false;
+    check.wrong = std::move(sentence);
+  }
+
+  const fuzzy::ForceModel& model_;
+  fuzzy::CompiledModel compiled_;
+  std::string folder_;
+  bool same_program_;
+  std::vector<std::vector<double>> points_;
+};
+
+}  // namespace
+
+namespace {
+
+base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std::string_view generator) {
+  auto bundle = model_io::checkBundle(folder);
+  if (!bundle) return bundle;
+  auto compiled = fuzzy::compile(bundle->model);
+  if (!compiled) return tl::unexpected(compiled.error());
+  Verifier verifier(bundle->model, std::move(*compiled), folder, bundle->generator == generator);
+  for (FileCheck& check : bundle->files) {
+    if (check.ok && !check.evaluated) verifier.look(check);
+  }
+  return bundle;
+}
+
+base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::string_view generator) {
+  const auto files = unzipped(path);
+  if (!files) return tl::unexpected(files.error());
+  std::error_code ignored;
+  const fs::path place = fs::temp_directory_path(ignored) / "tactus-verify";
+  const base::Unfinished folder = base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding);
+  if (!folder.descriptor.isOpen())
+    return base::fail(base::ErrorCode::kIo, place.string(), "no place to unpack", "a folder for temporary files");
+  base::Result<void> written;
+  for (const auto& [name, bytes] : *files) {
+    const std::string file = folder.path + "/" + name;
+    if (written) written = base::makeFolder(fs::path(file).parent_path().string());
+    if (written) written = base::writeFileAtomically(file, bytes);
+  }
+  auto bundle = written ? verifyFolder(folder.path, generator) : tl::unexpected(written.error());
+  fs::remove_all(folder.path, ignored);
+  // Its user knows the zip file alone.
+  const auto rename = [&](std::string& text) {
+    for (std::size_t at = 0; (at = text.find(folder.path, at)) != std::string::npos; at += path.size())
+      text.replace(at, folder.path.size(), path);
+  };
+  if (!bundle) {
+    base::Error error = bundle.error();
+    rename(error.file);
+    return tl::unexpected(std::move(error));
+  }
+  for (FileCheck& check : bundle->files) rename(check.wrong);
+  return bundle;
+}
+
+}  // namespace
+
+base::Result<model_io::BundleCheck> verifyBundle(const std::string& path, std::string_view generator) {
+  std::error_code ignored;
+  return isZipName(path) && fs::is_regular_file(path, ignored) ? verifyZip(path, generator)
+                                                               : verifyFolder(path, generator);
+}
+
+// The C source of a bundle, compiled and run: what its forces really are.
+
+/// The forces of `force_model` at `points`, computed by a program made of `source` with the C compiler `cc` of this
+/// computer, in a folder that is removed. Nothing if there is no compiler, or it cannot be run here.
+std::optional<std::vector<double>> forcesOf(const exchange::CSource& source,
+                                            const std::vector<std::vector<double>>& points,
+                                            const std::stop_token& stop = {});
+}  // namespace tactus::bundle
+
+extern char** environ;
+
+namespace tactus::bundle {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLongestMs = 60'000;  // a compiler that takes longer is not waited for
+constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
+
+/// Reads points and writes their forces, all digits of them.
+constexpr std::string_view kMain = R"(#include <stdio.h>
+#include "force_model.h"
+int main(void) {
+  double inputs[FORCE_MODEL_INPUTS];
+  for (;;) {
+    int i, fired;
+    for (i = 0; i < FORCE_MODEL_INPUTS; ++i) {
+      if (scanf("%lf", &inputs[i]) != 1) return 0;
+    }
+    printf("%.17g\n", force_model(inputs, &fired));
+  }
+}
+)";
+
+/// Runs a program, found in PATH, with its input and output in files of `folder`. Returns whether it ended well.
+bool run(std::vector<std::string> words, const std::string& folder, const std::stop_token& stop) {
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  posix_spawn_file_actions_t files;
+  posix_spawn_file_actions_init(&files);
+  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, (folder + "/in").c_str(), O_RDONLY, 0);
+  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, (folder + "/out").c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                   0600);
+  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  pid_t child = 0;
+  const bool started = posix_spawnp(&child, arguments.front(), &files, nullptr, arguments.data(), environ) == 0;
+  posix_spawn_file_actions_destroy(&files);
+  if (!started) return false;
+  int status = 0;
+  constexpr int kStepMs = 5;
+  for (int waited = 0; waitpid(child, &status, WNOHANG) == 0; waited += kStepMs) {
+    if (waited >= kLongestMs || stop.stop_requested()) {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      return false;
+    }
+    poll(nullptr, 0, kStepMs);
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> forcesOf(const exchange::CSource& source,
+                                            const std::vector<std::vector<double>>& points,
+                                            const std::stop_token& stop) {
+  std::error_code ignored;
+  const base::Unfinished work =
+      base::makeUnfinishedFolder((fs::temp_directory_path(ignored) / "tactus-c").string(), base::kUnfinishedEnding);
+  if (!work.descriptor.isOpen()) return std::nullopt;
+  struct Removed {
+    const std::string& folder;
+    ~Removed() {
+      std::error_code unimportant;
+      fs::remove_all(folder, unimportant);
+    }
+  } const removed{work.path};
+
+  std::string input;
+  for (const auto& point : points) {
+    for (const double value : point) input += base::formatNumber(value) + ' ';
+    input += '\n';
+  }
+  const auto write = [&](const std::string& name, std::string_view text) {
+    return base::writeFileAtomically(work.path + "/" + name, text).has_value();
+  };
+  if (!write("force_model.h", source.header) || !write("force_model.c", source.source) || !write("main.c", kMain) ||
+      !write("in", input))
+    return std::nullopt;
+  const std::string program = work.path + "/forces";
+  if (!run({"cc", "-std=c99", "-O1", work.path + "/force_model.c", work.path + "/main.c", "-o", program, "-lm"},
+           work.path, stop))
+    return std::nullopt;
+  if (!run({program}, work.path, stop)) return std::nullopt;
+  const auto output = base::readFile(work.path + "/out", kMostBytes);
+  if (!output) return std::nullopt;
+  std::vector<double> forces;
+  std::string_view rest = *output;
+  for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
+    const auto force = base::parseNumber(rest.substr(0, end));
+    if (!force) return std::nullopt;
+    forces.push_back(*force);
+    rest.remove_prefix(end + 1);
+  }
+  if (forces.size() != points.size()) return std::nullopt;
+  return forces;
+}
+
 namespace {
 
 constexpr double kRounding = 1e-12;

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <stop_token>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/bundle/bounded_table.h"
@@ -11,6 +13,14 @@
 #include "core/model_io/bundle_check.h"
 
 namespace tactus::bundle {
+
+// The work of `tactus verify`: reads a bundle back and compares each of its files with its model.
+
+/// Calls model_io::checkBundle. Then reads the look-up table and compares it with the model, and measures the errors of
+/// the files for other programs again. If `generator` (this program and version) wrote the bundle, their texts and the
+/// C source must be equal to the ones that this program writes for the model. Texts of another version are compared by
+/// their checksums alone. A zip file (zip.h) is unpacked beside the other temporary files first.
+base::Result<model_io::BundleCheck> verifyBundle(const std::string& path, std::string_view generator);
 
 /// The error of a program that reads expert `expert` from a file of this dialect: its forces against those of the model
 /// at `points`. The promised tolerance is that of the dialect; if the error is larger, a tolerance above the error.

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "app/bundle/verify_bundle.h"
+#include "app/bundle/file_errors.h"
 #include "app/bundle/zip.h"
 #include "app/cli/commands.h"
 #include "app/cli/output_file.h"

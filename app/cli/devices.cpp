@@ -9,10 +9,8 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
-#include "app/devices/calibration_run.h"
 #include "app/devices/device_list.h"
-#include "app/devices/open_device.h"
-#include "app/devices/self_test_run.h"
+#include "app/devices/guided_runs.h"
 #include "core/base/clock.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"

@@ -11,7 +11,7 @@
 #include "app/cli/terminal.h"
 #include "app/cli/model_arguments.h"
 #include "app/link/link_server.h"
-#include "app/link/token_file.h"
+#include "app/link/link_sockets.h"
 #include "app/version.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"

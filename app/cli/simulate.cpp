@@ -4,7 +4,6 @@
 #include "app/cli/output_file.h"
 #include "app/cli/terminal.h"
 #include "app/simulation/scenario_run.h"
-#include "app/simulation/trace_table.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"

@@ -2,7 +2,6 @@
 
 #include <filesystem>
 
-#include "app/dataset/sidecar.h"
 #include "app/dataset/tsv.h"
 #include "core/base/json/json_writer.h"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/dataset/published_study.h"
+#include "app/dataset/dataset.h"
 #include "app/session/export_folder.h"
 
 namespace tactus::dataset {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/report/demo_report.h"
+#include "app/report/study_report.h"
 #include "app/session/study_source.h"
 #include "app/session/export_folder.h"
 #include "app/session/simulated_study.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/link/link_sockets.h"
-#include "app/link/link_state.h"
+#include "app/link/link_lines.h"
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/fuzzy/compiled_model.h"

@@ -1,8 +1,61 @@
 #include "app/report/claims.h"
 
-#include "app/report/claim_parts.h"
+#include <algorithm>
+
+#include "core/base/check.h"
+#include "core/base/text.h"
 
 namespace tactus::report {
+
+std::string newtons(double force_n) { return base::formatFixed(force_n, 3) + " N"; }
+
+std::string percent(double share) { return base::formatFixed(100 * share, 0) + " %"; }
+
+std::string millimeters(double depth_mm) { return base::formatFixed(depth_mm, 0) + " mm"; }
+
+const fuzzy::Variable& ClaimContext::input(std::string_view id) const {
+  const fuzzy::Variable* found = nullptr;
+  for (const fuzzy::Variable& variable : model.inputs) {
+    if (variable.id == id) found = &variable;
+  }
+  TACTUS_CHECK(found != nullptr);
+  return *found;
+}
+
+bool wasAsked(const fuzzy::Expert& expert, const std::string& region) {
+  const fuzzy::Condition inside{"depth", region};
+  return std::any_of(expert.rules.begin(), expert.rules.end(), [&](const fuzzy::Rule& rule) {
+    return std::find(rule.conditions.begin(), rule.conditions.end(), inside) != rule.conditions.end();
+  });
+}
+
+Profile profileOf(const ClaimContext& context, std::optional<std::size_t> expert) {
+  Profile profile{.subject = expert ? context.model.experts[*expert].id : "mean",
+                  .basis = expert ? context.basisOf(*expert) : ClaimBasis::kByConstruction,
+                  .expert = expert,
+                  .curve = context.curves.curve(kFig11, expert)};
+  std::erase_if(profile.curve, [](const CurvePoint& point) { return !point.force_n.has_value(); });
+  return profile;
+}
+
+/// Depths at which the curve is at its largest force.
+std::vector<CurvePoint> peaksOf(const ForceCurve& curve) {
+  const double high_n = forceRange(curve)->high_n;
+  std::vector<CurvePoint> peaks;
+  for (const CurvePoint& point : curve) {
+    if (high_n - *point.force_n <= kTieN) peaks.push_back(point);
+  }
+  return peaks;
+}
+
+std::string peakText(const ClaimContext& context, const std::vector<CurvePoint>& peaks) {
+  std::string text = newtons(*peaks.front().force_n) + " at " + millimeters(peaks.front().depth_mm);
+  if (peaks.size() > 1) {
+    text = newtons(*peaks.front().force_n) + " from " + millimeters(peaks.front().depth_mm) + " to " +
+           millimeters(peaks.back().depth_mm);
+  }
+  return text + " (" + whereabouts(context.regions, peaks.front().depth_mm) + ")";
+}
 
 base::Result<std::vector<Claim>> checkClaims(const fuzzy::ForceModel& model, const ClaimSubjects& subjects) {
   const auto curves = ForceCurves::of(model);

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/report/claim_parts.h"
+#include "app/report/claims.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 

@@ -1,6 +1,6 @@
 #include "app/report/printed_form.h"
 
-#include "app/report/markup.h"
+#include "app/report/html.h"
 
 namespace tactus::report {
 namespace {

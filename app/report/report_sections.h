@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/report/demo_report.h"
 #include "app/report/force_curves.h"
 #include "app/report/html.h"
 #include "app/report/regions.h"
@@ -47,14 +46,14 @@ void addComparisons(HtmlPage& page, const ReportContext& context);
 /// Settings, notes and literature.
 void addEnd(HtmlPage& page, const ReportContext& context);
 
-// sections_choices.cpp
+// sections_method.cpp
 /// The method study: whether another choice of the method would be felt. Names the command for a study that is too
 /// large for it.
 void addChoices(HtmlPage& page, const ReportContext& context);
-// sections_usability.cpp
+// sections_agreement.cpp
 /// Table 3 of the paper from the answers of this study; nothing without answers.
 void addUsability(HtmlPage& page, const ReportContext& context);
-// sections_overview.cpp
+// sections_study.cpp
 void addOverview(HtmlPage& page, const ReportContext& context);
 void addOrigin(HtmlPage& page, const ReportContext& context);
 // sections_study.cpp
@@ -64,9 +63,9 @@ void addParticipants(HtmlPage& page, const ReportContext& context);
 void addDataFindings(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp
 void addRules(HtmlPage& page, const ReportContext& context);
-// sections_conflicts.cpp
+// sections_rules.cpp
 void addConflicts(HtmlPage& page, const ReportContext& context);
-// sections_uncertainty.cpp
+// sections_influence.cpp
 /// The bands "again", "others" and "next" around the averaged force.
 void addUncertainty(HtmlPage& page, const ReportContext& context);
 // sections_method.cpp
@@ -77,7 +76,7 @@ void addSpeeds(HtmlPage& page, const ReportContext& context);
 void addClusters(HtmlPage& page, const ReportContext& context);
 /// The input `speed` of the built model.
 const fuzzy::Variable& speedVariable(const ReportContext& context);
-// sections_levels.cpp: the tables of addClusters
+// sections_clusters.cpp: the tables of addClusters
 void addClusterTables(HtmlPage& page, const ReportContext& context);
 // sections_votes.cpp
 void addVotes(HtmlPage& page, const ReportContext& context);
@@ -107,7 +106,7 @@ void addWeights(HtmlPage& page, const ReportContext& context);
 /// Each statement with its verdicts for the published expert, and for the mean or all experts.
 void addVerdicts(HtmlPage& page, const ReportContext& context);
 void addClaims(HtmlPage& page, const ReportContext& context);
-// sections_notes.cpp
+// sections_study.cpp
 void addContradictions(HtmlPage& page, const ReportContext& context);
 void addBuildNotes(HtmlPage& page, const ReportContext& context);
 

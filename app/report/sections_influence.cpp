@@ -4,11 +4,185 @@
 
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/force/noticeable_force.h"
+#include "elicitation/uncertainty/force_bands.h"
 
 namespace tactus::report {
+namespace {
+
+using elicitation::BandKind;
+using elicitation::Drawn;
+using elicitation::ForceBands;
+
+constexpr std::size_t kCurveDepths = 121;
+constexpr std::size_t kMostReplicates = 500;
+constexpr std::size_t kReplicatesOfMany = 200;
+constexpr std::size_t kMany = 40;  // participants
+
+std::string_view whatOf(BandKind kind) {
+  switch (kind) {
+    case BandKind::kAgain:
+      return "these participants once more";
+    case BandKind::kOthers:
+      return "as many other participants like these";
+    case BandKind::kNext:
+      return "one more participant";
+  }
+  return "";
+}
+
+/// The points of the curve of Fig. 11, then the middle of each region.
+std::vector<std::vector<double>> pointsOf(const ReportContext& context) {
+  const auto& inputs = context.in.built.model.inputs;
+  std::vector<double> at;
+  std::size_t depth = 0;
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    at.push_back(inputs[k].id == "lubrication" ? 1 : inputs[k].id == "neck_flexion" ? 60 : 50);
+    if (inputs[k].id == "depth") depth = k;
+  }
+  auto points = analysis::linePoints(context.in.built.model, at, depth, kCurveDepths);
+  for (const auto& region : context.regions) {
+    points.push_back(at);
+    points.back()[depth] = (region.from_mm + region.to_mm) / 2;
+  }
+  return points;
+}
+
+std::string bandPlot(const ReportContext& context, const elicitation::ForceBand& band,
+                     const std::vector<std::vector<double>>& points, std::size_t depth) {
+  Series low, high, mean;
+  for (std::size_t p = 0; p < kCurveDepths; ++p) {
+    const auto& one = band.points[p];
+    const double depth_mm = points[p][depth];
+    mean.push_back({depth_mm, one.force_n});
+    low.push_back({depth_mm, one.force_n ? std::optional(one.low_n) : std::nullopt});
+    high.push_back({depth_mm, one.force_n ? std::optional(one.high_n) : std::nullopt});
+  }
+  SvgPlot plot =
+      depthPlot(context, "95 % band of the averaged force: " + std::string(whatOf(band.kind)), 250, forceAxis(context));
+  plot.between(low, high, kSky, 0.45, "95 % at each depth");
+  plot.line(mean, {.color = kInk, .width = 2.4}, "Averaged force");
+  return plot.svg();
+}
+
+/// `± .21 (3.0)`: the half width, and in just-noticeable differences.
+Cell halfCell(const elicitation::ForceBand& band, std::size_t point, bool group_start) {
+  if (band.points.empty() || !band.points[point].force_n) return numberCell(muted("–"), group_start);
+  const auto& one = band.points[point];
+  return numberCell("± " + base::formatFixed(one.half_width_n, 3) + " (" +
+                        base::formatFixed(one.half_width_n / elicitation::justNoticeableDifference(*one.force_n), 1) +
+                        ")",
+                    group_start);
+}
+
+Cell spreadCell(const std::vector<elicitation::DrawnForce>& drawn, std::size_t point, bool group_start = false) {
+  return numberCell(drawn.empty() ? muted("–") : Markup(base::formatFixed(drawn[point].sd_n, 3)), group_start);
+}
+
+Table splitTable(const ReportContext& context, const ForceBands& bands) {
+  const std::vector<std::vector<elicitation::DrawnForce>> parts = {
+      bands.drawn(Drawn::kOwnStrokes), bands.drawn(Drawn::kOwnJudgements), bands.drawn(Drawn::kWhoMoved),
+      bands.drawn(Drawn::kWhoJudged), bands.drawn(Drawn::kWhoAnswered)};
+  const auto again = bands.band(BandKind::kAgain);
+  const auto others = bands.band(BandKind::kOthers);
+  const auto next = bands.band(BandKind::kNext);
+  Table table{.caption = strong("What the bands are made of.") + " " +
+                         marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                         " At the middle of each region. Half widths of the 95 % bands in N, in brackets in "
+                         "just-noticeable differences; then the standard deviation of the force if only one thing is "
+                         "drawn anew.",
+              .head = {{{.text = ""},
+                        {.text = "Band", .columns = 3, .group_start = true},
+                        {.text = "Own, once more", .columns = 2, .group_start = true},
+                        {.text = "Other participants", .columns = 3, .group_start = true}},
+                       {{.text = "Region"},
+                        numberCell("again", true),
+                        numberCell("others"),
+                        numberCell("next"),
+                        numberCell("strokes", true),
+                        numberCell("judgements"),
+                        numberCell("speeds", true),
+                        numberCell("votes"),
+                        numberCell("rules")}},
+              .body = {},
+              .note = "The parts do not add up to the whole. Bands are for one depth at a time, not for the curve.",
+              .wide = true};
+  for (std::size_t r = 0; r < context.regions.size(); ++r) {
+    const std::size_t p = kCurveDepths + r;
+    table.body.push_back({headingCell(context.regions[r].label), halfCell(again, p, true), halfCell(others, p, false),
+                          halfCell(next, p, false), spreadCell(parts[0], p, true), spreadCell(parts[1], p),
+                          spreadCell(parts[2], p, true), spreadCell(parts[3], p), spreadCell(parts[4], p)});
+  }
+  return table;
+}
+
+}  // namespace
+
+void addUncertainty(HtmlPage& page, const ReportContext& context) {
+  if (context.in.replicates == 0) return;
+  const std::size_t people = context.in.study.participants.size();
+  const auto points = pointsOf(context);
+  auto bands = ForceBands::of(
+      context.in.study, context.in.built, context.in.build_settings,
+      {.points = points,
+       .replicates = std::min(context.in.replicates, people > kMany ? kReplicatesOfMany : kMostReplicates)});
+  if (!bands || bands->planned() == 0) return;
+  while (bands->add(bands->planned())) {
+  }
+  std::size_t depth = 0;
+  while (context.in.built.model.inputs[depth].id != "depth") ++depth;
+
+  page.section("How far the averaged force can be trusted");
+  page.paragraph(
+      "Three questions with three answers. “Again”: what would these participants give once more? “Others”: what would "
+      "as many other participants give? “Next”: where would the force of one more participant lie? A few participants "
+      "say little about others, and the band “others” says how little.");
+  Figure figure{.caption = strong("Bands around the averaged force.") + " " +
+                           marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                           " At the setting of Fig. 11 of Choi et al. (50 mm/s, lubrication 1, neck flexion 60 deg). " +
+                           (people <= elicitation::kMostEnumerated && people > 1
+                                ? "“Others” is enumerated over every draw of participants, each as a whole."
+                                : "“Others” draws participants, each as a whole, at random.") +
+                           " Cut at the forces that the model can give.",
+                .panels = {}};
+  std::vector<Markup> remarks;
+  for (const auto kind : {BandKind::kAgain, BandKind::kOthers, BandKind::kNext}) {
+    const auto band = bands->band(kind);
+    const std::string label = "“" + std::string(name(kind)) + "”";
+    if (band.points.empty()) {
+      remarks.emplace_back(label + " has no band: the study has nothing to draw from.");
+      continue;
+    }
+    figure.panels.push_back(
+        {.heading = Markup(label) + " " + muted(whatOf(kind)), .svg = bandPlot(context, band, points, depth)});
+    for (const auto& one : band.assumed)
+      remarks.push_back(Markup(label) + ", " + strong("assumed") + ". " + Markup(one));
+    for (const auto& one : band.not_included) {
+      remarks.push_back(Markup(label) + ", " + strong("not included") + ". " + Markup(one));
+    }
+    std::size_t edges = 0;
+    double abstains = 0;
+    for (std::size_t p = 0; p < kCurveDepths; ++p) {
+      edges += band.points[p].on_edge ? 1 : 0;
+      abstains = std::max(abstains, band.points[p].abstains);
+    }
+    if (edges > 0) {
+      remarks.emplace_back(label + ": at " + std::to_string(edges) + " of " + std::to_string(kCurveDepths) +
+                           " depths the mean of the draws is more than a quarter of their standard deviation away from "
+                           "the averaged force. The estimate sits on an edge there, usually of the vote.");
+    }
+    if (abstains > 0) {
+      remarks.emplace_back(label + ": up to " + base::formatFixed(100 * abstains, 1) +
+                           " % of the draws give no force at some depth; no hole was filled.");
+    }
+  }
+  if (!figure.panels.empty()) page.figure(figure);
+  page.table(splitTable(context, *bands));
+  if (!remarks.empty()) page.list(remarks);
+}
 
 namespace {
 

@@ -8,6 +8,142 @@
 #include "core/base/text.h"
 
 namespace tactus::report {
+namespace {
+
+/// How many of the claims were tried on `subject` and how many hold.
+std::pair<int, int> verdictsOf(const std::vector<Claim>& claims, std::string_view subject) {
+  int tried = 0;
+  int hold = 0;
+  for (const Claim& claim : claims) {
+    for (const Verdict& verdict : claim.verdicts) {
+      if (verdict.subject != subject || !verdict.holds) continue;
+      ++tried;
+      hold += *verdict.holds ? 1 : 0;
+    }
+  }
+  return {hold, tried};
+}
+
+std::string outOf(std::pair<int, int> count) {
+  return std::to_string(count.first) + " of " + std::to_string(count.second);
+}
+
+}  // namespace
+
+void addOverview(HtmlPage& page, const ReportContext& context) {
+  page.section("At a glance");
+  page.notice(
+      badge(Badge::kSimulated) +
+      " This report demonstrates the method. The strokes, the single judgements and the answers of three of the "
+      "four nurses are simulated with a fixed seed, because the paper does not print them. No force in it was "
+      "measured on a person.");
+  std::set<std::string> strokes;
+  for (const study::SpeedSample& sample : context.in.study.speeds) {
+    strokes.insert(sample.participant + '/' + sample.level + '/' + std::to_string(sample.stroke));
+  }
+  std::size_t rules = 0;
+  for (const fuzzy::Expert& expert : context.in.built.model.experts) rules += expert.rules.size();
+  const auto range = analysis::reachableRange(context.in.built.model, context.curves->compiled());
+  const std::string& published = context.demo->published_expert;
+  page.keyNumbers(
+      {{std::to_string(context.in.built.model.experts.size()) + " experts",
+        "one of them with published rules, " + std::to_string(rules) + " rules in all"},
+       {std::to_string(strokes.size()) + " strokes",
+        std::to_string(context.in.study.speeds.size()) + " speed samples, simulated to match Table 1"},
+       {range.fired > 0 ? base::formatFixed(range.min_n, 2) + " to " + base::formatFixed(range.max_n, 2) + " N"
+                        : std::string("no force"),
+        "what the averaged model can give"},
+       {outOf(verdictsOf(context.claims, published)),
+        "statements of the paper hold for " + published + "’s published rules; " +
+            outOf(verdictsOf(context.claims, "mean")) + " for the mean, by construction"}});
+  addVerdicts(page, context);
+}
+
+void addOrigin(HtmlPage& page, const ReportContext& context) {
+  page.section("What is published and what is simulated");
+  page.paragraph(
+      "Every table and figure carries these marks. A result is only as real as the data it was computed from.");
+  const auto row = [](const Markup& what, Badge origin, const Markup& how) {
+    return std::vector<Cell>{headingCell(what), {.text = badge(origin)}, {.text = how}};
+  };
+  page.table(
+      {.caption = strong("Origin of the data."),
+       .head = {{{.text = "Data"}, {.text = "Origin"}, {.text = "How it came here"}}},
+       .body =
+           {row("Means and SDs of the speeds", Badge::kPublished, "Table 1 of the paper, typed in."),
+            row("Single speed samples", Badge::kSimulated,
+                "Strokes made so that their means and SDs are those of Table 1. Everything else about them, their "
+                "length, shape and number of samples, is ours."),
+            row("Votes on the forces", Badge::kPublished, "Table 2 of the paper, typed in."),
+            row("Who voted what", Badge::kSimulated,
+                "One of many ways to split the votes of Table 2 over four persons. The result of the vote does not "
+                "depend on it."),
+            row("Rules of " + context.demo->published_expert, Badge::kPublished,
+                "Table A2 of the paper, typed in; the reading of its regions is a choice: see “The published rules in "
+                "three "
+                "readings”."),
+            row("Answers of the other nurses", Badge::kSimulated,
+                "Made with a fixed seed to follow what the text says of the experts. Statements that hold for them "
+                "hold by construction."),
+            row("Terms of lubrication, neck flexion, depth", Badge::kComputed,
+                "Defaults of this project: the vertices in Fig. 3 are not printed. Depths follow published anatomy of "
+                "adults."),
+            row("Terms of the speed", Badge::kSimulated, "Fuzzy C-Means on the simulated strokes."),
+            row("Terms of the force", Badge::kPublished, "The paper's vote on Table 2; cores and ramps computed."),
+            row("Curves and surfaces", Badge::kComputed,
+                "From these models. The numbers behind the paper's figures are not published, so nothing is drawn "
+                "beside them.")},
+       .wide = true});
+}
+
+void addContradictions(HtmlPage& page, const ReportContext& context) {
+  page.section("Contradictions in the paper");
+  page.paragraph("Kept visible, not repaired. Each of these needs a decision of the researcher.");
+  page.list({
+      strong("Regions of the rules.") + " The questionnaire asks about the oropharynx and not the stomach, the printed "
+                                        "rules name the stomach and not "
+                                        "the oropharynx, yet the text has all four experts peak in the oropharynx.",
+      strong("Neck flexion.") +
+          " The text says the force is larger when the neck is not flexed. The printed rules of " +
+          context.demo->published_expert + " say the opposite in the laryngopharynx, the esophagus and the stomach.",
+      strong("Five regions, six segments.") +
+          " The text names five regions of the passage, the figure that measures them has six segments.",
+      strong("Force or change of force.") +
+          " The questionnaire asks for “Force Change”, the rules conclude on “Force”. Read as force.",
+      strong("Upper end of the force.") +
+          " Stimuli were given up to 1.7 N; the table and the universe of the force end at 1.1 N.",
+      strong("The vote at 0.9 N.") +
+          " Two terms have exactly half of the votes each; the rule in the text does not say which wins. The higher is "
+          "taken, because the series rises.",
+      strong("Consistency of speeds.") + " The text calls the speed of S2 relatively consistent; in Table 1 S2 has the "
+                                         "largest coefficient of variation "
+                                         "of all at the level fast (0.51).",
+      strong("Friction.") +
+          " With the sign as printed in Eq. 3, the damping term would push the hand on instead of holding it back.",
+      strong("Depth of 22 mm.") + " The text puts the wall of the nasopharynx at about 22 mm. In adults it lies near "
+                                  "94 mm; 22 mm fits the head of "
+                                  "the inferior turbinate.",
+      strong("Usability, question 3.") +
+          " No nine answers from 1 to 7 have the printed mean, standard deviation and maximum at once.",
+      strong("Forward motion.") +
+          " Forces were to be judged while moving forward; nothing says that the motion was checked.",
+  });
+}
+
+void addBuildNotes(HtmlPage& page, const ReportContext& context) {
+  page.section("Notes and settings of this build");
+  if (context.in.built.notes.empty()) {
+    page.paragraph("The elicitation had nothing to remark.");
+  } else {
+    std::vector<Markup> notes(context.in.built.notes.begin(), context.in.built.notes.end());
+    page.list(notes);
+  }
+  Table table{.caption = strong("Settings.") + " With these the same files come out again.",
+              .head = {{{.text = "Setting"}, {.text = "Value"}}},
+              .body = {}};
+  for (const auto& [name, value] : context.in.settings) table.body.push_back({headingCell(name), {.text = value}});
+  page.table(table);
+}
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include "app/figures/surface_view.h"
 #include "app/report/palette.h"
-#include "app/report/ticks.h"
+#include "app/report/svg_plot.h"
 #include "core/base/check.h"
 
 namespace tactus::report {

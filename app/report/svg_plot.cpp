@@ -1,14 +1,152 @@
 #include "app/report/svg_plot.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
-#include "app/report/markup.h"
+#include "app/report/html.h"
 #include "app/report/palette.h"
-#include "app/report/ticks.h"
 #include "core/base/check.h"
+#include "core/base/text.h"
 
 namespace tactus::report {
+namespace {
+
+// Ends of an axis that miss a multiple of the step by rounding only still get their tick.
+constexpr double kSlack = 1e-9;
+
+std::string inFourDigits(double value) {
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 4).ptr;
+  return {text.begin(), end};
+}
+
+}  // namespace
+
+std::vector<double> niceTicks(double min, double max, int count) {
+  TACTUS_CHECK(std::isfinite(min) && std::isfinite(max) && min < max && count >= 2);
+  const double raw_step = (max - min) / count;
+  const double power = std::pow(10.0, std::floor(std::log10(raw_step)));
+  constexpr std::array<double, 4> kFactors = {1, 2, 5, 10};
+  // The factor next to the wanted step, on a logarithmic scale.
+  double step = power;
+  for (const double factor : kFactors) {
+    if (std::abs(std::log(factor * power / raw_step)) < std::abs(std::log(step / raw_step))) step = factor * power;
+  }
+  std::vector<double> ticks;
+  const auto first = static_cast<long long>(std::ceil(min / step - kSlack));
+  const auto last = static_cast<long long>(std::floor(max / step + kSlack));
+  for (long long k = first; k <= last; ++k) ticks.push_back(static_cast<double>(k) * step);
+  if (ticks.size() < 2) return {min, max};
+  return ticks;
+}
+
+std::vector<std::string> tickTexts(const std::vector<double>& ticks) {
+  double smallest_gap = 0;
+  for (std::size_t i = 1; i < ticks.size(); ++i) {
+    const double gap = std::abs(ticks[i] - ticks[i - 1]);
+    if (gap > 0) smallest_gap = smallest_gap > 0 ? std::min(smallest_gap, gap) : gap;
+  }
+  // Numbers too long to read have an exponent.
+  const auto longest = [](double value) { return std::abs(value) >= 1e9; };
+  if (std::any_of(ticks.begin(), ticks.end(), longest) || smallest_gap < 1e-8) {
+    std::vector<std::string> texts;
+    for (const double tick : ticks) texts.push_back(inFourDigits(std::abs(tick) < smallest_gap * 0.01 ? 0 : tick));
+    return texts;
+  }
+  // The fewest decimals that show every tick to a hundredth of the gap.
+  int decimals = 0;
+  const auto exact = [&](double value) {
+    const double scale = std::pow(10.0, decimals);
+    return std::abs(std::round(value * scale) / scale - value) <= smallest_gap * 0.01;
+  };
+  while (decimals < 9 && !std::all_of(ticks.begin(), ticks.end(), exact)) ++decimals;
+  std::vector<std::string> texts;
+  for (const double tick : ticks) texts.push_back(base::formatFixed(tick == 0 ? 0.0 : tick, decimals));
+  return texts;
+}
+
+std::string coordinate(double value) {
+  const double rounded = std::round(value * 100) / 100;
+  return base::formatNumber(rounded == 0 ? 0.0 : rounded);
+}
+
+std::string attribute(std::string_view name, std::string_view value) {
+  std::string out = " ";
+  out += name;
+  out += "=\"";
+  out += base::xmlEscaped(value);
+  out += '"';
+  return out;
+}
+
+std::string attribute(std::string_view name, double value) { return attribute(name, coordinate(value)); }
+
+std::string pathData(const std::vector<SvgPoint>& points, bool closed) {
+  std::string out;
+  char command = 'M';
+  for (const SvgPoint& point : points) {
+    out += command;
+    out += coordinate(point.x);
+    out += ' ';
+    out += coordinate(point.y);
+    command = 'L';
+  }
+  if (closed) out += 'Z';
+  return out;
+}
+
+std::string svgText(SvgPoint at, std::string_view text, const TextStyle& style) {
+  std::string out = "<text";
+  out += attribute("x", at.x);
+  out += attribute("y", at.y);
+  if (style.anchor == TextAnchor::kMiddle) out += attribute("text-anchor", "middle");
+  if (style.anchor == TextAnchor::kEnd) out += attribute("text-anchor", "end");
+  out += attribute("fill", style.color.empty() ? kInk : style.color);
+  out += attribute("font-size", style.size);
+  if (style.bold) out += attribute("font-weight", "600");
+  if (style.halo) out += R"( stroke="#fff" stroke-width="3" stroke-linejoin="round" paint-order="stroke")";
+  if (style.rotation_deg != 0) {
+    out += attribute("transform", "rotate(" + coordinate(style.rotation_deg) + ' ' + coordinate(at.x) + ' ' +
+                                      coordinate(at.y) + ')');
+  }
+  out += '>';
+  out += base::xmlEscaped(text);
+  out += "</text>";
+  return out;
+}
+
+std::string svgLine(SvgPoint from, SvgPoint to, std::string_view color, double width) {
+  return "<path" + attribute("d", pathData({from, to})) + attribute("stroke", color) +
+         attribute("stroke-width", width) + " fill=\"none\"/>";
+}
+
+std::string simulatedMark(SvgPoint end) {
+  return svgText(end, "SIMULATED", {.anchor = TextAnchor::kEnd, .color = "#8A4B00", .size = 10.5, .bold = true});
+}
+
+double textWidth(std::string_view text, double size) {
+  double ems = 0;
+  for (const char c : text) {
+    if ((static_cast<unsigned char>(c) & 0xC0U) == 0x80) continue;  // a further byte of a UTF-8 character
+    const std::string_view narrow = "iljtfrI.,:;|()' ";
+    const std::string_view wide = "mwMWGOQ@%";
+    ems += narrow.find(c) != std::string_view::npos ? 0.34 : wide.find(c) != std::string_view::npos ? 0.84 : 0.56;
+  }
+  return ems * size;
+}
+
+std::string svgStart(double width, double height, std::string_view title, std::string_view description) {
+  std::string out = R"(<svg xmlns="http://www.w3.org/2000/svg" role="img")";
+  out += attribute("viewBox", "0 0 " + coordinate(width) + ' ' + coordinate(height));
+  out += attribute("width", width);
+  out += attribute("height", height);
+  out += R"( font-family="'Segoe UI','Helvetica Neue',Arial,'Liberation Sans',sans-serif" font-size="13">)";
+  out += "<title>" + base::xmlEscaped(title) + "</title>";
+  if (!description.empty()) out += "<desc>" + base::xmlEscaped(description) + "</desc>";
+  return out;
+}
 
 namespace {
 

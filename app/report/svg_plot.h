@@ -4,11 +4,61 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-#include "app/report/svg.h"
-
 namespace tactus::report {
+
+// Round numbers for the axes of a plot.
+
+/// Ticks inside [min, max] at multiples of 1, 2 or 5 times a power of ten: about `count` of them, at least 2, because
+/// one tick gives no scale. min < max, both finite.
+std::vector<double> niceTicks(double min, double max, int count);
+
+/// The texts of `ticks`, all with the same number of decimals: the fewest that make them distinct.
+std::vector<std::string> tickTexts(const std::vector<double>& ticks);
+
+// Small pieces of SVG: coordinates, paths, text.
+
+/// A point on the drawing, in user units (pixels at natural size), y downward.
+struct SvgPoint {
+  double x = 0;
+  double y = 0;
+};
+
+/// `value` with at most two decimals and no trailing zeros.
+std::string coordinate(double value);
+
+/// `name="value"` with a space before it, the value escaped.
+std::string attribute(std::string_view name, std::string_view value);
+std::string attribute(std::string_view name, double value);
+
+/// Path data of a polyline, `M` and `L`; `closed` adds `Z`.
+std::string pathData(const std::vector<SvgPoint>& points, bool closed = false);
+
+enum class TextAnchor { kStart, kMiddle, kEnd };
+
+/// The style of a text.
+struct TextStyle {
+  TextAnchor anchor = TextAnchor::kStart;
+  std::string_view color = {};  ///< empty: ink
+  double size = 13;
+  bool bold = false;
+  bool halo = false;        ///< a white outline, for text over lines
+  double rotation_deg = 0;  ///< about its anchor, clockwise
+};
+
+std::string svgText(SvgPoint at, std::string_view text, const TextStyle& style);
+std::string svgLine(SvgPoint from, SvgPoint to, std::string_view color, double width);
+
+/// The word SIMULATED with its right end at `end`, in a color that stands out on screen and paper.
+std::string simulatedMark(SvgPoint end);
+
+/// Approximate width of `text` at a font size, in the same unit. Slightly too large, for a wide sans-serif font.
+double textWidth(std::string_view text, double size);
+
+/// Start tag of a drawing with title and description for screen readers. The caller adds `</svg>`.
+std::string svgStart(double width, double height, std::string_view title, std::string_view description);
 
 /// A point of a series; a point without a value is a gap in the line.
 struct SeriesPoint {

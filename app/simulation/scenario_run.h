@@ -10,6 +10,7 @@
 
 #include "app/simulation/scenario.h"
 #include "core/base/error.h"
+#include "core/base/tables/csv.h"
 #include "core/fuzzy/force_model.h"
 #include "core/haptics/servo/sample.h"
 #include "core/haptics/servo/servo_core.h"
@@ -62,5 +63,20 @@ using ReadModel = std::function<base::Result<fuzzy::ForceModel>(const std::strin
 /// machine. Refused: a model that ServoScene::make refuses, and whatever `read_model` refuses.
 base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::ForceModel& model,
                                      const ReadModel& read_model, const std::function<void(const TraceTick&)>& each);
+
+// The trace of a run as a CSV table; columns: docs/scenario.md.
+
+/// Collects ticks as rows. The conditions become columns named after the inputs' ids; each tick must have these inputs.
+class TraceTable {
+ public:
+  explicit TraceTable(const haptics::Conditions& conditions);
+
+  void add(const TraceTick& tick);
+  const std::string& text() const { return csv_.text(); }
+
+ private:
+  std::vector<std::string> conditions_;
+  base::CsvWriter csv_;
+};
 
 }  // namespace tactus::simulation

@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "app/link/link_state.h"
+#include "app/link/link_lines.h"
 #include "core/haptics/servo/sample.h"
 
 namespace tactus::workbench {

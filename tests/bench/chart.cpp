@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/report/palette.h"
-#include "app/report/svg.h"
+#include "app/report/svg_plot.h"
 
 #include "tests/bench/contenders.h"
 

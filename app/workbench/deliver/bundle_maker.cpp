@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/bundle/bundle.h"
-#include "app/bundle/verify_bundle.h"
+#include "app/bundle/file_errors.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/devices/open_device.h"
+#include "app/devices/device_list.h"
 #include "app/workbench/device/servo_loop.h"
 #include "core/base/error.h"
 #include "core/haptics/safety/thermal_budget.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "app/devices/open_device.h"
+#include "app/devices/device_list.h"
 #include "app/workbench/device/servo_loop.h"
 #include "core/base/error.h"
 #include "core/haptics/servo/servo.h"

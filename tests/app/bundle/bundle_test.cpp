@@ -10,7 +10,7 @@
 #include <set>
 
 #include "app/bundle/force_table.h"
-#include "app/bundle/verify_bundle.h"
+#include "app/bundle/file_errors.h"
 #include "app/figures/colors.h"
 #include "core/analysis/check_points.h"
 #include "core/base/files/file.h"

@@ -9,7 +9,7 @@
 #include <unistd.h>
 
 #include "app/cli/terminal.h"
-#include "app/devices/open_device.h"
+#include "app/devices/device_list.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/core/haptics/openhaptics/stand_in.h"

@@ -1,4 +1,4 @@
-#include "app/devices/calibration_run.h"
+#include "app/devices/guided_runs.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

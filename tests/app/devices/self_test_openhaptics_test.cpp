@@ -1,5 +1,5 @@
 // The self-test on the servo in the loop of a driver: a stand-in for libHD, stepped in virtual time.
-#include "app/devices/self_test_run.h"
+#include "app/devices/guided_runs.h"
 #include "core/haptics/servo/servo.h"
 
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"

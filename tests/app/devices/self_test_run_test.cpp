@@ -1,4 +1,4 @@
-#include "app/devices/self_test_run.h"
+#include "app/devices/guided_runs.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/link/server_lines.h"
+#include "app/link/link_lines.h"
 #include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 

@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include "app/link/line_buffer.h"
+#include "app/link/client_session.h"
 #include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 

@@ -1,4 +1,4 @@
-#include "app/link/token_file.h"
+#include "app/link/link_sockets.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,4 +1,4 @@
-#include "app/report/demo_report.h"
+#include "app/report/study_report.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/report/markup.h"
+#include "app/report/html.h"
 
 #include <gtest/gtest.h>
 

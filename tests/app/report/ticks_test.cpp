@@ -1,4 +1,4 @@
-#include "app/report/ticks.h"
+#include "app/report/svg_plot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/simulation/hand_motion.h"
+#include "app/simulation/scenario.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/simulation/trace_table.h"
 #include "core/fuzzy/compiled_model.h"
 
 #include "tests/support/ngt_model.h"

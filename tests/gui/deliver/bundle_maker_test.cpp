@@ -5,7 +5,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/bundle/verify_bundle.h"
+#include "app/bundle/file_errors.h"
 #include "app/editing/step_fixes.h"
 #include "app/workbench/deliver/bundle_place.h"
 #include "app/workbench/deliver/readiness_controller.h"

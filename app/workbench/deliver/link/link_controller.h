@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/link/link_server.h"
-#include "app/link/token_file.h"
+#include "app/link/link_sockets.h"
 #include "app/workbench/base/call_queue.h"
 
 namespace tactus::workbench {
