@@ -2,7 +2,7 @@
 
 #include "app/workbench/collect/collect_view.h"
 #include "app/workbench/collect/study_home.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/study/study_models.h"

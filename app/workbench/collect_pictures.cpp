@@ -13,7 +13,7 @@
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/nurse_view.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/workbench.h"

@@ -5,7 +5,7 @@
 #include <QSettings>
 
 #include "app/workbench/base/file_dialog.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/model_controller.h"

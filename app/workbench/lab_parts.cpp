@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/labs/force/force_lab_view.h"

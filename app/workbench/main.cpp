@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "app/version.h"
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/base/utf8_locale.h"
 #include "app/workbench/desktop/system_look.h"

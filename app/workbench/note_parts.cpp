@@ -4,7 +4,7 @@
 #include <QMenuBar>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/note_groups.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/study/connection/study_connection.h"

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QVector>
 
-#include "app/workbench/kit/notes_popup.h"
+#include "app/workbench/kit/notes.h"
 
 class QAction;
 

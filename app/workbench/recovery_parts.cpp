@@ -1,6 +1,6 @@
 #include "app/workbench/recovery_parts.h"
 
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_files.h"

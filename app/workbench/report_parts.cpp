@@ -13,7 +13,7 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/file_dialog.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/study/connection/study_connection.h"

@@ -4,7 +4,7 @@
 #include <QObject>
 #include <QString>
 
-#include "app/workbench/base/background.h"
+#include "app/workbench/base/worker.h"
 #include "elicitation/model/model_builder.h"
 
 class QAction;

@@ -6,7 +6,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/lab_search.h"
 #include "app/workbench/model/scene_controller.h"
-#include "app/workbench/model/typed_place.h"
+#include "app/workbench/model/places.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/search_sources.h"

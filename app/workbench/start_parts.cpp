@@ -5,9 +5,8 @@
 
 #include "app/workbench/base/documents.h"
 #include "app/workbench/base/file_dialog.h"
-#include "app/workbench/base/study_path.h"
 #include "app/workbench/collect_parts.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_files.h"

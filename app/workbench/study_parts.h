@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-#include "app/workbench/kit/say.h"
+#include "app/workbench/kit/notes.h"
 
 class QAction;
 

@@ -6,7 +6,7 @@
 #include "app/workbench/collect/collect_view.h"
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/sample_models.h"

@@ -14,8 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/session/study_import.h"
-#include "app/workbench/kit/message_banner.h"
-#include "app/workbench/kit/notes_button.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/study/study_notice_strip.h"
 #include "app/workbench/tune/terms/membership_editor.h"

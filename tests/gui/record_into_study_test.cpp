@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/feel/recordings/recordings_card.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/sample_models.h"

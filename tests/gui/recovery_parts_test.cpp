@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/sample_models.h"

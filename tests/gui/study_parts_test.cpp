@@ -24,7 +24,7 @@
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/feel/tube_pad.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/workbench.h"

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
-#include "app/workbench/base/appearance.h"
+#include "app/workbench/base/theme.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"

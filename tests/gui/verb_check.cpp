@@ -7,8 +7,7 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include "app/workbench/kit/drawer_button.h"
-#include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/kit/buttons.h"
 #include "app/workbench/shell/stage_button.h"
 
 namespace tactus::tests {

@@ -8,7 +8,7 @@
 #include <array>
 #include <string_view>
 
-#include "app/workbench/anatomy/neck_rig.h"
+#include "app/workbench/anatomy/anatomy.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench::anatomy {

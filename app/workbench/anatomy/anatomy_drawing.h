@@ -10,8 +10,7 @@
 #include <QSize>
 #include <deque>
 
-#include "app/workbench/anatomy/posture.h"
-#include "app/workbench/anatomy/region.h"
+#include "app/workbench/anatomy/anatomy.h"
 
 namespace tactus::workbench::anatomy {
 

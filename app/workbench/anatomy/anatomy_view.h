@@ -2,17 +2,35 @@
 // screens. Its font is that of the widget.
 #pragma once
 
+#include <QPointF>
+#include <QRectF>
+#include <QString>
 #include <QVariantAnimation>
 #include <QWidget>
 #include <optional>
 #include <vector>
 
 #include "app/workbench/anatomy/anatomy_drawing.h"
-#include "app/workbench/anatomy/name_plate.h"
-#include "app/workbench/anatomy/structure.h"
-#include "app/workbench/anatomy/tube_way.h"
+#include "app/workbench/anatomy/anatomy.h"
+
+class QPainter;
 
 namespace tactus::workbench::anatomy {
+
+// Names beside a picture, each on a plate with a line to its place.
+
+/// A name to show in a picture.
+struct PlateName {
+  QString text;
+  QPointF at;            ///< what it names, px
+  bool on_left = false;  ///< the edge of the picture at which it stands
+  bool lit = false;      ///< bold
+  double least_y = 0;    ///< px, the plate stands no higher
+};
+
+/// Draws the plates into `area` at their edges, in the order of their places, without overlap, in the font of
+/// `painter`.
+void drawPlates(QPainter& painter, const QRectF& area, std::vector<PlateName> names);
 
 /// A part of the path to light: amber, a dark outline and its name.
 struct LitRange {

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,144 @@
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
+namespace {
+
+struct StatisticWords {
+  Q_DECLARE_TR_FUNCTIONS(StatisticWords)
+};
+
+}  // namespace
+
+QString explained(Statistic statistic) {
+  switch (statistic) {
+    case Statistic::kNoticeable:
+      return StatisticWords::tr(
+          "JND: just-noticeable difference, √(0.04² + (0.12 F)²) N around a force F. A change below 1 JND is too small "
+          "to feel.");
+    case Statistic::kRms:
+      return StatisticWords::tr(
+          "RMS: the root of the mean squared difference. Large differences count more than in a mean.");
+    case Statistic::kInterval:
+      return StatisticWords::tr(
+          "95 % interval: the data are drawn again many times, and 95 % of the draws give a value in this range. A "
+          "wide "
+          "one says that there are few data, or that they contradict each other.");
+    case Statistic::kAlpha:
+      return StatisticWords::tr(
+          "Krippendorff's alpha: agreement beyond chance. 1 is full agreement, 0 what chance gives, less than 0 worse "
+          "than chance. Ordinal: the order of the words counts; interval: their distances count too; nominal: two "
+          "words "
+          "are the same or not.");
+    case Statistic::kKappa:
+      return StatisticWords::tr(
+          "Fleiss' kappa: agreement beyond chance, from 1 for full agreement to 0 for what chance gives. It takes no "
+          "account of the order of the words: neighbors count as different as the ends.");
+    case Statistic::kWeightedKappa:
+      return StatisticWords::tr(
+          "κ, kappa with quadratic weights: how well one person's answers to equal forces agree beyond chance. 1 is "
+          "full "
+          "agreement, 0 what chance gives; a word two steps away counts four times as much as a neighbor.");
+    case Statistic::kKendallW:
+      return StatisticWords::tr(
+          "Kendall's W: how similarly the participants order the forces or items. 1 is one order of all, 0 no common "
+          "order.");
+    case Statistic::kConsensus:
+      return StatisticWords::tr(
+          "Consensus: 1 if all say the same word, 0 if half say the lowest and half the highest; the mean of the "
+          "forces "
+          "or items.");
+  }
+  return {};
+}
+
+QString languageName(const QString& id) {
+  if (id == QLatin1String("en")) return QStringLiteral("English");
+  if (id == QLatin1String("zh-Hant")) return QStringLiteral("繁體中文");
+  if (id == QLatin1String("zh-Hans")) return QStringLiteral("简体中文");
+  return id;
+}
+
+QString initialsOf(const QString& words) {
+  QString out;
+  const QStringList parts = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+  for (const QString& part : parts) out += part.front().toUpper();
+  return out;
+}
+
+namespace {
+
+struct TypedNumber {
+  Q_DECLARE_TR_FUNCTIONS(TypedNumber)
+};
+
+/// Without the unit behind it, which a box may have added once more.
+QString withoutUnit(QString typed, const QString& unit) {
+  typed = typed.trimmed();
+  while (!unit.isEmpty() && typed.endsWith(unit, Qt::CaseInsensitive)) {
+    typed.chop(unit.size());
+    typed = typed.trimmed();
+  }
+  return typed;
+}
+
+QString numberWithUnit(double value, const QString& unit) {
+  const QString number = text(base::formatNumber(value));
+  return unit.isEmpty() ? number : number + QLatin1Char(' ') + unit;
+}
+
+}  // namespace
+
+tl::expected<double, QString> typedNumber(const QString& typed, const QString& unit) {
+  QString number = withoutUnit(typed, unit);
+  number.replace(QChar(0x2212), QLatin1Char('-'));  // the minus sign of typography
+  if (number.isEmpty()) return tl::unexpected(TypedNumber::tr("A number is missing: type one such as 13.5 or 13,5."));
+  if (number.count(QLatin1Char(',')) + number.count(QLatin1Char('.')) > 1) {
+    return tl::unexpected(
+        TypedNumber::tr("“%1” has more than one decimal mark: type a number such as 1234.5 or 1234,5.").arg(number));
+  }
+  QString plain = number;
+  plain.replace(QLatin1Char(','), QLatin1Char('.'));
+  if (plain.startsWith(QLatin1Char('+')) && !plain.startsWith(QLatin1String("+-"))) plain.remove(0, 1);
+  const auto value = base::parseNumber(plain.toStdString());
+  if (!value || !std::isfinite(*value)) {
+    return tl::unexpected(TypedNumber::tr("“%1” is no number: type one such as 13.5 or 13,5.").arg(number));
+  }
+  return *value;
+}
+
+tl::expected<double, QString> typedNumber(const QString& typed, const NumberBounds& bounds) {
+  const auto value = typedNumber(typed, bounds.unit);
+  if (!value) return value;
+  if (*value < bounds.min || *value > bounds.max) {
+    return tl::unexpected(TypedNumber::tr("%1 is outside %2 to %3.")
+                              .arg(numberWithUnit(*value, bounds.unit), text(base::formatNumber(bounds.min)),
+                                   numberWithUnit(bounds.max, bounds.unit)));
+  }
+  if (bounds.whole && *value != std::floor(*value)) {
+    return tl::unexpected(TypedNumber::tr("%1 is no whole number.").arg(numberWithUnit(*value, bounds.unit)));
+  }
+  return value;
+}
+
+tl::expected<std::vector<double>, QString> typedNumbers(const QString& typed, const QString& unit) {
+  static const QRegularExpression between_digits(QStringLiteral("\\d,\\d"));
+  const bool semicolons = typed.contains(QLatin1Char(';'));
+  // A comma between digits is a decimal mark to some and a separator to others.
+  if (!semicolons && between_digits.match(typed).hasMatch() && !typed.contains(QLatin1Char('.'))) {
+    return tl::unexpected(TypedNumber::tr("“%1” can be one number or two: type %2 or %3.")
+                              .arg(typed.trimmed(),
+                                   QString(typed.trimmed()).replace(QLatin1Char(','), QLatin1Char('.')),
+                                   QString(typed.trimmed()).replace(QLatin1Char(','), QLatin1String("; "))));
+  }
+  std::vector<double> out;
+  for (const QString& part : typed.split(semicolons ? QLatin1Char(';') : QLatin1Char(','))) {
+    const auto number = typedNumber(part, unit);
+    if (!number) return tl::unexpected(number.error());
+    out.push_back(*number);
+  }
+  return out;
+}
+
 namespace {
 
 struct DisplayText {

@@ -2,12 +2,59 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::workbench {
+
+/// What a statistic on the screen means, in one or two sentences for the place where it stands.
+enum class Statistic {
+  kNoticeable,     ///< JND
+  kRms,            ///< root mean square
+  kInterval,       ///< 95 % of the draws
+  kAlpha,          ///< Krippendorff (2013), Content Analysis, ch. 12
+  kKappa,          ///< Fleiss (1971)
+  kWeightedKappa,  ///< Cohen (1968), quadratic weights
+  kKendallW,       ///< Kendall and Babington Smith (1939)
+  kConsensus,      ///< Tastle and Wierman (2007)
+};
+
+/// Begins with the name of the statistic: `RMS: the root of …`.
+QString explained(Statistic statistic);
+
+// The languages of the nurse's screens by their own names.
+
+/// `English` for `en`, `繁體中文` for `zh-Hant`, `简体中文` for `zh-Hans`; another id as it is.
+QString languageName(const QString& id);
+
+// The initials of a name, for places where the name does not fit.
+
+/// `VS` for `Very Small`.
+QString initialsOf(const QString& words);
+
+// Numbers as users type them: with a decimal point or comma, an exponent, and the unit after the number.
+
+/// Reads the whole of `typed` as one number; otherwise returns one sentence with the reason. Numbers are `13.5`,
+/// `13,5`, `1e2`, `+4` and, with `unit` "mm", `13.5 mm`. Refused as ambiguous: both marks, or one mark twice
+/// (`1.234,5`).
+tl::expected<double, QString> typedNumber(const QString& typed, const QString& unit = {});
+
+/// Limits for a typed number.
+struct NumberBounds {
+  double min = 0;
+  double max = 0;
+  bool whole = false;
+  QString unit;
+};
+/// Refuses a number outside `bounds`. It never changes the number.
+tl::expected<double, QString> typedNumber(const QString& typed, const NumberBounds& bounds);
+
+/// Numbers separated by semicolons, or by commas followed by a space: `290; 365`, `290, 365`, `13,5; 20`.
+tl::expected<std::vector<double>, QString> typedNumbers(const QString& typed, const QString& unit = {});
 
 QString text(const std::string& utf8);
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/workbench/base/message_act.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/collect/study_overview.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/store/withdrawal.h"

@@ -13,12 +13,10 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/force_plot.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/buttons.h"
 
 namespace tactus::workbench {
 namespace {

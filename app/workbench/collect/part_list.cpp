@@ -6,7 +6,6 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"
 

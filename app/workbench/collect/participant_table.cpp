@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/language_name.h"
 #include "app/workbench/collect/step_words.h"
 #include "app/workbench/study/connection/study_contents.h"
 

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"
 

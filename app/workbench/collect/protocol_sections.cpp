@@ -8,14 +8,12 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
-#include "app/workbench/base/language_name.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/part_list.h"
 #include "app/workbench/collect/protocol_controller.h"
 #include "app/workbench/collect/protocol_field.h"
 #include "app/workbench/collect/protocol_view.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 #include "core/haptics/safety/limit_settings.h"
 #include "core/haptics/safety/thermal_budget.h"
 

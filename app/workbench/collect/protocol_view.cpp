@@ -14,12 +14,11 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"
 #include "app/workbench/collect/protocol_field.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/buttons.h"
 
 namespace tactus::workbench {
 namespace {

@@ -8,19 +8,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/participant_table.h"
 #include "app/workbench/collect/step_delegate.h"
 #include "app/workbench/collect/step_words.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
-#include "app/workbench/kit/note_groups.h"
-#include "app/workbench/kit/notes_button.h"
-#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/notes.h"
+#include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/quiet_table.h"
 
 namespace tactus::workbench {

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/collect/collect_controller.h"
 
 class QLabel;

@@ -8,9 +8,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "core/study/record_id.h"
 

@@ -8,8 +8,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "app/workbench/base/background.h"
-#include "app/workbench/base/call_queue.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/deliver/delivered_model.h"
 #include "core/fuzzy/force_model.h"
 

@@ -15,15 +15,14 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/readiness_controller.h"
 #include "app/workbench/deliver/readiness_sign.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/quiet_table.h"
-#include "app/workbench/kit/say.h"
+#include "app/workbench/kit/notes.h"
 
 namespace tactus::workbench {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/workbench/deliver/bundle_maker.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QLabel;
 class QProgressBar;

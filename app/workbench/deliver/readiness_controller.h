@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/deliver/readiness.h"
 
 namespace tactus::workbench {

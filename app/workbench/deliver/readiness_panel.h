@@ -4,7 +4,7 @@
 #include <array>
 
 #include "app/workbench/deliver/readiness.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QLabel;
 

@@ -7,12 +7,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/workbench/base/appearance.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/readiness_sign.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

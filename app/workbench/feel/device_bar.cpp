@@ -12,15 +12,12 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/number_box.h"
-#include "app/workbench/kit/wrapped_label.h"
 
 namespace tactus::workbench {
 namespace {

@@ -6,9 +6,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/depth_regions.h"
@@ -24,10 +22,9 @@
 #include "app/workbench/feel/trace_table.h"
 #include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/feel/tube_picture.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/drawer_button.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"

@@ -1,7 +1,6 @@
 #include "app/workbench/feel/feel_status.h"
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
 

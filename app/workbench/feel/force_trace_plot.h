@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;

@@ -9,7 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 

@@ -4,12 +4,9 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

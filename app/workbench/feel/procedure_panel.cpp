@@ -5,11 +5,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
-#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/workbench/anatomy/anatomy_view.h"
-#include "app/workbench/anatomy/posture.h"
+#include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/feel/depth_regions.h"
 #include "core/fuzzy/force_model.h"
 

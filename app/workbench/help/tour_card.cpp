@@ -6,10 +6,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "app/workbench/base/appearance.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/primary_button.h"
+#include "app/workbench/kit/buttons.h"
 
 namespace tactus::workbench {
 namespace {

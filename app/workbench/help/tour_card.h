@@ -1,7 +1,7 @@
 // What a step of the tour says, with the way to the next one.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QLabel;
 class QPushButton;

@@ -4,9 +4,8 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/initials.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/label_break.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

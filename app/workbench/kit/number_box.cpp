@@ -11,8 +11,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/base/typed_number.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 #include "core/base/text.h"
 
 namespace tactus::workbench {

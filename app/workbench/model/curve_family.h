@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "app/workbench/model/figure_presets.h"
+#include "app/workbench/model/places.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/model/impact_text.h"
+#include "app/workbench/model/shown_impact.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {

@@ -1,13 +1,62 @@
 #include "app/workbench/model/open_model.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <algorithm>
+#include <utility>
 
+#include "core/base/files/file.h"
 #include "core/model_io/model_file.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
+
+QString freshModelPath(const QString& stem) {
+  QString fresh = stem + QStringLiteral(".tactus.json");
+  for (int copy = 2; QFileInfo::exists(fresh); ++copy)
+    fresh = stem + QLatin1Char('-') + QString::number(copy) + QStringLiteral(".tactus.json");
+  return fresh;
+}
+
+base::Result<OpenModel> ngtTemplateModel(const QString& name, const QString& folder) {
+  fuzzy::ForceModel model;
+  model.name = name.toStdString();
+  model.inputs = elicitation::ngtInputs();
+  model.output = elicitation::ngtOutput();
+  fuzzy::Expert expert;
+  expert.id = expert.label = "E1";
+  model.experts.push_back(std::move(expert));
+  auto ready = editing::ready(std::move(model));
+  if (!ready) return tl::unexpected(ready.error());
+  OpenModel open(std::move(*ready));
+  open.path = freshModelPath(QDir(folder).absoluteFilePath(QStringLiteral("ngt")));
+  return open;
+}
+
+bool isImportPath(const QString& path) { return exchange::isImportPath(path.toStdString()); }
+
+base::Result<exchange::ReadFile> readImport(const QString& path) {
+  auto bytes = base::readFile(path.toStdString(), exchange::kMostImportBytes);
+  if (!bytes) return tl::unexpected(bytes.error());
+  return exchange::ReadFile::read(std::move(*bytes), QFileInfo(path).fileName().toStdString());
+}
+
+base::Result<OpenModel> importedModel(const exchange::ReadFile& file, const QString& path, const std::string& output) {
+  auto model = file.model(output);
+  if (!model) return tl::unexpected(model.error());
+  auto ready = editing::ready(std::move(*model));
+  if (!ready) return base::inFile(ready.error(), path.toStdString());
+  const QFileInfo file_info(path);
+  OpenModel open(std::move(*ready));
+  open.path = freshModelPath(file_info.absolutePath() + QLatin1Char('/') + file_info.completeBaseName());
+  for (const std::string& warning : file.warnings()) open.warnings << QString::fromStdString(warning);
+  open.simulated = saysSimulated(open.model);
+  return open;
+}
+
 namespace {
 
 bool mentions(const QString& text) { return text.contains(QLatin1String("simulated"), Qt::CaseInsensitive); }

@@ -10,11 +10,17 @@
 
 #include "app/editing/edit.h"
 #include "core/base/error.h"
+#include "core/exchange/import/import_model.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 #include "core/study/record_id.h"
 
 namespace tactus::workbench {
+
+// Names for model files that do not exist yet.
+
+/// `pump.tactus.json` for the stem `pump`; `pump-2.tactus.json` where that exists, and so on.
+QString freshModelPath(const QString& stem);
 
 struct OpenModel {
   /// `given` must not be null.
@@ -44,5 +50,23 @@ std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std
 /// Whether the provenance, or the label of an expert, says that data are simulated. Signs are the word "simulated" in a
 /// text, or a key with that word whose value is not false, 0, null or empty.
 bool saysSimulated(const fuzzy::ForceModel& model);
+
+// Models of other fuzzy programs (FLL, FCL, FIS) as open models.
+
+/// Whether `path` has the extension of such a file.
+bool isImportPath(const QString& path);
+
+/// Reads the file `path`. Messages name the file without its folder.
+base::Result<exchange::ReadFile> readImport(const QString& path);
+
+/// The model of the output `output` (empty: of the only one), with the sentences of the importer as its warnings. Its
+/// path is one beside `path` that does not exist yet.
+base::Result<OpenModel> importedModel(const exchange::ReadFile& file, const QString& path, const std::string& output);
+
+// A new model to fill with rules: the variables of the nasogastric tube study with their default terms.
+
+/// Inputs, output and terms of elicitation/variables, one expert without rules. Its path is one in `folder` that does
+/// not exist yet. `name` is the model's.
+base::Result<OpenModel> ngtTemplateModel(const QString& name, const QString& folder);
 
 }  // namespace tactus::workbench

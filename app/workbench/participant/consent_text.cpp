@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/workbench/base/language_name.h"
+#include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/kit/wordbook.h"
 
 namespace tactus::workbench {

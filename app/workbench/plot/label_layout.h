@@ -7,6 +7,12 @@
 
 namespace tactus::workbench {
 
+// The numbers on an axis over a universe: round numbers and both ends.
+
+/// About `count` >= 1 round numbers between `min` and `max`, ascending, and both ends. A round number that would
+/// overlap an end is left out. `count` = 1 gives the ends alone.
+std::vector<double> universeTicks(double min, double max, int count);
+
 /// A name of `width` px that should be centered at `center` px.
 struct Label {
   double center = 0;

@@ -1,12 +1,20 @@
 // What all plots have in common: colors, axes, fonts. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
+#include <QPen>
+#include <cstddef>
 #include <initializer_list>
 #include <qcustomplot.h>
 
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::workbench {
+
+// The lines of experts in a plot: told apart by color and dashes, or faint where there are many.
+
+/// The line of the expert with this number (figures::expertNumbers) among `count`. Up to 24 differ by color and dashes;
+/// of more, the lines are faint and thin: together they show the spread, and the mean stands out.
+QPen expertPen(std::size_t number, std::size_t count);
 
 /// A plot without interactions, decorations or legend, in the colors of the theme.
 QCustomPlot* makePlot(QWidget* parent);

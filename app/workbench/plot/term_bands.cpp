@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/plot/mixed_color.h"
 #include "app/workbench/plot/term_colors.h"
 
 namespace tactus::workbench {

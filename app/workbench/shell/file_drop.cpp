@@ -7,8 +7,8 @@
 #include <QMimeData>
 #include <QUrl>
 
-#include "app/workbench/base/study_path.h"
-#include "app/workbench/model/imported_model.h"
+#include "app/workbench/base/documents.h"
+#include "app/workbench/model/open_model.h"
 
 namespace tactus::workbench {
 namespace {

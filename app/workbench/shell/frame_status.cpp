@@ -3,7 +3,6 @@
 #include <QEvent>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/shell/frame_clock.h"
 

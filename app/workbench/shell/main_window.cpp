@@ -11,12 +11,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/message_banner.h"
-#include "app/workbench/kit/page_stack.h"
-#include "app/workbench/kit/reading_order.h"
+#include "app/workbench/kit/notes.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/header_place.h"
 #include "app/workbench/shell/model_header.h"

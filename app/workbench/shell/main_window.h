@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/kit/say.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/bench_view.h"
 #include "app/workbench/shell/stage.h"
 #include "app/workbench/shell/window_menus.h"

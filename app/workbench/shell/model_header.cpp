@@ -6,13 +6,11 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/lock_picture.h"
-#include "app/workbench/kit/note_groups.h"
-#include "app/workbench/kit/notes_button.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/model/scene_controller.h"
 
 namespace tactus::workbench {

@@ -6,8 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/base/build_note.h"
-#include "app/workbench/base/study_notice.h"
+#include "app/workbench/base/messages.h"
 
 class QComboBox;
 class QHBoxLayout;

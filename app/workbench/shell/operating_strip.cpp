@@ -7,9 +7,8 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"

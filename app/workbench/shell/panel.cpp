@@ -1,6 +1,6 @@
 #include "app/workbench/shell/panel.h"
 
-#include "app/workbench/kit/reading_order.h"
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/panel_title.h"
 #include "core/base/check.h"
 

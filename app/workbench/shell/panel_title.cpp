@@ -7,7 +7,7 @@
 #include <QToolButton>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

@@ -12,7 +12,6 @@
 #include <QScrollBar>
 #include <utility>
 
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {

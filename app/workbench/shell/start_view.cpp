@@ -9,8 +9,6 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/recent_files.h"

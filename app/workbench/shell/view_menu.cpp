@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/editing/edit_history.h"
-#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/messages.h"
 #include "core/store/study_file.h"
 #include "core/study/session_records.h"
 #include "elicitation/model/model_builder.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/messages.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
 #include "core/study/data_finding.h"

@@ -8,7 +8,7 @@
 #include "app/editing/history_versions.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
-#include "app/workbench/model/fresh_path.h"
+#include "app/workbench/model/open_model.h"
 #include "core/base/check.h"
 #include "core/store/model_versions.h"
 

@@ -8,8 +8,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/workbench/base/build_note.h"
-#include "app/workbench/base/message_act.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/study/connection/study_connection.h"

@@ -4,8 +4,8 @@
 
 #include <QStringList>
 
-#include "app/workbench/base/study_notice.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/base/messages.h"
+#include "app/workbench/kit/cards.h"
 
 class QVBoxLayout;
 

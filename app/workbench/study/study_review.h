@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/workbench/base/background.h"
-#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/worker.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {

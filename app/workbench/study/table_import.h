@@ -4,7 +4,6 @@
 #include <QObject>
 #include <QString>
 
-#include "app/workbench/base/call_queue.h"
 #include "app/workbench/base/worker.h"
 
 namespace tactus::workbench {

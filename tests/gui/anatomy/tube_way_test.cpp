@@ -1,12 +1,8 @@
-#include "app/workbench/anatomy/tube_way.h"
+#include "app/workbench/anatomy/anatomy.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "app/workbench/anatomy/neck_rig.h"
-#include "app/workbench/anatomy/posture.h"
-#include "app/workbench/anatomy/region.h"
-#include "app/workbench/anatomy/structure.h"
 
 namespace tactus::workbench::anatomy {
 namespace {

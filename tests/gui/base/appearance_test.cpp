@@ -1,4 +1,4 @@
-#include "app/workbench/base/appearance.h"
+#include "app/workbench/base/theme.h"
 
 #include <QApplication>
 #include <QLabel>

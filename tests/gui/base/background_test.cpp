@@ -1,4 +1,4 @@
-#include "app/workbench/base/background.h"
+#include "app/workbench/base/worker.h"
 
 #include <QTest>
 #include <atomic>

@@ -7,9 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/figures/colors.h"
-#include "app/workbench/base/field_style.h"
-#include "app/workbench/plot/expert_pen.h"
-#include "app/workbench/plot/mixed_color.h"
+#include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/term_colors.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 
 namespace tactus::workbench {

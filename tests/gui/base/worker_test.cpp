@@ -7,7 +7,6 @@
 #include <semaphore>
 #include <vector>
 
-#include "app/workbench/base/call_queue.h"
 
 #include "tests/gui/patience.h"
 

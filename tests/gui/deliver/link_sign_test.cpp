@@ -11,7 +11,7 @@
 
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/deliver/link/link_row.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/operating_strip.h"
 
 #include "tests/app/link/test_client.h"

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/workbench/base/appearance.h"
+#include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/workbench/kit/label_break.h"
+#include "app/workbench/kit/labels.h"
 
 #include <QApplication>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 
 #include <QPushButton>
 #include <QVBoxLayout>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/base/typed_number.h"
+#include "app/workbench/base/display_text.h"
 
 #include "tests/gui/shown_bench.h"
 

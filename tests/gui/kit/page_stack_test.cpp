@@ -1,4 +1,4 @@
-#include "app/workbench/kit/page_stack.h"
+#include "app/workbench/kit/layout.h"
 
 #include <QCoreApplication>
 #include <QLabel>

@@ -1,4 +1,3 @@
-#include "app/workbench/kit/reading_order.h"
 
 #include <QAbstractSpinBox>
 #include <QAccessible>
@@ -13,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/kit/row_stop.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/stage_button.h"
 
 #include "tests/gui/shown_bench.h"

@@ -1,4 +1,4 @@
-#include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/kit/buttons.h"
 
 #include <QApplication>
 #include <QLabel>

@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 #include <gtest/gtest.h>
 
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 

@@ -6,12 +6,12 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/workbench/base/appearance.h"
+#include "app/workbench/base/theme.h"
 #include "app/workbench/collect/collect_view.h"
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
 #include "app/workbench/deliver/link/link_dialog.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/shortcut_sheet.h"

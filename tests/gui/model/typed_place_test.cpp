@@ -1,4 +1,4 @@
-#include "app/workbench/model/typed_place.h"
+#include "app/workbench/model/places.h"
 
 #include <gtest/gtest.h>
 

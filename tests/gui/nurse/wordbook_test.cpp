@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <iconv.h>
 
-#include "app/workbench/base/language_name.h"
+#include "app/workbench/base/display_text.h"
 
 namespace tactus::workbench::nurse {
 namespace {

@@ -18,7 +18,7 @@
 
 #include "app/editing/membership_edits.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/shell/bench_view.h"
 #include "app/workbench/shell/operating_strip.h"

@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
-#include "app/workbench/base/appearance.h"
+#include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
-#include "app/workbench/kit/drawer_button.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/stage_button.h"

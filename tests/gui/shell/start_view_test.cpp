@@ -8,7 +8,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"

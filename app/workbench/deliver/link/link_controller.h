@@ -11,7 +11,7 @@
 
 #include "app/link/link_server.h"
 #include "app/link/link_sockets.h"
-#include "app/workbench/base/call_queue.h"
+#include "app/workbench/base/worker.h"
 
 namespace tactus::workbench {
 

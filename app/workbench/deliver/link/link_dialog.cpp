@@ -11,13 +11,12 @@
 #include <QToolButton>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/link/link_text.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/message_banner.h"
-#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/notes.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

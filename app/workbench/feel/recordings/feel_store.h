@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "app/workbench/base/message_act.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/feel/feel_history.h"
 #include "app/workbench/feel/recordings/feel_recorder.h"
 #include "app/workbench/feel/recordings/feel_sessions.h"

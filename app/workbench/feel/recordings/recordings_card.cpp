@@ -14,11 +14,10 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/recordings/feel_store.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QComboBox;
 class QGridLayout;

@@ -10,8 +10,7 @@
 #include <memory>
 #include <stop_token>
 
-#include "app/workbench/base/background.h"
-#include "app/workbench/base/call_queue.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/labs/data/lab_data.h"
 
 namespace tactus::workbench {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/base/message_act.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/undo_source.h"
 #include "core/study/session_records.h"

@@ -14,16 +14,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/file_dialog.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
-#include "app/workbench/kit/say.h"
-#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/notes.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"

@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/workbench/base/background.h"
-#include "app/workbench/base/message_act.h"
+#include "app/workbench/base/worker.h"
+#include "app/workbench/base/messages.h"
 #include "elicitation/depth/tube_path.h"
 
 namespace tactus::workbench {

@@ -6,8 +6,6 @@
 #include <QSignalBlocker>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"

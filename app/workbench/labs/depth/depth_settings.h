@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QDoubleSpinBox;
 class QLabel;

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;

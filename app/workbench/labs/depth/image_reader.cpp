@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/workbench/anatomy/anatomy_drawing.h"
-#include "app/workbench/anatomy/tube_way.h"
+#include "app/workbench/anatomy/anatomy.h"
 #include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::workbench {

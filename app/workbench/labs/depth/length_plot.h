@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/depth/insertion_length.h"
 

@@ -3,7 +3,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {

@@ -11,14 +11,11 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/primary_button.h"
-#include "app/workbench/kit/statistic_help.h"
-#include "app/workbench/kit/tab_look.h"
-#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/labs/experts/band_lab.h"
 #include "app/workbench/labs/experts/experts_lab.h"
 #include "app/workbench/labs/experts/pair_table.h"

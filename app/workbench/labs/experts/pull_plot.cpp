@@ -8,7 +8,6 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/labs/experts/experts_lab.h"
-#include "app/workbench/plot/expert_pen.h"
 #include "app/workbench/plot/plot_style.h"
 #include "elicitation/force/noticeable_force.h"
 

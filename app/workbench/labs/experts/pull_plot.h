@@ -7,7 +7,7 @@
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/labs/experts/band_lab.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 
 class QCPAxisRect;

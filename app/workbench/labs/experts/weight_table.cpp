@@ -3,7 +3,6 @@
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/base/typed_number.h"
 
 namespace tactus::workbench {
 namespace {

@@ -8,7 +8,6 @@
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_style.h"
 

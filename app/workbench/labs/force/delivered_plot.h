@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/session/judged_forces.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 
 class QCustomPlot;
 class QHBoxLayout;

@@ -9,7 +9,7 @@
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_outline.h"
-#include "app/workbench/plot/vertex_pick.h"
+#include "app/workbench/plot/plot_marks.h"
 
 namespace tactus::workbench {
 namespace {

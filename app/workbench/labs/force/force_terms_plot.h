@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/workbench/labs/force/force_data.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 
 class QCustomPlot;
 

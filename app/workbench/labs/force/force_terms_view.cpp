@@ -10,10 +10,8 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/initials.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/labs/force/force_terms_plot.h"
 #include "app/workbench/labs/force/vote_words.h"
 

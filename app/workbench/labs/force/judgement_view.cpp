@@ -10,10 +10,9 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/menu_heading.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/force/judgement_delegate.h"
 #include "app/workbench/labs/force/judgement_grid.h"

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/initials.h"
 #include "app/workbench/labs/force/vote_words.h"
 
 namespace tactus::workbench {

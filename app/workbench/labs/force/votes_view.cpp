@@ -6,9 +6,8 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/force/vote_delegate.h"
 #include "app/workbench/labs/force/vote_table.h"

@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 

@@ -1,7 +1,7 @@
 // A card of a lab: its heading with buttons beside it, and its content below.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QHBoxLayout;
 

@@ -10,11 +10,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/workbench/base/ink.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/page_stack.h"
-#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_work.h"
 #include "app/workbench/labs/data/undo_source.h"

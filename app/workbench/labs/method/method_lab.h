@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/figures/force_curves.h"
-#include "app/workbench/base/background.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_work.h"
 #include "elicitation/model/method_study.h"

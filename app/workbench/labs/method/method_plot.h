@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/workbench/labs/method/method_lab.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 
 class QCustomPlot;
 

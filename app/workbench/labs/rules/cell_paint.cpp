@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/initials.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/plot/term_colors.h"

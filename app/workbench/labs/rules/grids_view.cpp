@@ -10,8 +10,8 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/label_break.h"
-#include "app/workbench/kit/menu_heading.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/labs/rules/cell_paint.h"
 
 namespace tactus::workbench {

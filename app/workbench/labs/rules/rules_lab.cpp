@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/model/finding_sentence.h"
 #include "app/workbench/model/finding_words.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/model/record_influence.h"

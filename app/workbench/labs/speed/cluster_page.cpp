@@ -6,12 +6,11 @@
 #include <qcustomplot.h>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/card.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/statistic_help.h"
+#include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/buttons.h"
 #include "app/workbench/labs/speed/cluster_plot.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/speed_term_plot.h"

@@ -6,9 +6,8 @@
 #include <array>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/labs/speed/subject_title.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"

@@ -8,7 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/labs/frame/lab_table.h"
 #include "app/workbench/labs/speed/objective_plot.h"
 #include "app/workbench/labs/speed/speed_lab.h"

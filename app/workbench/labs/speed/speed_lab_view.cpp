@@ -6,11 +6,9 @@
 #include <QTabWidget>
 #include <QToolButton>
 
-#include "app/workbench/base/appearance.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/font_fit.h"
-#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/number_page.h"

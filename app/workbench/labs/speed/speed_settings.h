@@ -1,7 +1,7 @@
 // The settings of the speed lab: clusters, fuzziness, membership at the ramps' ends, trimming, centers, averaging.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QComboBox;
 class QLabel;

@@ -7,7 +7,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_labels.h"
-#include "app/workbench/plot/vertex_pick.h"
+#include "app/workbench/plot/plot_marks.h"
 
 namespace tactus::workbench {
 namespace {

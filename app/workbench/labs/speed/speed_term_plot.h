@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/workbench/labs/speed/speed_result.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 
 class QCustomPlot;
 class QLabel;

@@ -9,9 +9,8 @@
 #include <cmath>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/wrapped_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/trace_row.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/labs/speed/stroke_influence.h"
 #include "app/workbench/labs/speed/stroke_traces.h"
 

@@ -4,7 +4,7 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "app/workbench/anatomy/region.h"
+#include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/participant/kit/colors.h"
 
 namespace tactus::workbench::nurse {

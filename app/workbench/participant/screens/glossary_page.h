@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "app/workbench/anatomy/inset_view.h"
-#include "app/workbench/anatomy/posture.h"
+#include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/pictures.h"
 

@@ -1,6 +1,6 @@
 #include "app/workbench/participant/screens/welcome_screen.h"
 
-#include "app/workbench/base/language_name.h"
+#include "app/workbench/base/display_text.h"
 
 namespace tactus::workbench::nurse {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/base/call_queue.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/study/connection/study_contents.h"
 #include "app/workbench/study/connection/study_keeper.h"
 #include "app/workbench/study/connection/study_orders.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/workbench/base/study_notice.h"
+#include "app/workbench/base/messages.h"
 #include "core/store/feel_records.h"
 #include "core/store/study_file.h"
 #include "core/study/session_records.h"

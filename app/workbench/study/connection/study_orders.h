@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/workbench/base/call_queue.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/study/connection/study_worker.h"
 
 namespace tactus::workbench {

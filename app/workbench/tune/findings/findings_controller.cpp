@@ -9,7 +9,6 @@
 #include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
-#include "app/workbench/model/impact_text.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
 #include "core/base/check.h"

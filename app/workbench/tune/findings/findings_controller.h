@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/editing/edit.h"
-#include "app/workbench/base/background.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/tune/findings/shown_finding.h"
 
 namespace tactus::workbench {

@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/statistic_words.h"
-#include "app/workbench/model/impact_text.h"
+#include "app/workbench/model/shown_impact.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {

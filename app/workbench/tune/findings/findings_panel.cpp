@@ -12,10 +12,9 @@
 #include <map>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/row_stop.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/finding_words.h"
 #include "app/workbench/tune/findings/finding_delegate.h"
 #include "app/workbench/tune/findings/findings_controller.h"

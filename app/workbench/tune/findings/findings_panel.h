@@ -1,7 +1,7 @@
 // The panel of the lint's findings: largest force first, with filters and one-click fixes.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/tune/findings/findings_model.h"
 
 class QComboBox;

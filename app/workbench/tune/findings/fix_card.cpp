@@ -9,11 +9,9 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
-#include "app/workbench/kit/row_stop.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/model/finding_sentence.h"
 #include "app/workbench/model/finding_words.h"
 #include "core/analysis/rule_table.h"
 #include "elicitation/force/noticeable_force.h"

@@ -12,7 +12,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/workbench/base/call_queue.h"
 #include "app/workbench/base/worker.h"
 #include "app/workbench/tune/history/history_file.h"
 

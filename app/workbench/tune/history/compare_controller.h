@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/editing/edit_history.h"
-#include "app/workbench/base/background.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/model/open_model.h"
 #include "app/workbench/model/shown_impact.h"
 #include "core/analysis/model_difference.h"

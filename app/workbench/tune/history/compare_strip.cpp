@@ -3,9 +3,8 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/compare_switch.h"
 

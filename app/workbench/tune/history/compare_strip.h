@@ -1,7 +1,7 @@
 // The strip above the panels that names the version shown and felt during a comparison; otherwise hidden.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QToolButton;
 

@@ -3,9 +3,8 @@
 #include <QDateTime>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/model/edit_controller.h"
-#include "app/workbench/model/impact_text.h"
+#include "app/workbench/model/shown_impact.h"
 
 namespace tactus::workbench {
 namespace {

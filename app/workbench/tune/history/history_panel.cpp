@@ -15,7 +15,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/row_stop.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/tune/history/compare_card.h"

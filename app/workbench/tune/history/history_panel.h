@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/editing/edit_history.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QComboBox;
 class QLineEdit;

@@ -9,7 +9,7 @@
 
 #include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/study_path.h"
+#include "app/workbench/base/documents.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"

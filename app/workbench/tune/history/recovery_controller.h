@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/base/call_queue.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/tune/history/history_file.h"
 
 namespace tactus::workbench {

@@ -5,7 +5,6 @@
 #include <QPushButton>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/tune/history/recovery_controller.h"
 

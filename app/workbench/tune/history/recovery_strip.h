@@ -1,7 +1,7 @@
 // Offers the work that a crash left behind: restore, discard, or later.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QLabel;
 class QPushButton;

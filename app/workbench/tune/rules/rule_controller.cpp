@@ -7,7 +7,7 @@
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_list.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/model/where_it_acts.h"
+#include "app/workbench/model/places.h"
 #include "app/workbench/tune/rules/rule_block.h"
 #include "core/base/check.h"
 

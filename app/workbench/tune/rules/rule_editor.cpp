@@ -9,7 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/tab_look.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_grid_pane.h"
 #include "app/workbench/tune/rules/rule_list_pane.h"

@@ -1,7 +1,7 @@
 // The rule editor of one expert: grids to fill in and a list of all rules. A low panel shows one of the two at a time.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QComboBox;
 class QSplitter;

@@ -6,7 +6,7 @@
 
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/tune/rules/rule_cell_bar.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_grids.h"

@@ -10,9 +10,9 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/flash.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/force_word.h"
-#include "app/workbench/kit/label_break.h"
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/flash.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_list_model.h"

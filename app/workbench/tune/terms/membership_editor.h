@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "app/workbench/base/build_note.h"
+#include "app/workbench/base/messages.h"
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QCheckBox;
 class QComboBox;

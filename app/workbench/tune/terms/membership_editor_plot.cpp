@@ -7,10 +7,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/axis_zoom.h"
@@ -19,7 +18,7 @@
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/plot/term_outline.h"
-#include "app/workbench/plot/value_marker.h"
+#include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/tune/terms/grip_finder.h"
 #include "app/workbench/tune/terms/grip_marks.h"
 #include "core/fuzzy/membership.h"

@@ -8,9 +8,8 @@
 
 #include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/typed_number.h"
 #include "app/workbench/kit/number_box.h"
-#include "app/workbench/kit/popup_form.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/tune/terms/cut_picture.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "core/fuzzy/membership.h"

@@ -6,11 +6,9 @@
 #include <algorithm>
 
 #include "app/editing/edit_text.h"
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/vertex_slider.h"
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/plot/mixed_color.h"
+#include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/understand/curves/reference_curve.h"
 

@@ -1,7 +1,7 @@
 // The looks of all lines but those of the mean and the experts, in the plot of the curves and its legends.
 #pragma once
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 
 namespace tactus::workbench {
 

@@ -8,7 +8,7 @@
 
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/model/ghost_controller.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/force_spread.h"

@@ -10,7 +10,7 @@
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/understand/curves/coincident_curves.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/reference_curve.h"

@@ -16,11 +16,9 @@
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/ink.h"
 #include "app/workbench/base/refresh.h"
-#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 
 class QComboBox;

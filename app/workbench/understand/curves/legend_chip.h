@@ -3,7 +3,7 @@
 
 #include <QAbstractButton>
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 
 namespace tactus::workbench {
 

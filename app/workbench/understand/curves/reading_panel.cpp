@@ -5,7 +5,6 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/muted_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/quiet_table.h"

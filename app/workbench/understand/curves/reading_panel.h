@@ -1,7 +1,7 @@
 // The forces at the reading place, one row for the mean and each expert. It is also the legend of the curves.
 #pragma once
 
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QLabel;
 class QTableView;

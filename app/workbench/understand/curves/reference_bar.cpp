@@ -8,10 +8,9 @@
 #include <QToolButton>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/base/statistic_words.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
-#include "app/workbench/model/impact_text.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/model/shown_impact.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/reference_controller.h"

@@ -10,8 +10,8 @@
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/plot/term_outline.h"
-#include "app/workbench/plot/universe_ticks.h"
-#include "app/workbench/plot/value_marker.h"
+#include "app/workbench/plot/label_layout.h"
+#include "app/workbench/plot/plot_marks.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 
 class QCustomPlot;

@@ -9,7 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_menu.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 #include "core/fuzzy/force_model.h"
 
 class QLabel;

@@ -6,7 +6,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/reading_cursor.h"
+#include "app/workbench/plot/plot_marks.h"
 
 namespace tactus::workbench {
 namespace {

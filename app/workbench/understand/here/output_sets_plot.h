@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/analysis/explain.h"
 #include "core/fuzzy/force_model.h"
 

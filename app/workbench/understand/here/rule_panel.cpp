@@ -13,7 +13,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/plot/plot_caption.h"

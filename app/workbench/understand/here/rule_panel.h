@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QComboBox;
 class QLabel;

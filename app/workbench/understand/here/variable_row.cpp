@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/workbench/base/appearance.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/font_fit.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/understand/here/input_card.h"
 #include "app/workbench/understand/here/output_card.h"

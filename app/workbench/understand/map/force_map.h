@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "app/workbench/base/background.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/understand/map/map_request.h"
 
 namespace tactus::workbench {

@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/workbench/plot/plot_source.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "core/fuzzy/force_model.h"
 

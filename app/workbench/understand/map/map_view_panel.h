@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/kit/card.h"
+#include "app/workbench/kit/cards.h"
 
 class QLabel;
 class QVBoxLayout;

@@ -7,7 +7,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/plot/landmarks.h"
-#include "app/workbench/plot/universe_ticks.h"
+#include "app/workbench/plot/label_layout.h"
 
 namespace tactus::workbench {
 namespace {

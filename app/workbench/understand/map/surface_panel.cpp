@@ -1,7 +1,7 @@
 #include "app/workbench/understand/map/surface_panel.h"
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/elided_label.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/understand/map/surface_plot.h"
 
 namespace tactus::workbench {

@@ -12,7 +12,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/landmarks.h"
-#include "app/workbench/plot/universe_ticks.h"
+#include "app/workbench/plot/label_layout.h"
 #include "app/workbench/understand/map/force_colors.h"
 
 namespace tactus::workbench {

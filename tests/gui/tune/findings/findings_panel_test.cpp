@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/workbench/kit/reading_order.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/panel_area.h"
 
 #include "tests/gui/shown_bench.h"

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/kit/reading_order.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/history/compare_strip.h"
 #include "app/workbench/tune/history/history_model.h"
 

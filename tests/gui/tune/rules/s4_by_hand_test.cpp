@@ -11,7 +11,7 @@
 #include "app/editing/rule_edits.h"
 #include "app/editing/edit.h"
 #include "app/figures/force_curves.h"
-#include "app/workbench/kit/popup_form.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"

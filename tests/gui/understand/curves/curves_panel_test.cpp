@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/message_banner.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/understand/curves/curve_legend.h"
 #include "app/workbench/understand/curves/curve_plot.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/plot/universe_ticks.h"
+#include "app/workbench/plot/label_layout.h"
 
 namespace tactus::workbench {
 namespace {

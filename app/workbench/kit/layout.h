@@ -1,0 +1,86 @@
+// Layout and keyboard: page stacks, tabs, rows that are one stop, the order of Tab.
+#pragma once
+
+#include <QList>
+#include <QObject>
+#include <QPointer>
+#include <QStackedWidget>
+
+class QKeyEvent;
+class QTabBar;
+class QWidget;
+
+namespace tactus::workbench {
+
+// The Tab order of a window: reading order, group by group, from top to bottom and from left to right. The order of
+// creation does not matter.
+
+/// The visible widgets of `window` that Tab can reach, in reading order. Leaves out a scroll area if all its content is
+/// visible.
+QList<QWidget*> readingOrder(const QWidget& window);
+
+/// Moves the focus to the next widget (`forward`) or the previous one, and scrolls it into view. Returns false if there
+/// is none.
+bool focusNextAsRead(const QWidget& window, bool forward);
+
+// A row of fields and buttons, or a column of buttons, that is one stop of Tab: the arrows go along it.
+
+/// Tab comes to the part of the row that had the keyboard last, or to the first one that can be used. In a field of
+/// text an arrow leaves from its end, or where all of it is selected. A click takes the keyboard where it did before.
+class RowStop : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `parts` from the left, or from above for the arrows up and down. A part that is deleted leaves the row.
+  RowStop(const QList<QWidget*>& parts, QObject* parent, Qt::Orientation along = Qt::Horizontal);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Part {
+    QPointer<QWidget> widget;
+    Qt::FocusPolicy by_click;  ///< of its own: click or none
+  };
+
+  bool canStop(qsizetype part) const;
+  void stopAt(qsizetype part);
+  void stopSomewhere();
+  bool goFrom(qsizetype part, const QKeyEvent& key);
+
+  QList<Part> parts_;
+  qsizetype stop_ = 0;
+  Qt::Orientation along_;
+};
+
+// Makes the current tab easy to see in both looks.
+
+/// The current tab has the normal text color and, in the dark look, a lighter background. The other tabs have the color
+/// of secondary text. No line is drawn below the tabs.
+class TabLook : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `bar` owns this object.
+  explicit TabLook(QTabBar& bar);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void show();
+
+  QTabBar& bar_;
+};
+
+// Pages on each other, of which one is in sight.
+
+/// A stack whose height does not follow from its width. Otherwise each label that gets another text anywhere in the
+/// window has every wrapped text of every page measured again, also of the pages out of sight.
+class PageStack : public QStackedWidget {
+ public:
+  using QStackedWidget::QStackedWidget;
+  bool hasHeightForWidth() const override { return false; }
+};
+
+}  // namespace tactus::workbench
