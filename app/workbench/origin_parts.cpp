@@ -12,7 +12,7 @@
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/labs/speed/speed_term_plot.h"
-#include "app/workbench/labs/speed/stroke_preview.h"
+#include "app/workbench/labs/speed/trace_row.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/shell/main_window.h"

@@ -5,8 +5,6 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/labs/experts/pair_table.h"
-#include "app/workbench/labs/experts/policy_table.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"

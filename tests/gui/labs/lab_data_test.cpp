@@ -9,7 +9,6 @@
 #include <semaphore>
 
 #include "app/workbench/labs/data/lab_model.h"
-#include "app/workbench/labs/data/lab_work.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"

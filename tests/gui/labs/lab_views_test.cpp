@@ -11,20 +11,15 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/labs/experts/experts_lab_view.h"
-#include "app/workbench/labs/experts/weight_table.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_lab_view.h"
-#include "app/workbench/labs/force/force_terms_plot.h"
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"
 #include "app/workbench/labs/force/vote_table.h"
-#include "app/workbench/labs/force/vote_words.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/method/method_lab_view.h"
-#include "app/workbench/labs/method/method_plot.h"
-#include "app/workbench/labs/rules/cell_table.h"
 #include "app/workbench/labs/rules/grids_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 

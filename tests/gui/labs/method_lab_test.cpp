@@ -5,8 +5,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "app/workbench/labs/method/factor_table.h"
-#include "app/workbench/labs/method/variant_table.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"

@@ -13,8 +13,6 @@
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/origins/origin_window.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
-#include "app/workbench/labs/speed/stroke_page.h"
-#include "app/workbench/labs/speed/stroke_preview.h"
 #include "app/workbench/labs/speed/trace_row.h"
 #include "app/workbench/workbench.h"
 

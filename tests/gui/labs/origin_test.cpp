@@ -1,5 +1,5 @@
 // Where a number comes from, with Table 2's four participants.
-#include "app/workbench/labs/origins/origin.h"
+#include "app/workbench/labs/origins/origin_finder.h"
 
 #include <gtest/gtest.h>
 

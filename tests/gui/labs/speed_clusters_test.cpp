@@ -7,8 +7,7 @@
 #include <iostream>
 
 #include "app/session/study_view.h"
-#include "app/workbench/labs/speed/objective_trace.h"
-#include "app/workbench/labs/speed/side_by_side.h"
+#include "app/workbench/labs/speed/speed_lab.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/gui/labs/lab_study_file.h"

@@ -14,9 +14,8 @@
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/frame/lab_screen.h"
-#include "app/workbench/labs/speed/cluster_plot.h"
+#include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab.h"
-#include "app/workbench/labs/speed/stroke_page.h"
 #include "app/workbench/labs/speed/trace_row.h"
 
 #include "tests/gui/labs/lab_study_file.h"

@@ -6,12 +6,74 @@
 #include <QSet>
 #include <QString>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
-#include "app/workbench/labs/data/lab_study.h"
+#include "app/session/judged_forces.h"
 #include "app/workbench/study/connection/study_connection.h"
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+#include "core/store/study_file.h"
+#include "core/study/records.h"
+#include "core/study/session_records.h"
+#include "elicitation/depth/depth_measurement.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
+
+// Where curves are drawn before anybody chooses a place.
+
+/// The value of `input` in the paper's Fig. 11; the middle of any other input.
+double usualValue(const fuzzy::Variable& input);
+
+// What a lab's buttons and Ctrl+Z take back: corrections of records, or edits of a measurement.
+
+/// Thread: gui.
+class UndoSource : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  virtual bool canUndo() const = 0;
+  virtual bool canRedo() const = 0;
+  /// What the next undo or redo is about; empty if there is none.
+  virtual QString undoText() const = 0;
+  virtual QString redoText() const = 0;
+
+ public slots:
+  virtual void undo() = 0;
+  virtual void redo() = 0;
+
+ signals:
+  /// One of the above changed.
+  void changed();
+};
+
+/// What the labs know of the open study: read once in the thread of the study, then shared unchanged.
+struct LabStudy {
+  study::Study study;                        ///< as elicitation takes it (session::studyForElicitation)
+  std::vector<study::RecordId> answer_ids;   ///< of the records behind `study.answers`, in their order
+  std::vector<study::RecordId> rule_ids;     ///< of those behind `study.rules`
+  std::vector<session::JudgedForce> judged;  ///< every judgement of the counted sessions
+  std::vector<std::string> notes;            ///< what is left out of it, and why
+  std::vector<study::Form> forms;            ///< the known forms
+  std::optional<elicitation::DepthMeasurement> measured_depths;  ///< the latest; nothing: none was made
+  std::vector<study::Person> persons;
+  std::vector<study::SessionRecord> sessions;
+  // All records that are not corrected, also of sessions that do not count: what a number came from.
+  std::vector<study::StrokeRecord> strokes;  ///< without recordings
+  std::vector<study::JudgementRecord> judgements;
+  std::vector<study::AnswerRecord> answers;
+  std::vector<study::RuleRecord> rules;
+
+  /// The code of the participant of `session`; empty for an unknown one.
+  std::string codeOf(const study::RecordId& session) const;
+};
+
+/// Thread: the one of `file`.
+base::Result<LabStudy> readLabStudy(const store::StudyFile& file);
 
 /// Thread: gui.
 class LabData : public QObject {

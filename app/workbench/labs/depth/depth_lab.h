@@ -11,7 +11,6 @@
 
 #include "app/workbench/base/messages.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/undo_source.h"
 #include "core/study/session_records.h"
 #include "elicitation/depth/depth_measurement.h"
 

@@ -1,36 +1,228 @@
 #include "app/workbench/labs/depth/depth_lab_view.h"
 
+#include <QBuffer>
+#include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QImageReader>
 #include <QInputDialog>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QStandardItemModel>
+#include <QStringList>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "app/workbench/anatomy/anatomy.h"
+#include "app/workbench/anatomy/anatomy_drawing.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
-#include "app/workbench/kit/notes.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"
-#include "app/workbench/labs/depth/depth_term_page.h"
 #include "app/workbench/labs/depth/dicom_image.h"
-#include "app/workbench/labs/depth/image_reader.h"
 #include "app/workbench/labs/depth/length_page.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_labels.h"
+#include "app/workbench/plot/term_outline.h"
 #include "core/store/study_records.h"
+#include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr int kLabelRows = 2;
+
+}  // namespace
+
+DepthTermPlot::DepthTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumHeight(150);
+  setAccessibleName(tr("Terms of the depth"));
+  labels_ = new TermLabels(*plot_, kLabelRows);
+  plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
+  plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
+}
+
+void DepthTermPlot::show(const fuzzy::Variable& depth) {
+  plot_->clearGraphs();
+  styleAxis(*plot_->xAxis, depth);
+  styleAxis(*plot_->yAxis, depth);
+  plot_->xAxis->setLabel(axisText(depth));
+  plot_->xAxis->grid()->setVisible(false);
+  plot_->yAxis->setRange(0, 1.06);
+  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
+  ticker->setTickStep(0.5);
+  plot_->yAxis->setTicker(ticker);
+  for (std::size_t i = 0; i < depth.terms.size(); ++i) {
+    const TermOutline outline = outlineOf(depth.terms[i], depth.min, depth.max);
+    addShape(*plot_, termLine(depth, depth.terms, i), 1.5, 0.2F).setData(outline.x, outline.membership, true);
+  }
+  labels_->setTerms(depth, depth.terms);
+  redraw(*plot_);
+}
+
+void DepthTermPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
+
+namespace {
+
+using elicitation::DepthsFrom;
+
+constexpr int kTemplateItem = 0;
+constexpr int kMeasuredItem = 1;
+
+PlotTable termTable(const DepthLab& lab) {
+  PlotTable table;
+  table.file = QStringLiteral("depth-terms");
+  table.caption << DepthTermPage::tr("Terms of the insertion depth, measured on %1").arg(text(lab.measurement().image))
+                << DepthTermPage::tr("one pixel is %1 mm · anatomical scale %2")
+                       .arg(numberText(lab.measurement().mm_per_px, 4), numberText(lab.measurement().scale));
+  table.columns = {"term", "a_mm", "b_mm", "c_mm", "d_mm"};
+  for (const fuzzy::Term& term : lab.terms().terms) {
+    table.rows.push_back({term.id, term.points[0], term.points[1], term.points[2], term.points[3]});
+  }
+  return table;
+}
+
+}  // namespace
+
+DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
+    : QWidget(parent),
+      lab_(lab),
+      choice_(new QComboBox(this)),
+      plot_(new DepthTermPlot(this)),
+      numbers_(mutedWords({}, this)) {
+  setObjectName(QStringLiteral("terms"));
+  numbers_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  choice_->addItem(tr("Template"));
+  choice_->addItem(tr("Measured here"));
+  choice_->setToolTip(tr("Choose which depths the study's model has, here, in the report and in the bench."));
+  auto* menu = new PlotMenu(
+      *plot_, [this] { return termTable(lab_); }, this);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, theme::kGrid, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addLayout(pageHead(tr("De&pths of the model"), choice_, menu));
+  layout->addWidget(plot_, 3);
+  layout->addWidget(numbers_);
+  layout->addStretch(1);
+  connect(choice_, &QComboBox::activated, this, [this](int item) {
+    lab_.setDepthsFrom(item == kMeasuredItem ? DepthsFrom::kMeasured : DepthsFrom::kTemplate);
+  });
+  connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::follow);
+  connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::followChoice);
+  connect(&lab_, &DepthLab::depthsFromChanged, this, &DepthTermPage::followChoice);
+  follow();
+  followChoice();
+}
+
+void DepthTermPage::follow() {
+  plot_->show(lab_.terms());
+  QStringList lines;
+  for (const fuzzy::Term& term : lab_.terms().terms) {
+    QStringList points;
+    for (const double point : term.points) points << numberText(point, 1);
+    lines << tr("%1: %2 mm").arg(labelOf(term), points.join(QStringLiteral(" · ")));
+  }
+  numbers_->setText(lines.join(QLatin1Char('\n')));
+}
+
+void DepthTermPage::followChoice() {
+  const bool measured = lab_.isMeasured();
+  const QString image = harmless(text(lab_.measurement().image));
+  choice_->setItemText(kMeasuredItem,
+                       measured && !image.isEmpty() ? tr("Measured: %1").arg(image) : tr("Measured here"));
+  QStandardItem* const item = qobject_cast<QStandardItemModel*>(choice_->model())->item(kMeasuredItem);
+  item->setEnabled(measured);
+  item->setToolTip(measured ? QString() : tr("Nothing is measured yet: load an image, or set a boundary."));
+  choice_->setCurrentIndex(lab_.depthsFrom() == DepthsFrom::kMeasured ? kMeasuredItem : kTemplateItem);
+}
+
+namespace {
+
+constexpr int kMostPixels = 40'000;  // of a side: beyond that no screen helps
+constexpr int kMostMegabytes = 512;  // decoded: the paper's image needs 25
+constexpr double kDrawingHeightMm = 620;
+constexpr double kClickMm = 15;  // between two points of the example's way
+
+// Of either order of bytes.
+bool isTiff(const QByteArray& bytes) {
+  return bytes.startsWith(QByteArray("II*\0", 4)) || bytes.startsWith(QByteArray("MM\0*", 4));
+}
+
+}  // namespace
+
+base::Result<QImage> readImage(const QByteArray& bytes, const QString& name) {
+  const std::string file = name.toStdString();
+  QImageReader::setAllocationLimit(kMostMegabytes);
+  QByteArray held = bytes;
+  QBuffer buffer(&held);
+  buffer.open(QIODevice::ReadOnly);
+  QImageReader reader(&buffer);
+  reader.setAutoTransform(true);
+  const QSize size = reader.size();
+  if (size.isValid() && (size.width() > kMostPixels || size.height() > kMostPixels)) {
+    return base::fail(base::ErrorCode::kLimit, file,
+                      std::to_string(size.width()) + " x " + std::to_string(size.height()) + " pixels",
+                      "at most " + std::to_string(kMostPixels) + " on a side");
+  }
+  QImage image = reader.read();
+  if (image.isNull() && isTiff(bytes) && !QImageReader::supportedImageFormats().contains("tiff")) {
+    return base::fail(base::ErrorCode::kSyntax, file, "a TIFF image",
+                      "PNG or JPEG, or the package qt6-image-formats-plugins, with which TIFF can be read");
+  }
+  if (image.isNull()) {
+    return base::fail(base::ErrorCode::kSyntax, file, "no image that can be read", "a PNG, JPEG or TIFF image");
+  }
+  return image;
+}
+
+QString imagePatterns() {
+  QStringList patterns;
+  for (const QByteArray& format : QImageReader::supportedImageFormats()) {
+    patterns << QStringLiteral("*.") + QString::fromLatin1(format);
+  }
+  // TIFF is offered without its reader too: the answer names what is missing.
+  for (const char* more : {"*.tif", "*.tiff", "*.dcm"}) {
+    if (!patterns.contains(QLatin1String(more))) patterns << QLatin1String(more);
+  }
+  return patterns.join(QLatin1Char(' '));
+}
+
+ExampleImage exampleImage() {
+  using namespace anatomy;
+  const int height = static_cast<int>(std::lround(kDrawingHeightMm / elicitation::kVisibleHumanMmPerPx));
+  const QSize size(height * 2 / 3, height);
+  const QRectF frame = frameOf(Framing::kWhole, Posture::kUpright, size);
+  AnatomyDrawing drawing;
+  ExampleImage out{
+      drawing.pixmap(Posture::kUpright, Framing::kWhole, size, 1).toImage(), frame.width() / size.width(), {}};
+  const TubeWay way(0);
+  const int clicks = static_cast<int>(std::ceil(way.endMm() / kClickMm));
+  for (int i = 0; i <= clicks; ++i) {
+    const QPointF place = (way.placeAt(way.endMm() * i / clicks) - frame.topLeft()) / out.mm_per_px;
+    // As a click is: a whole pixel.
+    out.path.push_back({std::round(place.x()), std::round(place.y())});
+  }
+  return out;
+}
+
 namespace {
 
 constexpr int kSettingsWidth = 40 * theme::kGrid;  // px at 100 %

@@ -1,14 +1,86 @@
 // Depth from an image on the screen: settings at the left, the image in the middle, the terms that follow at the right.
 #pragma once
 
+#include <QByteArray>
+#include <QImage>
+#include <QString>
 #include <QWidget>
 #include <optional>
+#include <vector>
 
-#include "app/workbench/base/worker.h"
 #include "app/workbench/base/messages.h"
+#include "app/workbench/base/worker.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
 #include "elicitation/depth/tube_path.h"
 
+class QComboBox;
+class QCustomPlot;
+class QLabel;
+
 namespace tactus::workbench {
+
+// The terms that follow from a depth measurement, as a picture and as numbers, and whether the study's model has them.
+
+// The terms of the depth that follow from the boundaries (paper, Fig. 3c).
+
+class TermLabels;
+
+class DepthTermPlot : public QWidget, public PlotSource {
+  Q_OBJECT
+
+ public:
+  explicit DepthTermPlot(QWidget* parent = nullptr);
+
+  void show(const fuzzy::Variable& depth);
+
+  QSize pictureSize() const override { return {900, 300}; }
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ private:
+  QCustomPlot* plot_;
+  TermLabels* labels_;
+};
+
+class DepthLab;
+class DepthTermPlot;
+
+class DepthTermPage : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `lab` outlives this.
+  explicit DepthTermPage(DepthLab& lab, QWidget* parent = nullptr);
+
+  QComboBox& choice() { return *choice_; }
+
+ private:
+  void follow();
+  void followChoice();
+
+  DepthLab& lab_;
+  QComboBox* choice_;
+  DepthTermPlot* plot_;
+  QLabel* numbers_;
+};
+
+// Reads sagittal images, and draws the example.
+
+/// The image in `bytes`: PNG, JPEG, TIFF and what else Qt reads. Returns an error with a sentence for anything else.
+/// `name`: of the file, for the error. DICOM: dicom_image.h.
+base::Result<QImage> readImage(const QByteArray& bytes, const QString& name);
+
+/// The name patterns of the images that can be read, for a file dialog.
+QString imagePatterns();
+
+/// The program's own anatomy drawing without the tube, and the way of the tube in it.
+struct ExampleImage {
+  QImage image;
+  double mm_per_px;
+  std::vector<elicitation::ImagePoint> path;
+};
+ExampleImage exampleImage();
 
 class DepthCanvas;
 class DepthLab;

@@ -1,6 +1,7 @@
 #include "app/workbench/labs/depth/depth_settings.h"
 
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -9,9 +10,30 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"
-#include "app/workbench/labs/frame/setting_row.h"
+#include "app/workbench/labs/frame/lab_card.h"
 
 namespace tactus::workbench {
+
+QHBoxLayout* pageHead(const QString& name, QWidget* field, QWidget* menu) {
+  auto* label = new QLabel(name, field->parentWidget());
+  label->setBuddy(field);
+  auto* head = new QHBoxLayout;
+  head->setSpacing(theme::kGrid);
+  head->addWidget(label);
+  head->addWidget(field);
+  head->addStretch(1);
+  head->addWidget(menu);
+  return head;
+}
+
+QLabel* mutedWords(const QString& words, QWidget* parent) {
+  auto* label = new QLabel(words, parent);
+  label->setTextFormat(Qt::PlainText);
+  label->setWordWrap(true);
+  setMuted(*label);
+  return label;
+}
+
 namespace {
 
 fuzzy::Variable range(const QString& name, const std::string& unit, double min, double max) {

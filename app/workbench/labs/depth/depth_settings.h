@@ -1,15 +1,26 @@
 // The settings of a depth measurement: image, scale, boundaries with their overlaps, anatomical scale.
 #pragma once
 
+#include <QString>
 #include <vector>
 
 #include "app/workbench/kit/cards.h"
 
 class QDoubleSpinBox;
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
+class QWidget;
 
 namespace tactus::workbench {
+
+// What the pages beside the image have in common: a field with its name and the plot's menu, and words below.
+
+/// `name` and `field` at the left, `menu` at the right. The name's mnemonic leads to the field.
+QHBoxLayout* pageHead(const QString& name, QWidget* field, QWidget* menu);
+
+/// Muted words on as many lines as they need.
+QLabel* mutedWords(const QString& words, QWidget* parent);
 
 class DepthLab;
 class NumberBox;

@@ -1,18 +1,107 @@
 #include "app/workbench/labs/depth/dicom_image.h"
 
 #include <QBuffer>
+#include <QByteArray>
 #include <QFile>
 #include <QImage>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QString>
 #include <QStringList>
 #include <QTemporaryDir>
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "app/workbench/labs/depth/dicom_facts.h"
-#include "app/workbench/labs/depth/installed_program.h"
-
 namespace tactus::workbench {
 namespace {
+
+/// Runs programs that are installed beside this one, one after another, and waits for each.
+struct ProgramRun {
+  bool ok = false;
+  QByteArray said;  ///< what it printed; if it failed, its errors
+};
+
+constexpr int kPatienceMs = 60'000;  // a scan of the whole body takes some seconds
+
+/// The path of an installed program; empty without it.
+QString installedProgram(const char* name) { return QStandardPaths::findExecutable(QLatin1String(name)); }
+
+/// Waits for its end, at most a minute. Thread: any but the gui.
+ProgramRun runProgram(const QString& program, const QStringList& arguments) {
+  QProcess process;
+  process.start(program, arguments, QIODevice::ReadOnly);
+  if (!process.waitForFinished(kPatienceMs)) {
+    process.kill();
+    process.waitForFinished();
+    return {};
+  }
+  const bool ok = process.exitStatus() == QProcess::NormalExit && process.exitCode() == 0;
+  return {ok, ok ? process.readAllStandardOutput() : process.readAllStandardError()};
+}
+
+/// What a DICOM file holds, as the installed programs of DCMTK or GDCM print it.
+struct DicomFacts {
+  int pictures = 1;
+  std::optional<double> mm_per_px;  ///< nothing without a spacing that is the same in both directions
+  bool has_picture = true;
+  bool ends_early = false;
+  QString compression;  ///< the transfer syntax, e.g. `JPEG2000LosslessOnly`; empty if it is unknown
+};
+
+constexpr double kSameSpacing = 1e-3;  // of both directions, relative
+
+/// The value of a tag of the file's top level: `(0028,0008) IS [10]`, `(0002,0010) UI =JPEGBaseline`.
+QString valueOf(const QString& printed, const char* tag) {
+  const QRegularExpression line(QStringLiteral("^\\(%1\\) .. (?:=|\\[)([^\\]\\s]*)").arg(QLatin1String(tag)),
+                                QRegularExpression::MultilineOption);
+  return line.match(printed).captured(1);
+}
+
+/// `[0.33\0.33]` behind the tag.
+std::optional<double> spacingIn(const QString& printed, const char* tag) {
+  const QRegularExpression line(
+      QStringLiteral("\\(%1\\)[^\\[]*\\[\\s*([0-9.eE+-]+)\\s*\\\\\\s*([0-9.eE+-]+)\\s*\\]").arg(QLatin1String(tag)));
+  const auto found = line.match(printed);
+  if (!found.hasMatch()) return std::nullopt;
+  const double rows = found.captured(1).toDouble();
+  const double columns = found.captured(2).toDouble();
+  if (!(rows > 0) || std::abs(rows - columns) > kSameSpacing * rows) return std::nullopt;
+  return rows;
+}
+
+DicomFacts factsIn(const QString& printed) {
+  DicomFacts facts;
+  facts.has_picture = printed.contains(QLatin1String("(7fe0,0010)"));
+  if (facts.has_picture) facts.pictures = std::max(1, valueOf(printed, "0028,0008").toInt());
+  facts.compression = valueOf(printed, "0002,0010");
+  // Pixel spacing, that of the imager's plate, that of a scanned film.
+  for (const char* tag : {"0028,0030", "0018,1164", "0018,2010"}) {
+    if (!facts.mm_per_px) facts.mm_per_px = spacingIn(printed, tag);
+  }
+  return facts;
+}
+
+/// The facts of the file at `path`; of a file that no program prints only the defaults. Thread: any but the gui.
+DicomFacts dicomFacts(const QString& path) {
+  bool ends_early = false;
+  for (const char* name : {"dcmdump", "gdcmdump"}) {
+    const QString program = installedProgram(name);
+    if (program.isEmpty()) continue;
+    const ProgramRun dump = runProgram(program, {path});
+    ends_early = ends_early || (!dump.ok && dump.said.contains("premature end"));
+    if (!dump.ok) continue;
+    DicomFacts facts = factsIn(QString::fromLatin1(dump.said));
+    facts.ends_early = ends_early;
+    return facts;
+  }
+  DicomFacts facts;
+  facts.ends_early = ends_early;
+  return facts;
+}
 
 using base::ErrorCode;
 using base::fail;

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_work.h"
+#include "app/workbench/labs/data/lab_model.h"
 #include "elicitation/uncertainty/force_bands.h"
 
 namespace tactus::workbench {

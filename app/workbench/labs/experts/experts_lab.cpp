@@ -6,11 +6,119 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/labs/data/usual_value.h"
+#include "app/workbench/labs/data/lab_data.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
+namespace {
+
+using elicitation::WeightPolicy;
+
+const QString kUnknown = QStringLiteral("–");
+
+QString policyNewtons(double force_n) { return quantityText(force_n, "N", 3); }
+
+}  // namespace
+
+QString policyName(WeightPolicy policy) {
+  switch (policy) {
+    case WeightPolicy::kEqual:
+      return PolicyTable::tr("Equal");
+    case WeightPolicy::kYears:
+      return PolicyTable::tr("By years of experience");
+    case WeightPolicy::kCategory:
+      return PolicyTable::tr("By category");
+    case WeightPolicy::kColumn:
+      return PolicyTable::tr("From the profiles");
+    case WeightPolicy::kTable:
+      return PolicyTable::tr("Own weights");
+  }
+  return {};
+}
+
+PolicyTable::PolicyTable(const ExpertsLab& lab, QObject* parent)
+    : LabTableModel({{tr("Weights")},
+                     {tr("Of the experts")},
+                     {tr("From equal, at most"), Qt::AlignRight},
+                     {tr("rms"), Qt::AlignRight},
+                     {tr("Where")}},
+                    parent),
+      lab_(lab) {}
+
+void PolicyTable::follow() {
+  beginResetModel();
+  rows_ = lab_.compared();
+  endResetModel();
+}
+
+int PolicyTable::rows() const { return static_cast<int>(rows_.size()); }
+
+QVariant PolicyTable::cell(int row, int column, int role) const {
+  const ComparedWeights& at = rows_[static_cast<std::size_t>(row)];
+  if (role == Qt::ToolTipRole && !at.unavailable.isEmpty()) return at.unavailable;
+  if (role == Qt::ToolTipRole && column >= kWeights) return cell(row, column, Qt::DisplayRole);
+  if (role != Qt::DisplayRole) return {};
+  if (column == kPolicy) return policyName(at.policy);
+  if (!at.unavailable.isEmpty()) return column == kWeights ? tr("not in the data") : kUnknown;
+  switch (column) {
+    case kWeights: {
+      QStringList weights;
+      for (const double weight : at.weights) weights << numberText(weight, 2);
+      return weights.join(QStringLiteral(" · "));
+    }
+    case kLargest:
+      return policyNewtons(at.from_equal.largest_n);
+    case kRms:
+      return policyNewtons(at.from_equal.rms_n);
+    case kWhere:
+      return at.where;
+    default:
+      return {};
+  }
+}
+
+namespace {
+
+QString pairNewtons(double force_n) { return quantityText(force_n, "N", 3); }
+
+}  // namespace
+
+PairTable::PairTable(const ExpertsLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
+
+void PairTable::follow() {
+  if (built_ == lab_.built()) return;
+  beginResetModel();
+  built_ = lab_.built();
+  endResetModel();
+}
+
+int PairTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size());
+}
+
+const elicitation::ExpertDistance& PairTable::between(int first, int second) const {
+  const auto row = static_cast<std::size_t>(std::min(first, second));
+  const auto column = static_cast<std::size_t>(std::max(first, second));
+  const std::size_t before = row * built_->model.experts.size() - row * (row + 1) / 2;  // the pairs of earlier rows
+  return built_->influences.pairs[before + column - row - 1];
+}
+
+QVariant PairTable::data(const QModelIndex& index, int role) const {
+  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignCenter);
+  if (index.row() == index.column() || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) return {};
+  const elicitation::ExpertDistance& pair = between(index.row(), index.column());
+  if (role == Qt::DisplayRole) return pairNewtons(pair.rms_n);
+  if (!pair.largest) return {};
+  return tr("At most %1: %2")
+      .arg(pairNewtons(pair.largest->newtons), text(elicitation::pointText(built_->model, pair.largest->at)));
+}
+
+QVariant PairTable::headerData(int section, Qt::Orientation, int role) const {
+  if (role != Qt::DisplayRole || section >= rowCount()) return {};
+  return harmless(labelOf(built_->model.experts[static_cast<std::size_t>(section)]));
+}
+
 namespace {
 
 using elicitation::WeightPolicy;

@@ -2,6 +2,7 @@
 // where.
 #pragma once
 
+#include <QAbstractTableModel>
 #include <QObject>
 #include <atomic>
 #include <map>
@@ -12,8 +13,8 @@
 #include "app/figures/force_curves.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
-#include "app/workbench/labs/data/lab_work.h"
 #include "app/workbench/labs/experts/band_lab.h"
+#include "app/workbench/labs/frame/lab_table_model.h"
 #include "elicitation/model/expert_weights_compared.h"
 
 namespace tactus::workbench {
@@ -94,5 +95,47 @@ class ExpertsLab : public QObject {
 
 /// The distance of each expert from the mean along the curves, one list per expert; NaN where the expert abstains.
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves);
+
+/// The distance between each two experts as an item model: root mean square in N where both have a rule.
+class PairTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  explicit PairTable(const ExpertsLab& lab, QObject* parent = nullptr);
+  void follow();
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override { return rowCount(parent); }
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  /// Of two different experts.
+  const elicitation::ExpertDistance& between(int first, int second) const;
+
+  const ExpertsLab& lab_;
+  std::shared_ptr<const elicitation::BuiltModel> built_;
+};
+
+/// The weight policies beside equal weights, in newtons, as an item model.
+class PolicyTable : public LabTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { kPolicy, kWeights, kLargest, kRms, kWhere };
+
+  explicit PolicyTable(const ExpertsLab& lab, QObject* parent = nullptr);
+  void follow();
+
+ private:
+  int rows() const override;
+  QVariant cell(int row, int column, int role) const override;
+
+  const ExpertsLab& lab_;
+  std::vector<ComparedWeights> rows_;
+};
+
+/// `Equal`, `By years of experience`, …
+QString policyName(elicitation::WeightPolicy policy);
 
 }  // namespace tactus::workbench

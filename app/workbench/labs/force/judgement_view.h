@@ -1,6 +1,7 @@
 // What each participant said at each force, in one series at a time, and the place to correct it.
 #pragma once
 
+#include <QStyledItemDelegate>
 #include <QWidget>
 #include <optional>
 #include <string>
@@ -13,6 +14,23 @@ class QComboBox;
 class QTableView;
 
 namespace tactus::workbench {
+
+// Draws the cells of the judgements: each judgement is its word in its color; a corrected one has a corner.
+
+class JudgementGrid;
+
+class JudgementDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  /// `grid` outlives this.
+  explicit JudgementDelegate(const JudgementGrid& grid, QObject* parent = nullptr);
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  const JudgementGrid& grid_;
+};
 
 class ElidedLabel;
 class JudgementGrid;

@@ -1,12 +1,30 @@
 // Table 2 of the study as an item model: a row for each force, with the votes for each word, the winner and the reason.
 #pragma once
 
+#include <QString>
 #include <string>
 
-#include "app/workbench/labs/force/force_data.h"
+#include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/frame/lab_table_model.h"
+#include "elicitation/force/force_terms.h"
+#include "elicitation/force/force_voting.h"
 
 namespace tactus::workbench {
+
+// The reasons of the vote and the methods of the force terms, in words.
+
+/// In a word or two: `majority`, `tie, the higher wins`; with what was done afterwards: `majority, raised`.
+QString reasonText(const elicitation::VoteStep& step);
+/// The rule behind it, one sentence.
+QString reasonRule(const elicitation::VoteStep& step);
+
+/// `Vote`, `Frequency`, `Thresholds`, `Probit`.
+QString methodName(elicitation::ForceTermsFrom from);
+/// How the method comes to its terms, one sentence.
+QString methodRule(elicitation::ForceTermsFrom from);
+
+/// `ascending`, `descending`, `random` for the screen; any other name unchanged.
+QString seriesText(const std::string& series);
 
 class VoteTable : public LabTableModel {
   Q_OBJECT

@@ -1,15 +1,36 @@
 // Table 2 of the open study, live: votes, winners and reasons.
 #pragma once
 
+#include <QStyledItemDelegate>
 #include <QWidget>
 #include <string>
 
-#include "app/workbench/labs/force/force_data.h"
+#include "app/workbench/labs/force/force_lab.h"
+#include "core/fuzzy/force_model.h"
 
 class QLabel;
 class QTableView;
 
 namespace tactus::workbench {
+
+// Draws the cells of Table 2: votes as bars in the colors of the words, the winner's framed; the winner as its word.
+
+class VoteTable;
+
+class VoteDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  /// `votes` outlives this.
+  explicit VoteDelegate(const VoteTable& votes, QObject* parent = nullptr);
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  void paintVotes(QPainter& painter, const QRectF& place, const QModelIndex& index) const;
+
+  const VoteTable& votes_;
+};
 
 class ElidedLabel;
 class VoteTable;

@@ -13,8 +13,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_work.h"
-#include "app/workbench/labs/data/undo_source.h"
+#include "app/workbench/labs/data/lab_model.h"
 
 namespace tactus::workbench {
 namespace {

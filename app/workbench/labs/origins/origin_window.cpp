@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/labs/frame/lab_table.h"
-#include "app/workbench/labs/origins/origin_table.h"
+#include "app/workbench/labs/frame/lab_card.h"
+#include "app/workbench/labs/origins/origin_finder.h"
 
 namespace tactus::workbench {
 namespace {

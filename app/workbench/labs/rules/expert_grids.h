@@ -8,11 +8,19 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/labs/data/lab_study.h"
+#include "app/workbench/labs/data/lab_data.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/model/model_builder.h"
+#include "elicitation/rules/rule_finding.h"
 
 namespace tactus::workbench {
+
+/// A finding about the rules with its words for the screen.
+struct WordedFinding {
+  elicitation::RuleFinding finding;
+  QString who;       ///< `S1 and S4`, or `Mean`
+  QString sentence;  ///< with the labels of the model
+};
 
 /// What one expert says in one cell.
 struct AskedCell {

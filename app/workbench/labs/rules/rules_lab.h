@@ -12,10 +12,8 @@
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
-#include "app/workbench/labs/data/lab_work.h"
 #include "app/workbench/labs/rules/agreement_rows.h"
 #include "app/workbench/labs/rules/expert_grids.h"
-#include "app/workbench/labs/rules/worded_finding.h"
 #include "elicitation/agreement/conflict_map.h"
 #include "elicitation/model/record_influence.h"
 

@@ -3,18 +3,27 @@
 // diagnostics and intervals follow.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "app/workbench/labs/data/lab_study.h"
+#include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/speed/speed_result.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/speed/participant_speeds.h"
 
 namespace tactus::workbench {
+
+// One piece of work for each of many subjects, on two processors.
+
+/// Calls `work` for 0 to count - 1, in this thread and one more if there is a second processor: the window waits for
+/// the result, so one is free. `keep_going` is called in this thread, between two pieces, with the share that is done;
+/// false stops. Returns whether it came to the end.
+bool sideBySide(std::size_t count, const std::function<void(std::size_t)>& work,
+                const std::function<bool(double share)>& keep_going);
 
 /// Thread: any, one at a time.
 class SpeedClusters {

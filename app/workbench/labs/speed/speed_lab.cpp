@@ -2,11 +2,89 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <mutex>
 #include <stop_token>
 
+#include "app/workbench/labs/data/corrections.h"
+#include "elicitation/clustering/fcm_data.h"
+#include "elicitation/clustering/fcm_pass.h"
+#include "elicitation/clustering/fcm_starts.h"
+
 namespace tactus::workbench {
+
+StrokeInfluence::StrokeInfluence(LabModel& model, QObject* parent) : QObject(parent), model_(model) {
+  connect(&model_, &LabModel::builtChanged, this, &StrokeInfluence::compare);
+}
+
+void StrokeInfluence::ask(const elicitation::StrokeKey& stroke, const QString& which) {
+  asked_ = stroke;
+  which_ = which;
+  model_.setWanted(*this, true);
+  compare();
+}
+
+void StrokeInfluence::stop() {
+  asked_.reset();
+  work_.drop();
+  model_.setWanted(*this, false);
+  tell({});
+}
+
+void StrokeInfluence::compare() {
+  if (!asked_) return;
+  const auto built = model_.built();
+  if (built == nullptr) {
+    work_.drop();
+    return tell(model_.failure().isEmpty() ? tr("%1: building the model…").arg(which_) : model_.failure());
+  }
+  tell(tr("%1: comparing the force with and without it…").arg(which_));
+  work_.run([this, built, study = model_.builtFrom(), with = model_.builtWith(), stroke = *asked_,
+             which = which_](const std::stop_token&) {
+    const auto moved =
+        elicitation::withoutStroke(*built, study->study, with, stroke.participant, stroke.level, stroke.stroke);
+    return [this, sentence = influenceText(which, moved, built->model)] { tell(sentence); };
+  });
+}
+
+void StrokeInfluence::tell(const QString& sentence) {
+  sentence_ = sentence;
+  emit told();
+}
+
+namespace {
+
+constexpr int kMostIterations = 100;
+constexpr double kStill = 1e-6;  // of the range: nothing to see below it
+
+}  // namespace
+
+ObjectiveTrace objectiveTrace(std::span<const double> samples, std::size_t clusters, double m,
+                              const std::function<bool()>& keep_going) {
+  ObjectiveTrace out;
+  const auto data = elicitation::prepareFcmData(samples, {});
+  if (!data) return out;
+  const auto entries = elicitation::condense(*data);
+  if (entries.size() <= clusters) return out;
+  std::vector<double> centres = elicitation::quantileStart(entries, clusters);
+  elicitation::FcmPass pass(clusters, m);
+  elicitation::FcmSums sums;
+  for (int i = 0; i <= kMostIterations && !out.converged; ++i) {
+    if (!keep_going()) return {};
+    pass.run(*data, centres, sums);
+    out.objective.push_back(std::ldexp(sums.objective, data->objectiveExponent()));
+    double step = 0;
+    for (std::size_t k = 0; k < clusters; ++k) {
+      const double move = sums.weight[k] > 0 ? sums.pull[k] / sums.weight[k] : 0;
+      centres[k] += move;
+      step = std::max(step, std::abs(move));
+    }
+    out.converged = step < kStill * data->range();
+  }
+  return out;
+}
+
 namespace {
 
 // Of a run's time, about.

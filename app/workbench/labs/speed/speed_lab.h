@@ -2,17 +2,66 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <atomic>
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <utility>
+#include <vector>
 
-#include "app/workbench/labs/data/lab_work.h"
-#include "app/workbench/labs/speed/objective_trace.h"
+#include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/speed/speed_clusters.h"
 #include "app/workbench/labs/speed/speed_result.h"
+#include "elicitation/tracing/sources.h"
 
 namespace tactus::workbench {
+
+// What one stroke moves: the averaged force with and without it, as a sentence.
+
+/// Thread: gui. The comparison runs on a thread of its own.
+class StrokeInfluence : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  explicit StrokeInfluence(LabModel& model, QObject* parent = nullptr);
+
+  /// Asks about a stroke that counts; `which` is its name on the screen. Until `stop`, the answer follows the model.
+  void ask(const elicitation::StrokeKey& stroke, const QString& which);
+  void stop();
+  const std::optional<elicitation::StrokeKey>& asked() const { return asked_; }
+  /// One sentence; while it is computed, it says so; empty if nothing is asked.
+  const QString& sentence() const { return sentence_; }
+
+ signals:
+  void told();
+
+ private:
+  void compare();
+  void tell(const QString& sentence);
+
+  LabModel& model_;
+  std::optional<elicitation::StrokeKey> asked_;
+  QString which_;
+  QString sentence_;
+  Background work_;
+};
+
+/// The objective J of fuzzy C-means (paper, Eq. 1) against the iteration of the textbook's algorithm.
+struct ObjectiveTrace {
+  std::vector<double> objective;  ///< at the start, then after each iteration, (mm/s)²
+  bool converged = false;         ///< the centers moved by less than a millionth of the data's range
+};
+
+/// Alternates memberships and centers (Bezdek 1981) from the quantiles (k + 1/2) / c of `samples`, up to 100 times. It
+/// finds the nearest minimum and needs more iterations than elicitation::fuzzyCMeans, which follows J's curvature;
+/// what both end at is the same where the start leads to the lowest minimum. Empty for samples that cannot be
+/// clustered, or if `keep_going` says no.
+ObjectiveTrace objectiveTrace(std::span<const double> samples, std::size_t clusters, double m,
+                              const std::function<bool()>& keep_going);
 
 /// Thread: gui. The clustering runs on a thread of its own.
 class SpeedLab : public QObject {
