@@ -1,8 +1,8 @@
 #include "app/workbench/participant_pictures.h"
 
 #include "app/workbench/participant/participant_window.h"
-#include "app/workbench/participant/screens/panel_card.h"
-#include "app/workbench/participant/screens/rest_screen.h"
+#include "app/workbench/participant/screens/panels.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/sample_screens.h"
 #include "app/workbench/picture_album.h"
 

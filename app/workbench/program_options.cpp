@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/workbench/participant/kit/language.h"
+#include "app/workbench/participant/kit/wordbook.h"
 #include "core/base/text.h"
 
 namespace tactus::workbench {

@@ -10,8 +10,8 @@
 
 #include "app/session/simulated_study.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/participant/participant_plan.h"
-#include "app/workbench/rehearsal/rehearsal_check.h"
+#include "app/workbench/participant/arrival.h"
+#include "app/workbench/rehearsal/rehearsal.h"
 #include "core/store/persons.h"
 
 namespace tactus::workbench {

@@ -10,7 +10,7 @@
 #include "app/workbench/collect/monitor_window.h"
 #include "app/workbench/nurse_view.h"
 #include "app/workbench/participant/consent_text.h"
-#include "app/workbench/participant/participant_plan.h"
+#include "app/workbench/participant/arrival.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/take_part.h"
 #include "app/workbench/take_part_start.h"

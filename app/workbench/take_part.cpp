@@ -3,7 +3,7 @@
 #include <QPointer>
 #include <utility>
 
-#include "app/workbench/participant/leave_panel.h"
+#include "app/workbench/participant/participant_window.h"
 #include "core/store/research_key.h"
 
 namespace tactus::workbench {

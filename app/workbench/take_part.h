@@ -8,7 +8,6 @@
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_views.h"
 #include "app/workbench/participant/participant_window.h"
-#include "app/workbench/participant/virtual_hand.h"
 
 class QScreen;
 

@@ -1,15 +1,114 @@
 #include "app/workbench/participant/arrival.h"
 
 #include <algorithm>
+#include <optional>
+#include <string>
 #include <utility>
 
+#include "app/session/session_settings.h"
+#include "app/session/study_protocol.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/participant/known_person.h"
+#include "core/store/entries.h"
+#include "core/store/person_codes.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
+#include "core/store/study_file.h"
+#include "core/store/study_records.h"
+#include "core/study/session_records.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::workbench {
+
+base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file) {
+  const auto state = store::protocolState(file);
+  if (!state) return tl::unexpected(state.error());
+  ParticipantPlan out;
+  if (!state->current) return out;
+  auto protocol = session::parseStudyProtocol(state->current->text);
+  if (!protocol) return tl::unexpected(protocol.error());
+  out.protocol = state->current->id;
+  out.settings = std::move(protocol->settings);
+  for (const std::string& language : protocol->languages) out.languages.push_back(QString::fromStdString(language));
+  out.consent_version = QString::fromStdString(protocol->consent_version);
+  for (const auto& [language, text] : protocol->consent) {
+    out.consent_texts[QString::fromStdString(language)] = QString::fromStdString(text);
+  }
+  for (const auto& [language, text] : protocol->statements) {
+    out.statements[QString::fromStdString(language)] = QString::fromStdString(text);
+  }
+  out.contact = QString::fromStdString(protocol->contact).trimmed();
+  out.force_cap_n = protocol->device.force_cap_n;
+  out.device_friction_n = protocol->device.friction_n;
+  return out;
+}
+
 namespace {
+
+// The participants' codes at the welcome: a new one, and who has the code that was typed.
+
+/// The person with a typed code, and what is kept of them.
+struct KnownPerson {
+  std::optional<study::Person> person;     ///< nothing: no code of this study
+  std::string meant;                       ///< a code that may have been meant; may be empty
+  std::optional<study::RecordId> session;  ///< the latest on these screens that was not ended early
+  int answers = 0;                         ///< scored judgements and replies to questions in it, corrected ones once
+};
+
+using base::Result;
+
+Result<bool> endedEarly(const store::StudyFile& file, const study::RecordId& session) {
+  const auto events = store::events(file, {{}, session, true});
+  if (!events) return tl::unexpected(events.error());
+  return std::any_of(events->begin(), events->end(), [](const auto& event) { return event.kind == "aborted"; });
+}
+
+/// A session of these screens: an elicitation, or the usability form. Feeling a model is a session too.
+bool isOnScreens(const study::SessionRecord& session) {
+  if (session.kind != study::SessionKind::kUsability) return session.kind == study::SessionKind::kElicitation;
+  const auto settings = session::parseSessionSettings(session.settings);
+  const auto wanted = session::usabilitySession();
+  return !session.settings.empty() && settings && settings->blocks == wanted.blocks && settings->form == wanted.form;
+}
+
+Result<int> answersIn(const store::StudyFile& file, const study::RecordId& session) {
+  const store::Selection now{{}, session, false};
+  const auto judgements = store::judgements(file, now);
+  if (!judgements) return tl::unexpected(judgements.error());
+  const auto answers = store::answers(file, now);
+  if (!answers) return tl::unexpected(answers.error());
+  const auto scored = std::count_if(judgements->begin(), judgements->end(), [](const auto& one) { return one.scored; });
+  return static_cast<int>(scored) + static_cast<int>(answers->size());
+}
+
+/// Thread: that of `file`.
+Result<KnownPerson> knownPerson(const store::StudyFile& file, const std::string& typed) {
+  auto found = store::findTyped(file, typed);
+  if (!found) return tl::unexpected(found.error());
+  KnownPerson out;
+  out.person = std::move(found->person);
+  if (!found->meant.empty()) out.meant = found->meant.front();
+  if (!out.person) return out;
+  const auto sessions = store::sessions(file, out.person->id);
+  if (!sessions) return tl::unexpected(sessions.error());
+  for (auto session = sessions->rbegin(); session != sessions->rend() && !out.session; ++session) {
+    if (!isOnScreens(*session)) continue;
+    const auto ended = endedEarly(file, session->id);
+    if (!ended) return tl::unexpected(ended.error());
+    if (!*ended) out.session = session->id;
+  }
+  if (!out.session) return out;
+  const auto answers = answersIn(file, *out.session);
+  if (!answers) return tl::unexpected(answers.error());
+  out.answers = *answers;
+  return out;
+}
+
+/// A code that no participant has or had. Thread: that of `file`.
+Result<std::string> newCode(const store::StudyFile& file) {
+  store::PersonCodes codes;
+  return store::unusedCode(file, codes);
+}
 
 std::string languageOf(const std::string& form, const QString& language) {
   const auto known = questionnaires::languagesOf(form);

@@ -4,9 +4,8 @@
 #include <QString>
 #include <vector>
 
-#include "app/workbench/participant/kit/language.h"
-#include "app/workbench/participant/kit/phrase.h"
-#include "app/workbench/participant/participant_plan.h"
+#include "app/workbench/participant/kit/wordbook.h"
+#include "app/workbench/participant/arrival.h"
 
 namespace tactus::workbench {
 

@@ -9,6 +9,95 @@
 
 namespace tactus::workbench {
 
+void SpeedCapture::open(const experiments::StrokeSettings& settings) {
+  capture_.emplace(settings);
+  last_tick_.reset();
+}
+
+std::optional<session::CapturedStroke> SpeedCapture::add(std::span<const haptics::Sample> samples) {
+  if (!capture_) return std::nullopt;
+  for (const haptics::Sample& sample : samples) {
+    if (!last_tick_) first_ns_ = sample.time_ns;
+    if (last_tick_ && sample.tick != *last_tick_ + 1) capture_->gap();
+    last_tick_ = sample.tick;
+    capture_->add({static_cast<double>(sample.time_ns - first_ns_) * 1e-9, sample.position_mm});
+    if (auto stroke = capture_->take()) {
+      close();
+      return stroke;
+    }
+  }
+  return std::nullopt;
+}
+
+SpeedState::Note noteOf(experiments::StrokeVerdict verdict) {
+  using experiments::StrokeVerdict;
+  using Note = SpeedState::Note;
+  switch (verdict) {
+    case StrokeVerdict::kAccepted:
+      return Note::kRecorded;
+    case StrokeVerdict::kTooShort:
+      return Note::kTooShort;
+    case StrokeVerdict::kBackwards:
+      return Note::kBackwards;
+    case StrokeVerdict::kOutOfRange:
+      return Note::kOutOfRange;
+    case StrokeVerdict::kTooBrief:
+    case StrokeVerdict::kInterrupted:
+    case StrokeVerdict::kRejected:
+      break;
+  }
+  return Note::kNotRecorded;
+}
+
+namespace {
+
+constexpr std::uint32_t kFirstButton = 1;
+
+double secondsBetween(std::int64_t from_ns, std::int64_t to_ns) { return static_cast<double>(to_ns - from_ns) * 1e-9; }
+
+}  // namespace
+
+std::optional<ButtonPress> DeviceButton::add(const haptics::Sample& sample) {
+  const bool down = (sample.buttons & kFirstButton) != 0;
+  if (!down_since_ns_) {
+    if (!down) {
+      if (!open_since_ns_) open_since_ns_ = sample.time_ns;
+      return std::nullopt;
+    }
+    const bool settled = open_since_ns_ && secondsBetween(*open_since_ns_, sample.time_ns) >= kSettleS;
+    down_since_ns_ = sample.time_ns;
+    told_ = !settled;
+    return std::nullopt;
+  }
+  const double down_s = secondsBetween(*down_since_ns_, sample.time_ns);
+  if (down) {
+    if (told_ || down_s < kHeldS) return std::nullopt;
+    told_ = true;
+    return ButtonPress::kHeld;
+  }
+  const bool tap = !told_ && down_s < kTapS;
+  down_since_ns_.reset();
+  // One tap may follow the other at once.
+  if (!open_since_ns_) open_since_ns_ = sample.time_ns;
+  return tap ? std::optional(ButtonPress::kTap) : std::nullopt;
+}
+
+void ScreenGate::painted(std::int64_t now_ns) {
+  if (painted_) return;
+  painted_ = true;
+  painted_ns_ = free_ns_ = now_ns;
+  let_go_ = !held_;
+}
+
+void ScreenGate::held(bool held, std::int64_t now_ns) {
+  held_ = held;
+  if (!painted_ || held || let_go_) return;
+  let_go_ = true;
+  free_ns_ = now_ns;
+}
+
+bool ScreenGate::takesInput(std::int64_t now_ns) const { return painted_ && let_go_ && now_ns - free_ns_ >= kSettleNs; }
+
 using Screen = ParticipantScreen;
 
 ParticipantController::ParticipantController(StudyConnection& study, DeviceSession& device, ParticipantPlan plan,

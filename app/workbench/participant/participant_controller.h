@@ -5,6 +5,7 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -14,24 +15,125 @@
 #include <string>
 #include <vector>
 
+#include "app/session/stroke_capture.h"
 #include "app/workbench/device/device_session.h"
-#include "app/workbench/participant/about_you.h"
+#include "app/workbench/participant/questions.h"
 #include "app/workbench/participant/arrival.h"
-#include "app/workbench/participant/block_rating.h"
-#include "app/workbench/participant/device_button.h"
-#include "app/workbench/participant/device_check.h"
-#include "app/workbench/participant/force_trial.h"
-#include "app/workbench/participant/lit_word.h"
 #include "app/workbench/participant/own_model_trial.h"
 #include "app/workbench/participant/participant_course.h"
-#include "app/workbench/participant/participant_plan.h"
 #include "app/workbench/participant/participant_state.h"
-#include "app/workbench/participant/screen_gate.h"
-#include "app/workbench/participant/speed_capture.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"
+#include "core/haptics/servo/sample.h"
+#include "experiments/force_protocol.h"
 
 namespace tactus::workbench {
+
+// The insertions of the speed part, cut out of the samples of the device.
+
+/// Looks only while it is open: from the moment at which the screen takes input to the first stroke. What the hand did
+/// before is never an insertion.
+class SpeedCapture {
+ public:
+  /// Another insertion is asked for.
+  void open(const experiments::StrokeSettings& settings);
+  void close() { capture_.reset(); }
+  bool isOpen() const { return capture_.has_value(); }
+
+  /// All samples, oldest first. Returns the stroke that ends in them, and closes; ignores them while closed.
+  std::optional<session::CapturedStroke> add(std::span<const haptics::Sample> samples);
+
+ private:
+  std::optional<session::StrokeCapture> capture_;
+  std::optional<std::uint64_t> last_tick_;
+  std::int64_t first_ns_ = 0;
+};
+
+/// What to say about a stroke with this verdict. Nothing of a speed: a stroke that was too brief was `not recorded`.
+SpeedState::Note noteOf(experiments::StrokeVerdict verdict);
+
+/// The button of the device as an answer: a tap, or a press that is held. While the same button holds the tube it
+/// answers nothing.
+enum class ButtonPress {
+  kTap,   ///< let go within kTapS
+  kHeld,  ///< down for kHeldS; once
+};
+
+/// Plain state. Thread: gui.
+class DeviceButton {
+ public:
+  static constexpr double kTapS = 0.4;     ///< longer presses move something
+  static constexpr double kHeldS = 0.8;    ///< confirms (facts on the screens, part 3)
+  static constexpr double kSettleS = 0.3;  ///< open for so long before a press counts, as on the screen
+
+  /// Another question: a button that is down belongs to the one before.
+  void reset() { *this = {}; }
+  /// The next sample. Returns a press that ended or was held long enough with it.
+  std::optional<ButtonPress> add(const haptics::Sample& sample);
+
+ private:
+  std::optional<std::int64_t> open_since_ns_;
+  std::optional<std::int64_t> down_since_ns_;
+  bool told_ = false;  ///< of this press
+};
+
+// When input counts on a screen that has just opened: a key that is still held, a double click, or a click that was
+// meant for the screen before never answers it.
+
+/// A screen takes input once its first frame is painted, every key, button and touch has been up since, and 300 ms have
+/// passed. Times: ns of one monotonic clock. Plain state. Thread: any.
+class ScreenGate {
+ public:
+  static constexpr std::int64_t kSettleNs = 300'000'000;
+
+  /// Another screen or another question is about to be shown.
+  void close() { painted_ = false; }
+  /// Its first frame is on the screen. Later frames change nothing.
+  void painted(std::int64_t now_ns);
+  /// Whether a key, a button or a touch is down.
+  void held(bool held, std::int64_t now_ns);
+
+  bool takesInput(std::int64_t now_ns) const;
+  /// The same for the hand on the device, which may hold it all the time.
+  bool isSettled(std::int64_t now_ns) const { return painted_ && now_ns - painted_ns_ >= kSettleNs; }
+  /// Of the first painted frame; response times count from here.
+  std::int64_t paintedNs() const { return painted_ns_; }
+
+ private:
+  bool painted_ = false;
+  bool held_ = false;
+  bool let_go_ = false;  ///< nothing was down at one moment since the first frame
+  std::int64_t painted_ns_ = 0;
+  std::int64_t free_ns_ = 0;  ///< of that moment
+};
+
+// The answer word that the button of the device highlights. Each press highlights the next word. The first one is drawn
+// by chance: a fixed first word would need the fewest presses and would be chosen too often.
+
+/// Plain state. Thread: gui.
+class LitWord {
+ public:
+  void reset() { presses_ = 0; }
+  /// Highlights the next of `words`, which is not empty and stays the same until `reset`.
+  void next(const std::vector<experiments::ForceAnswerOption>& words, std::mt19937_64& chance) {
+    if (presses_ == 0) first_ = std::uniform_int_distribution<std::size_t>(0, words.size() - 1)(chance);
+    first_word_ = words[first_].id;
+    id_ = QString::fromStdString(words[(first_ + static_cast<std::size_t>(presses_)) % words.size()].id);
+    ++presses_;
+  }
+
+  /// The highlighted word; empty: none.
+  QString id() const { return presses_ > 0 ? id_ : QString(); }
+  int presses() const { return presses_; }
+  /// The word that the first press highlighted.
+  const std::string& firstWord() const { return first_word_; }
+
+ private:
+  int presses_ = 0;
+  std::size_t first_ = 0;
+  std::string first_word_;
+  QString id_;
+};
 
 /// Thread: gui.
 class ParticipantController : public QObject {

@@ -3,14 +3,108 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 
+#include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/participant_state.h"
 #include "app/workbench/study/connection/session_snapshot.h"
+#include "core/haptics/servo/sample.h"
+#include "core/haptics/servo/stimulus_delivery.h"
+#include "experiments/force_protocol.h"
+#include "experiments/stroke.h"
 
 namespace tactus::workbench {
+
+// The device check before the first insertion: hold the handle, keep still, push gently, let go. No force is given.
+
+/// The handle must be let go before it counts as held, so a stuck button is found. Plain state. Thread: gui.
+class DeviceCheck {
+ public:
+  static constexpr double kStillS = 1;   ///< long enough to see drift, short enough not to tire her
+  static constexpr double kStillMm = 3;  ///< more than tremor and the play of the handle
+  static constexpr double kPushMm = 20;  ///< as in the self-test: a movement that no drift reaches
+
+  void begin() { *this = {}; }
+  /// All samples, oldest first. Returns whether the step changed.
+  bool add(std::span<const haptics::Sample> samples);
+
+  /// What to do now: kHold, kStill, kPush, kRelease or kReady.
+  DeviceStep step() const { return step_; }
+
+ private:
+  void take(const haptics::Sample& sample);
+  void rest(const haptics::Sample& sample);
+
+  DeviceStep step_ = DeviceStep::kHold;
+  bool seen_open_ = false;
+  std::int64_t still_since_ns_ = 0;
+  double at_mm_ = 0;  ///< where the hand began to be still, or the push began
+};
+
+// One step of the force part: the pause, the force in the hand, and what is measured of it until the answer.
+
+/// A step may be felt more than once. Each time the device rests first, as long as the protocol and the heat of its
+/// motors ask for. The answer is about all of them: forward motion of the time with the longest way, and delivered only
+/// if each of them was; its share is the least of them. Thread: gui.
+class ForceTrial {
+ public:
+  enum class Phase {
+    kNone,
+    kPause,  ///< without force
+    kWait,   ///< ordered; it begins when the hand holds the handle at the start
+    kRise,
+    kFelt,  ///< the full force was reached: an answer may be given, also after the force has ended
+  };
+
+  explicit ForceTrial(DeviceSession& device) : device_(device) {}
+
+  /// Begins the pause before the step. The device must be running.
+  void begin(const experiments::ForcePlan& plan);
+  /// Again, with the pause first. Only after it was felt.
+  void feelAgain();
+  /// No force; forgets the step.
+  void cancel();
+
+  /// All samples, oldest first. Returns whether the phase changed.
+  bool add(std::span<const haptics::Sample> samples);
+
+  Phase phase() const { return phase_; }
+  bool wasFelt() const { return felt_once_; }
+  /// The pause lasts longer than the protocol asks, because the motors are warm.
+  bool isWarm() const { return warm_; }
+
+  /// What was measured so far, without the word. `wasFelt` must be true.
+  experiments::ForceAnswer measured() const;
+
+ private:
+  void pause();
+  double restS() const;
+  void take(const haptics::Sample& sample);
+  void order();
+
+  DeviceSession& device_;
+  experiments::ForcePlan plan_;
+  Phase phase_ = Phase::kNone;
+  std::uint64_t number_ = 0;  ///< of the stimulus; never used twice
+  std::uint64_t orders_ = 0;  ///< samples with older orders are not of this stimulus
+  bool warm_ = false;
+  std::optional<std::int64_t> pause_since_ns_;
+  std::int64_t full_ns_ = 0;
+  bool felt_once_ = false;
+  int again_ = 0;
+  haptics::StimulusDelivery delivery_;
+  std::optional<experiments::ForwardMotion> motion_;
+  double since_full_s_ = 0;
+  // Of the times before this one.
+  bool delivered_before_ = true;
+  std::optional<double> share_before_ = 1;
+  double way_before_mm_ = 0;
+  double speed_before_mm_s_ = 0;
+};
 
 /// A rest every so many questions (facts on the screens, part 3).
 inline constexpr std::size_t kQuestionsToRest = 15;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/participant/kit/phrase.h"
+#include "app/workbench/participant/kit/wordbook.h"
 
 namespace tactus::workbench {
 

@@ -5,6 +5,9 @@
 #include <QInputDevice>
 #include <QKeyEvent>
 #include <QMouseEvent>
+#include <QPainter>
+#include <QPrinter>
+#include <QPrinterInfo>
 #include <QTimer>
 #include <QWidget>
 #include <QWindow>
@@ -12,15 +15,45 @@
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
-#include "app/workbench/participant/print_curve.h"
-#include "app/workbench/participant/screens/force_off_panel.h"
+#include "app/workbench/participant/screens/force_curve.h"
 #include "app/workbench/participant/screens/glossary_screen.h"
-#include "app/workbench/participant/screens/notice_panel.h"
-#include "app/workbench/participant/screens/rest_screen.h"
-#include "app/workbench/participant/screens/withdraw_panel.h"
+#include "app/workbench/participant/screens/panels.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/shown_state.h"
 
 namespace tactus::workbench {
+
+// Prints the force–depth curve of one participant on the default printer, without a dialog.
+
+namespace nurse {
+class ForceCurve;
+}
+
+bool canPrint();
+/// A page with the curve; nothing without a printer.
+void printCurve(const nurse::ForceCurve& curve);
+
+namespace {
+
+constexpr double kHeightShare = 0.6;  // of the width of the page
+constexpr double kTextShare = 0.018;
+
+}  // namespace
+
+bool canPrint() { return !QPrinterInfo::defaultPrinterName().isEmpty(); }
+
+void printCurve(const nurse::ForceCurve& curve) {
+  if (!canPrint()) return;
+  QPrinter printer(QPrinterInfo::defaultPrinter(), QPrinter::HighResolution);
+  printer.setPageOrientation(QPageLayout::Landscape);
+  QPainter painter;
+  if (!painter.begin(&printer)) return;
+  const QRectF page(QPointF(), printer.pageRect(QPrinter::DevicePixel).size());
+  QFont font = curve.font();
+  font.setPixelSize(static_cast<int>(page.width() * kTextShare));
+  painter.setFont(font);
+  curve.draw(painter, QRectF(0, 0, page.width(), page.width() * kHeightShare));
+}
 
 ParticipantViews::ParticipantViews(ParticipantController& course, nurse::Look& look, ParticipantWindow& window)
     : course_(course), look_(look), window_(window) {

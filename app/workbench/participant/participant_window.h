@@ -2,12 +2,62 @@
 // opens no other window: what asks her something lies inside, as a cover over the screen and below the button.
 #pragma once
 
+#include <QObject>
 #include <QWidget>
 #include <functional>
+#include <optional>
 
+#include "app/workbench/participant/screens/panels.h"
+
+class QKeyEvent;
+class QLineEdit;
+class QMouseEvent;
 class QScreen;
 
 namespace tactus::workbench {
+
+/// The way back to the research mode: asks for the study's passphrase, over the nurse's screen.
+class LeavePanel : public nurse::PanelCard {
+  Q_OBJECT
+
+ public:
+  explicit LeavePanel(const nurse::Look& look, QWidget* parent = nullptr);
+
+  /// What was typed is not the passphrase.
+  void refuse();
+
+ signals:
+  void entered(const QString& passphrase);
+  /// Back to the participant.
+  void stay();
+
+ private:
+  void followLook();
+
+  QLineEdit* passphrase_;
+  nurse::Label* wrong_;
+};
+
+/// Esc means "Force off" in the whole program: in any window, whatever has the keyboard.
+class ForceOffKeys : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ForceOffKeys(QObject* parent = nullptr);
+
+  /// Watches the keys of the whole program, or stops. While it watches, nothing else gets Esc.
+  void setOn(bool on);
+
+ signals:
+  /// Esc went down. A held key asks once.
+  void pressed();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool on_ = false;
+};
 
 namespace nurse {
 class Button;
@@ -80,6 +130,48 @@ class ParticipantWindow : public QWidget {
   QWidget* cover_ = nullptr;
   QWidget* question_ = nullptr;
   bool leaving_ = false;
+};
+
+// Mouse, touch and keyboard instead of a hand on the virtual device. A drag over the free area of the screen holds
+// the handle and moves it, forward to the right; letting go takes it back to the start. Space holds, the arrows move.
+
+namespace nurse {
+class Look;
+}
+
+class DeviceSession;
+class ParticipantWindow;
+
+class VirtualHand : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Does nothing while another device than the virtual one runs. All outlive this.
+  VirtualHand(ParticipantWindow& window, const nurse::Look& look, DeviceSession& device);
+
+  /// Whether the screen asks for the hand: only then are Space and the arrows the hand's. A hand that holds the handle
+  /// keeps it until it lets go: she feels a force also while the screen asks how large it is.
+  void setWanted(bool wanted);
+  /// Lets go at once, and goes back to the start.
+  void letGo();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  bool press(const QMouseEvent& event);
+  void follow(const QEvent& event);
+  void drag(const QMouseEvent& event);
+  bool key(const QKeyEvent& event, bool down);
+  void moveTo(double position_mm);
+  bool holds() const { return from_px_ || space_; }
+
+  ParticipantWindow& window_;
+  const nurse::Look& look_;
+  DeviceSession& device_;
+  bool wanted_ = false;
+  bool space_ = false;             ///< is down, and holds
+  std::optional<double> from_px_;  ///< where a drag began
 };
 
 }  // namespace tactus::workbench

@@ -10,9 +10,8 @@
 #include "app/workbench/participant/screens/question_screen.h"
 #include "app/workbench/participant/screens/review_screen.h"
 #include "app/workbench/participant/screens/scale_screen.h"
-#include "app/workbench/participant/screens/stopped_screen.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/stroke_screen.h"
-#include "app/workbench/participant/screens/thanks_screen.h"
 #include "app/workbench/participant/screens/welcome_screen.h"
 
 namespace tactus::workbench {

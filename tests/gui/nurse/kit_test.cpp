@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/participant/kit/choices.h"
-#include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/screens/about_you_screen.h"
 #include "app/workbench/participant/screens/force_screen.h"
 #include "app/workbench/participant/screens/question_screen.h"

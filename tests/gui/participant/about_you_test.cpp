@@ -1,4 +1,4 @@
-#include "app/workbench/participant/about_you.h"
+#include "app/workbench/participant/questions.h"
 
 #include <gtest/gtest.h>
 

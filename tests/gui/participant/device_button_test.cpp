@@ -1,4 +1,4 @@
-#include "app/workbench/participant/device_button.h"
+#include "app/workbench/participant/participant_controller.h"
 
 #include <gtest/gtest.h>
 #include <vector>

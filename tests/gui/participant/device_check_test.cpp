@@ -1,4 +1,4 @@
-#include "app/workbench/participant/device_check.h"
+#include "app/workbench/participant/participant_course.h"
 
 #include <gtest/gtest.h>
 

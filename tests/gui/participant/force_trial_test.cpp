@@ -1,4 +1,4 @@
-#include "app/workbench/participant/force_trial.h"
+#include "app/workbench/participant/participant_course.h"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
-#include "app/workbench/participant/screens/force_off_panel.h"
+#include "app/workbench/participant/screens/panels.h"
 #include "app/workbench/participant/screens/question_screen.h"
 #include "core/store/entries.h"
 #include "core/store/sessions.h"

@@ -1,4 +1,4 @@
-#include "app/workbench/participant/screen_gate.h"
+#include "app/workbench/participant/participant_controller.h"
 
 #include <gtest/gtest.h>
 

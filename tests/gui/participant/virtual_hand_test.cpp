@@ -1,4 +1,3 @@
-#include "app/workbench/participant/virtual_hand.h"
 
 #include <QGuiApplication>
 #include <QPushButton>

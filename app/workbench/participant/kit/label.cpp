@@ -1,8 +1,91 @@
 #include "app/workbench/participant/kit/label.h"
 
-#include "app/workbench/participant/kit/colors.h"
+#include <QPainter>
+#include <QTextLayout>
+#include <algorithm>
+
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
+namespace {
+
+constexpr double kBetween = 0.55;  // of a line, after a paragraph
+
+QStringList linesOf(const QString& text, const QFont& font, double width) {
+  QTextLayout layout(text, font);
+  QTextOption option;
+  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  layout.setTextOption(option);
+  QStringList lines;
+  layout.beginLayout();
+  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+    line.setLineWidth(width);
+    lines << text.mid(line.textStart(), line.textLength()).trimmed();
+  }
+  layout.endLayout();
+  return lines;
+}
+
+}  // namespace
+
+PagedText::PagedText(const Look& look, QWidget* parent) : QWidget(parent), look_(look) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  connect(&look, &Look::changed, this, &PagedText::paginate);
+}
+
+void PagedText::setParagraphs(std::vector<Phrase> paragraphs) {
+  if (paragraphs == paragraphs_) return;
+  paragraphs_ = std::move(paragraphs);
+  page_ = 0;
+  paginate();
+}
+
+void PagedText::setPage(int page) {
+  page_ = std::clamp(page, 0, std::max(0, pages() - 1));
+  update();
+  emit paged();
+}
+
+void PagedText::resizeEvent(QResizeEvent* /*event*/) { paginate(); }
+
+void PagedText::paginate() {
+  const QFont font = look_.font();
+  const double line_height = QFontMetricsF(font).lineSpacing();
+  pages_.assign(1, {});
+  double y = 0;
+  QString all;
+  for (const Phrase& paragraph : paragraphs_) {
+    const QStringList lines = linesOf(look_.say(paragraph), font, std::max(1, width()));
+    all += look_.say(paragraph) + QLatin1Char('\n');
+    // A paragraph stays together where a page holds it.
+    const double high = line_height * static_cast<double>(lines.size());
+    if (y + high > height() && y > 0 && high <= height()) {
+      pages_.emplace_back();
+      y = 0;
+    }
+    for (const QString& line : lines) {
+      if (y + line_height > height() && y > 0) {
+        pages_.emplace_back();
+        y = 0;
+      }
+      pages_.back().push_back({line, y});
+      y += line_height;
+    }
+    y += kBetween * line_height;
+  }
+  setAccessibleName(all.trimmed());
+  setPage(page_);
+}
+
+void PagedText::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setFont(look_.font());
+  painter.setPen(colors::kInk);
+  const double ascent = painter.fontMetrics().ascent();
+  for (const Line& line : pages_[static_cast<std::size_t>(page_)])
+    painter.drawText(QPointF(0, line.y + ascent), line.text);
+}
+
 namespace {
 
 constexpr double kLeadFactor = 1.2;

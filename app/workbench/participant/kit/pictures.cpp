@@ -4,9 +4,144 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
+namespace {
+
+constexpr double kLampMm = 20;
+constexpr double kPaddingMm = 4;
+constexpr QColor kStopColor(0x9B, 0x1C, 0x1C);
+constexpr QColor kWaitColor(0xFF, 0xC2, 0x47);
+constexpr QColor kReadyColor(0x1B, 0x6E, 0x3C);
+
+void drawSign(QPainter& painter, Light lamp, const QRectF& box) {
+  const double width = box.width() / 10;
+  painter.setPen(QPen(lamp == Light::kWait ? colors::kInk : QColor(Qt::white), width, Qt::SolidLine, Qt::RoundCap));
+  const double d = box.width() * 0.2;
+  const QPointF c = box.center();
+  switch (lamp) {
+    case Light::kStop:
+      painter.drawLine(c + QPointF(-d, -d), c + QPointF(d, d));
+      painter.drawLine(c + QPointF(-d, d), c + QPointF(d, -d));
+      break;
+    case Light::kWait:
+      for (const double x : {-1.1, 0.0, 1.1}) painter.drawPoint(c + QPointF(x * d, 0));
+      break;
+    case Light::kReady:
+      drawTick(painter, box, width);
+      break;
+  }
+}
+
+}  // namespace
+
+TrafficLight::TrafficLight(const Look& look, QWidget* parent) : QWidget(parent), look_(look) {
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(&look, &Look::changed, this, [this] {
+    updateGeometry();
+    update();
+  });
+}
+
+void TrafficLight::setLight(Light light) {
+  if (light == light_) return;
+  light_ = light;
+  update();
+}
+
+QSize TrafficLight::sizeHint() const {
+  const int lamp = look_.mm(kLampMm);
+  const int padding = look_.mm(kPaddingMm);
+  return {lamp + 2 * padding, 3 * lamp + 4 * padding};
+}
+
+void TrafficLight::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double padding = look_.mm(kPaddingMm);
+  const double lamp = look_.mm(kLampMm);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colors::kInk);
+  painter.drawRoundedRect(rect(), (lamp + 2 * padding) / 2, (lamp + 2 * padding) / 2);
+  double y = padding;
+  for (const Light each : {Light::kStop, Light::kWait, Light::kReady}) {
+    const QRectF box(padding, y, lamp, lamp);
+    const QColor on = each == Light::kStop ? kStopColor : each == Light::kWait ? kWaitColor : kReadyColor;
+    const bool lit = each == light_;
+    painter.setPen(lit ? QPen(Qt::white, lamp / 16) : QPen(colors::kMutedInk, 1.5));
+    painter.setBrush(lit ? QBrush(on) : QBrush(colors::kInk));
+    painter.drawEllipse(box.adjusted(1, 1, -1, -1));
+    if (lit) drawSign(painter, each, box);
+    y += lamp + padding;
+  }
+}
+
+namespace {
+
+constexpr double kDotMm = 8;
+constexpr double kGapMm = 3;
+
+}  // namespace
+
+Dots::Dots(const Look& look, QWidget* parent) : QWidget(parent), look_(look) {
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(&look, &Look::changed, this, &Dots::follow);
+}
+
+void Dots::setCount(int filled, int all) {
+  if (filled == filled_ && all == all_) return;
+  filled_ = filled;
+  all_ = all;
+  follow();
+}
+
+void Dots::follow() {
+  setAccessibleName(
+      look_.say(phrase(QStringLiteral("acc.recorded"), {QString::number(filled_), QString::number(all_)})));
+  updateGeometry();
+  update();
+}
+
+QSize Dots::sizeHint() const {
+  if (all_ == 0) return {0, 0};
+  return {all_ * look_.mm(kDotMm) + (all_ - 1) * look_.mm(kGapMm), look_.mm(kDotMm)};
+}
+
+void Dots::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const double dot = look_.mm(kDotMm);
+  for (int i = 0; i < all_; ++i) {
+    const QRectF box(i * (dot + look_.mm(kGapMm)), 0, dot, dot);
+    const bool filled = i < filled_;
+    painter.setPen(QPen(filled ? colors::kAccent : colors::kEdge, 2.5));
+    painter.setBrush(filled ? colors::kAccent : colors::kCard);
+    painter.drawEllipse(box.adjusted(1.5, 1.5, -1.5, -1.5));
+    if (!filled) continue;
+    painter.setPen(Qt::white);
+    drawTick(painter, box, dot / 9);
+  }
+}
+
+PictureBox::PictureBox(const Look& look, double width_mm, double height_mm, QWidget* parent)
+    : QWidget(parent), look_(look), width_mm_(width_mm), height_mm_(height_mm) {
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+  connect(&look, &Look::changed, this, &QWidget::updateGeometry);
+}
+
+void PictureBox::setPicture(Picture picture) {
+  picture_ = std::move(picture);
+  update();
+}
+
+void PictureBox::paintEvent(QPaintEvent* /*event*/) {
+  if (!picture_) return;
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  picture_(painter, QRectF(rect()).adjusted(1, 1, -1, -1));
+}
+
 namespace {
 
 constexpr QColor kTube(0x0B, 0x65, 0x9E);

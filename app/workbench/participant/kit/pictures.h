@@ -2,11 +2,63 @@
 #pragma once
 
 #include <QRectF>
+#include <QWidget>
 #include <functional>
+
+#include "app/workbench/participant/kit/look.h"
 
 class QPainter;
 
 namespace tactus::workbench::nurse {
+
+/// A traffic light that also those read who see no colors: each lamp has its place and its sign.
+enum class Light {
+  kStop,   ///< a cross: call the researcher
+  kWait,   ///< a hand at work: do what the sentence says
+  kReady,  ///< a tick
+};
+
+class TrafficLight : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TrafficLight(const Look& look, QWidget* parent = nullptr);
+
+  void setLight(Light light);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  const Look& look_;
+  Light light_ = Light::kWait;
+};
+
+/// One dot for each stroke to do; those that are recorded are filled and have a tick.
+class Dots : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit Dots(const Look& look, QWidget* parent = nullptr);
+
+  void setCount(int filled, int all);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void follow();
+
+  const Look& look_;
+  int filled_ = 0;
+  int all_ = 0;
+};
 
 /// Draws into a rectangle, px.
 using Picture = std::function<void(QPainter&, const QRectF&)>;
@@ -26,5 +78,27 @@ Picture tickPicture();
 /// A cup of tea.
 Picture cupPicture();
 void drawTick(QPainter& painter, const QRectF& box, double width);
+
+/// A small picture of its own, with its size on the screen in mm.
+class PictureBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  PictureBox(const Look& look, double width_mm, double height_mm, QWidget* parent = nullptr);
+
+  void setPicture(Picture picture);
+
+  QSize sizeHint() const override { return {look_.mm(width_mm_), look_.mm(height_mm_)}; }
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  const Look& look_;
+  double width_mm_;
+  double height_mm_;
+  Picture picture_;
+};
 
 }  // namespace tactus::workbench::nurse

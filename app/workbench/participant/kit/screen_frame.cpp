@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/workbench/participant/kit/colors.h"
-#include "app/workbench/participant/kit/ring.h"
+#include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/button.h"
 
 namespace tactus::workbench::nurse {
 namespace {

@@ -1,7 +1,7 @@
 // Consent: what she agrees to, as pages. Without consent there is no session.
 #pragma once
 
-#include "app/workbench/participant/kit/paged_text.h"
+#include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {

@@ -2,7 +2,7 @@
 
 #include <QHBoxLayout>
 
-#include "app/workbench/participant/kit/column.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
 namespace {

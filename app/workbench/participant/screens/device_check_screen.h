@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/workbench/participant/kit/screen_frame.h"
-#include "app/workbench/participant/kit/traffic_light.h"
+#include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {

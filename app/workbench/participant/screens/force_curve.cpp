@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "app/workbench/anatomy/anatomy.h"
-#include "app/workbench/participant/kit/colors.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
 namespace {

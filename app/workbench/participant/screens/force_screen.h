@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/workbench/participant/kit/choices.h"
-#include "app/workbench/participant/kit/picture_box.h"
+#include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 

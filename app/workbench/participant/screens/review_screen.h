@@ -2,13 +2,45 @@
 // them.
 #pragma once
 
+#include <QAbstractButton>
 #include <QGridLayout>
+#include <QVariantAnimation>
 #include <vector>
 
+#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/screen_frame.h"
-#include "app/workbench/participant/screens/review_cell.h"
 
 namespace tactus::workbench::nurse {
+
+/// One answer in a review grid. Open ones pulse.
+class ReviewCell : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  ReviewCell(const Look& look, int item, QWidget* parent = nullptr);
+
+  int item() const { return item_; }
+  /// `word`: very_small … very_large, cant_tell; empty: open. `situation` is what it answers, for screen readers.
+  void setAnswer(const QString& word, const QString& situation);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool hitButton(const QPoint& at) const override;
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void follow();
+
+  const Look& look_;
+  int item_;
+  QString word_;
+  QString situation_;
+  QVariantAnimation pulse_;
+  double glow_ = 0;
+};
 
 struct ReviewAnswer {
   int item = 0;       ///< the number of the question in the form

@@ -5,19 +5,16 @@
 #include "app/workbench/participant/screens/about_you_screen.h"
 #include "app/workbench/participant/screens/consent_screen.h"
 #include "app/workbench/participant/screens/device_check_screen.h"
-#include "app/workbench/participant/screens/force_off_panel.h"
 #include "app/workbench/participant/screens/force_screen.h"
 #include "app/workbench/participant/screens/glossary_screen.h"
 #include "app/workbench/participant/screens/own_model_screen.h"
 #include "app/workbench/participant/screens/question_screen.h"
-#include "app/workbench/participant/screens/rest_screen.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/review_screen.h"
 #include "app/workbench/participant/screens/scale_screen.h"
-#include "app/workbench/participant/screens/stopped_screen.h"
 #include "app/workbench/participant/screens/stroke_screen.h"
-#include "app/workbench/participant/screens/thanks_screen.h"
 #include "app/workbench/participant/screens/welcome_screen.h"
-#include "app/workbench/participant/screens/withdraw_panel.h"
+#include "app/workbench/participant/screens/panels.h"
 
 namespace tactus::workbench::nurse {
 namespace {

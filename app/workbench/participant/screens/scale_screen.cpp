@@ -3,8 +3,8 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 
-#include "app/workbench/participant/kit/column.h"
-#include "app/workbench/participant/kit/ring.h"
+#include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/button.h"
 
 namespace tactus::workbench::nurse {
 namespace {

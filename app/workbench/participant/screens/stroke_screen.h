@@ -5,8 +5,7 @@
 #include <optional>
 
 #include "app/workbench/anatomy/anatomy_view.h"
-#include "app/workbench/participant/kit/dots.h"
-#include "app/workbench/participant/kit/picture_box.h"
+#include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 

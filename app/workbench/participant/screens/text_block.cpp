@@ -1,6 +1,6 @@
 #include "app/workbench/participant/screens/text_block.h"
 
-#include "app/workbench/participant/kit/column.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
 

@@ -1,12 +1,43 @@
 // Welcome: language, size of the text, and the participant's code, new or known.
 #pragma once
 
+#include <QLineEdit>
+#include <QWidget>
+
 #include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/screen_frame.h"
-#include "app/workbench/participant/screens/code_field.h"
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
+
+/// Where a participant types her code.
+class CodeField : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CodeField(const Look& look, QWidget* parent = nullptr);
+
+  QString code() const { return edit_->text().simplified(); }
+  void takeFocus() { edit_->setFocus(); }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void edited();
+  void entered();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void follow();
+
+  const Look& look_;
+  QLineEdit* edit_;
+};
 
 enum class WelcomeStep {
   kStart,      ///< language, size, new or known

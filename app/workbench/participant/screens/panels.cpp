@@ -1,14 +1,46 @@
-#include "app/workbench/participant/screens/panel_card.h"
+#include "app/workbench/participant/screens/panels.h"
 
 #include <QEvent>
 #include <QPainter>
 #include <algorithm>
 
-#include "app/workbench/participant/kit/colors.h"
-#include "app/workbench/participant/kit/column.h"
+#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {
+
+ForceOffPanel::ForceOffPanel(const Look& look, QWidget* parent) : PanelCard(look, parent) {
+  addText(TextRole::kLead, phrase(QStringLiteral("off.done")));
+  called_ = addText(TextRole::kBody, phrase(QStringLiteral("off.called")));
+  Button* go_on = addButton(ButtonKind::kPrimary, phrase(QStringLiteral("nav.continue")));
+  call_ = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.call")));
+  Button* stop = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.stop")));
+  Button* withdraw_button = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.withdraw")));
+  connect(go_on, &QAbstractButton::clicked, this, &ForceOffPanel::goOn);
+  connect(call_, &QAbstractButton::clicked, this, &ForceOffPanel::callResearcher);
+  connect(stop, &QAbstractButton::clicked, this, &ForceOffPanel::stopForToday);
+  connect(withdraw_button, &QAbstractButton::clicked, this, &ForceOffPanel::withdraw);
+  setCalled(false);
+}
+
+void ForceOffPanel::setCalled(bool called) {
+  called_->setVisible(called);
+  call_->setVisible(!called);
+}
+
+WithdrawPanel::WithdrawPanel(const Look& look, QWidget* parent) : PanelCard(look, parent) {
+  addText(TextRole::kLead, phrase(QStringLiteral("off.withdraw")));
+  addText(TextRole::kBody, phrase(QStringLiteral("off.withdraw_ask")));
+  Button* keep_button = addButton(ButtonKind::kPrimary, phrase(QStringLiteral("off.keep")));
+  Button* withdraw_button = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.withdraw")));
+  connect(keep_button, &QAbstractButton::clicked, this, &WithdrawPanel::keep);
+  connect(withdraw_button, &QAbstractButton::clicked, this, &WithdrawPanel::withdraw);
+}
+
+NoticePanel::NoticePanel(const Look& look, const Phrase& sentence, QWidget* parent) : PanelCard(look, parent) {
+  addText(TextRole::kLead, sentence);
+}
+
 namespace {
 
 constexpr QColor kDimmed(0x1F, 0x29, 0x33, 190);
