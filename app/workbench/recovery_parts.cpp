@@ -7,7 +7,7 @@
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/tune/history/autosave_controller.h"
 #include "app/workbench/tune/history/recovery_controller.h"
-#include "app/workbench/tune/history/recovery_strip.h"
+#include "app/workbench/tune/history/compare_strip.h"
 
 namespace tactus::workbench {
 

@@ -6,7 +6,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/tune/findings/findings_model.h"
+#include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,12 +1,16 @@
 #include "app/workbench/tune/findings/findings_controller.h"
 
+#include <QCoreApplication>
+#include <QHash>
+#include <QStringList>
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
-#include "app/editing/step_fixes.h"
-#include "app/editing/lint_fixes.h"
 #include "app/editing/edit.h"
+#include "app/editing/lint_fixes.h"
+#include "app/editing/step_fixes.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
@@ -14,6 +18,196 @@
 #include "core/base/check.h"
 
 namespace tactus::workbench {
+namespace {
+
+using Kind = elicitation::RuleFinding::Kind;
+
+struct FindingRowsText {
+  Q_DECLARE_TR_FUNCTIONS(FindingRowsText)
+};
+
+QString countText(Kind kind, int n) {
+  switch (kind) {
+    case Kind::kHole:
+      return FindingRowsText::tr("%n hole(s)", nullptr, n);
+    case Kind::kAbstentionJump:
+      return FindingRowsText::tr("%n jump(s) of the mean", nullptr, n);
+    case Kind::kForceStep:
+      return FindingRowsText::tr("%n step(s) of the force", nullptr, n);
+    case Kind::kRegionWithoutRule:
+      return FindingRowsText::tr("%n region(s) without a rule", nullptr, n);
+    case Kind::kMissingItem:
+      return FindingRowsText::tr("%n missing answer(s)", nullptr, n);
+    case Kind::kConflict:
+      return FindingRowsText::tr("%n conflict(s)", nullptr, n);
+    case Kind::kExpertsApart:
+      return FindingRowsText::tr("apart at %n place(s)", nullptr, n);
+    case Kind::kAgainstDeclaration:
+      return FindingRowsText::tr("%n step(s) against the declaration", nullptr, n);
+    case Kind::kLevelJump:
+      return FindingRowsText::tr("%n jump(s)", nullptr, n);
+    case Kind::kDirectionChange:
+      return FindingRowsText::tr("%n change(s) of direction", nullptr, n);
+    case Kind::kDisagreement:
+      return FindingRowsText::tr("%n disagreement(s)", nullptr, n);
+    case Kind::kRedundantRule:
+      return FindingRowsText::tr("%n redundant rule(s)", nullptr, n);
+    case Kind::kUnreachableRule:
+      return FindingRowsText::tr("%n rule(s) that never fire", nullptr, n);
+    case Kind::kUnreachableTerm:
+      return FindingRowsText::tr("%n unreachable term(s)", nullptr, n);
+    case Kind::kUnusedTerm:
+      return FindingRowsText::tr("%n unused term(s)", nullptr, n);
+  }
+  return {};
+}
+
+std::optional<double> mostNewtons(const std::vector<ShownFinding>& all, const std::vector<std::size_t>& group) {
+  std::optional<double> most;
+  for (const std::size_t finding : group) most = std::max(most, all[finding].finding.newtons);
+  return most;
+}
+
+void sort(std::vector<std::size_t>& passing, const std::vector<ShownFinding>& all, FindingOrder order) {
+  // Findings that are equal in the order stay in that of the newtons; those without a place come last.
+  if (order == FindingOrder::kExpert) {
+    std::stable_sort(passing.begin(), passing.end(),
+                     [&](std::size_t a, std::size_t b) { return all[a].who < all[b].who; });
+  }
+  if (order == FindingOrder::kPlace) {
+    std::stable_sort(passing.begin(), passing.end(), [&](std::size_t a, std::size_t b) {
+      const auto& one = all[a].along;
+      const auto& other = all[b].along;
+      return one && other ? *one < *other : one.has_value() && !other.has_value();
+    });
+  }
+}
+
+}  // namespace
+
+QString groupKey(const ShownFinding& shown) {
+  return QStringLiteral("%1\n%2\n%3\n%4")
+      .arg(static_cast<int>(shown.finding.kind))
+      .arg(static_cast<int>(shown.acceptance))
+      .arg(shown.who, shown.step);
+}
+
+QString groupTitle(const ShownFinding& shown, std::size_t count) {
+  const QString what = countText(shown.finding.kind, static_cast<int>(count));
+  return shown.step.isEmpty() ? FindingRowsText::tr("%1: %2").arg(shown.who, what)
+                              : FindingRowsText::tr("%1 · %2: %3").arg(shown.who, shown.step, what);
+}
+
+std::vector<FindingRow> findingRows(const std::vector<ShownFinding>& all, std::vector<std::size_t> passing,
+                                    FindingOrder order, const QSet<QString>& unfolded) {
+  sort(passing, all, order);
+  QHash<QString, std::vector<std::size_t>> groups;
+  for (const std::size_t finding : passing) groups[groupKey(all[finding])].push_back(finding);
+  std::vector<FindingRow> rows;
+  for (const std::size_t finding : passing) {
+    const QString key = groupKey(all[finding]);
+    const std::vector<std::size_t>& group = groups[key];
+    if (group.size() < kSmallestGroup) {
+      rows.push_back({finding});
+    } else if (group.front() == finding) {
+      const bool open = unfolded.contains(key);
+      rows.push_back({finding, group.size(), false, open, mostNewtons(all, group)});
+      if (!open) continue;
+      for (const std::size_t member : group) rows.push_back({member, 0, true});
+    }
+  }
+  return rows;
+}
+
+FindingsModel::FindingsModel(const FindingsController& findings, QObject* parent)
+    : QAbstractListModel(parent), findings_(findings) {}
+
+void FindingsModel::setKind(std::optional<elicitation::RuleFinding::Kind> kind) {
+  if (kind == kind_) return;
+  kind_ = kind;
+  adopt();
+}
+
+void FindingsModel::setWho(const QString& who) {
+  if (who == who_) return;
+  who_ = who;
+  adopt();
+}
+
+void FindingsModel::setOrder(FindingOrder order) {
+  if (order == order_) return;
+  order_ = order;
+  adopt();
+}
+
+void FindingsModel::fold(int row) {
+  const QString key = groupKey(findingAt(row));
+  if (!unfolded_.remove(key)) unfolded_.insert(key);
+  adopt();
+}
+
+QString FindingsModel::titleAt(int row) const { return groupTitle(findingAt(row), rowAt(row).members); }
+
+int FindingsModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+QVariant FindingsModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const ShownFinding& shown = findingAt(index.row());
+  if (isHeading(index.row())) {
+    if (role == Qt::ToolTipRole) return tr("Click to see each of them");
+    return role == Qt::DisplayRole || role == Qt::AccessibleTextRole ? QVariant(titleAt(index.row())) : QVariant();
+  }
+  if (role == Qt::DisplayRole) return shown.sentence;
+  if (role == Qt::ToolTipRole) {
+    QStringList lines = {shown.sentence};
+    if (shown.finding.at_least) lines << tr("≥: the largest force of the tested settings");
+    if (shown.noticeable) lines << explained(Statistic::kNoticeable);
+    return lines.join(QLatin1Char('\n'));
+  }
+  // What a screen reader says.
+  if (role == Qt::AccessibleTextRole) return QStringLiteral("%1, %2: %3").arg(shown.kind, shown.who, shown.sentence);
+  return {};
+}
+
+int FindingsModel::rowOf(std::size_t index) const {
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    if (rows_[row].finding == index && rows_[row].members == 0) return static_cast<int>(row);
+  }
+  if (index >= all_->size()) return -1;
+  const QString key = groupKey((*all_)[index]);
+  for (std::size_t row = 0; row < rows_.size(); ++row) {
+    if (rows_[row].members > 0 && groupKey((*all_)[rows_[row].finding]) == key) return static_cast<int>(row);
+  }
+  return -1;
+}
+
+bool FindingsModel::isCurrent() const { return all_ == findings_.shared(); }
+
+void FindingsModel::adopt() {
+  beginResetModel();
+  all_ = findings_.shared();
+  std::set<std::string> experts;
+  if (const fuzzy::ForceModel* const model = findings_.lintedModel(); model != nullptr && !who_.isEmpty()) {
+    for (const fuzzy::Expert& expert : model->experts) {
+      if (labelOf(expert) == who_) experts.insert(expert.id);
+    }
+  }
+  std::vector<std::size_t> passing;
+  for (std::size_t i = 0; i < all_->size(); ++i) {
+    if (passes((*all_)[i], experts)) passing.push_back(i);
+  }
+  rows_ = findingRows(*all_, std::move(passing), order_, unfolded_);
+  endResetModel();
+}
+
+bool FindingsModel::passes(const ShownFinding& shown, const std::set<std::string>& experts) const {
+  if (kind_ && shown.finding.kind != *kind_) return false;
+  if (who_.isEmpty() || shown.who == who_) return true;
+  return std::any_of(shown.finding.experts.begin(), shown.finding.experts.end(),
+                     [&](const std::string& id) { return experts.contains(id); });
+}
 
 /// Never changes once it is made, so both threads may read it.
 struct FindingsController::Report {

@@ -3,10 +3,15 @@
 // the panel is visible.
 #pragma once
 
+#include <QAbstractListModel>
 #include <QObject>
+#include <QSet>
 #include <QString>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "app/editing/edit.h"
@@ -101,6 +106,82 @@ class FindingsController : public QObject {
   std::vector<FixOffer> fixes_;
   Background lint_worker_;
   Background fix_worker_;
+};
+
+// The findings of the lint as a list: filtered by kind and expert, in the chosen order, and in groups that fold.
+
+/// The rows in which the findings are listed: in a chosen order, and findings of one kind about the same thing as a
+/// group that folds:
+///   S2 · Nasopharynx → Oropharynx: 6 jumps
+enum class FindingOrder { kNewtons, kExpert, kPlace };
+
+/// So many findings about one thing make a group; fewer are read as fast one by one.
+inline constexpr std::size_t kSmallestGroup = 3;
+
+struct FindingRow {
+  std::size_t finding = 0;             ///< index; of a heading: its first finding
+  std::size_t members = 0;             ///< of a heading: how many findings it stands for; 0 for a finding
+  bool in_group = false;               ///< a finding below its heading
+  bool unfolded = false;               ///< of a heading
+  std::optional<double> newtons = {};  ///< of a heading: the largest of its findings
+};
+
+/// What a finding has in common with those of its group.
+QString groupKey(const ShownFinding& shown);
+/// The heading of a group of `count` findings like `shown`.
+QString groupTitle(const ShownFinding& shown, std::size_t count);
+
+/// `passing`: the indices in `all` to list, in the order of the newtons. `unfolded`: the keys of groups whose findings
+/// are listed below their heading.
+std::vector<FindingRow> findingRows(const std::vector<ShownFinding>& all, std::vector<std::size_t> passing,
+                                    FindingOrder order, const QSet<QString>& unfolded);
+
+class FindingsController;
+
+class FindingsModel : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  explicit FindingsModel(const FindingsController& findings, QObject* parent = nullptr);
+
+  /// Filters by kind; nothing: all kinds.
+  void setKind(std::optional<elicitation::RuleFinding::Kind> kind);
+  /// Filters by the text in ShownFinding::who; empty: all. A finding about two experts passes for each of them.
+  void setWho(const QString& who);
+
+  void setOrder(FindingOrder order);
+  /// Folds a group or unfolds it; `row` is its heading.
+  void fold(int row);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  /// Qt::DisplayRole: the sentence; the whole finding comes from findingAt.
+  QVariant data(const QModelIndex& index, int role) const override;
+
+  const FindingRow& rowAt(int row) const { return rows_[static_cast<std::size_t>(row)]; }
+  bool isHeading(int row) const { return rowAt(row).members > 0; }
+  /// `S2 · Nasopharynx → Oropharynx: 6 jumps`. `row` is a heading.
+  QString titleAt(int row) const;
+  /// Index of the finding in row `row` in FindingsController::findings.
+  std::size_t indexAt(int row) const { return rowAt(row).finding; }
+  const ShownFinding& findingAt(int row) const { return (*all_)[indexAt(row)]; }
+  /// The row of a finding with that index, or of the heading of its folded group; -1 if it is filtered out.
+  int rowOf(std::size_t index) const;
+
+  /// Whether the rows show the controller's current findings. A hidden list may be old.
+  bool isCurrent() const;
+  /// Takes the controller's current findings.
+  void adopt();
+
+ private:
+  bool passes(const ShownFinding& shown, const std::set<std::string>& experts) const;
+
+  const FindingsController& findings_;
+  std::optional<elicitation::RuleFinding::Kind> kind_;
+  QString who_;
+  FindingOrder order_ = FindingOrder::kNewtons;
+  QSet<QString> unfolded_;                                ///< keys of groups
+  std::shared_ptr<const std::vector<ShownFinding>> all_;  ///< null before the first `adopt`
+  std::vector<FindingRow> rows_;
 };
 
 }  // namespace tactus::workbench

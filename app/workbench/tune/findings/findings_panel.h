@@ -1,15 +1,50 @@
 // The panel of the lint's findings: largest force first, with filters and one-click fixes.
 #pragma once
 
+#include <QFrame>
+#include <memory>
+
 #include "app/workbench/kit/cards.h"
-#include "app/workbench/tune/findings/findings_model.h"
+#include "app/workbench/tune/findings/findings_controller.h"
 
 class QComboBox;
+class QGridLayout;
+class QHBoxLayout;
 class QLabel;
 class QListView;
 class QStackedWidget;
+class QToolButton;
 
 namespace tactus::workbench {
+
+// The chosen finding in full, its place, and one button for each fix.
+
+class FindingsController;
+class RowStop;
+
+class FixCard : public QFrame {
+  Q_OBJECT
+
+ public:
+  explicit FixCard(FindingsController& findings, QWidget* parent = nullptr);
+  ~FixCard() override;
+
+ private:
+  void showFinding();
+  void showFixes();
+  void showRules();
+
+  FindingsController& findings_;
+  QLabel* sentence_;
+  QToolButton* here_;
+  QToolButton* other_end_;
+  QHBoxLayout* rules_;  ///< a button for each rule
+  QLabel* note_;
+  QWidget* fixes_;
+  QGridLayout* grid_;
+  std::unique_ptr<RowStop> places_stop_;  ///< the buttons that lead to a place or a rule
+  std::unique_ptr<RowStop> fixes_stop_;
+};
 
 class ElidedLabel;
 class FindingDelegate;

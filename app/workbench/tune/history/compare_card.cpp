@@ -14,7 +14,7 @@
 #include "app/workbench/model/shown_impact.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/tune/history/compare_controller.h"
-#include "app/workbench/tune/history/compare_switch.h"
+#include "app/workbench/tune/history/compare_strip.h"
 
 namespace tactus::workbench {
 namespace {

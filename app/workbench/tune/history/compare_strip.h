@@ -1,11 +1,58 @@
 // The strip above the panels that names the version shown and felt during a comparison; otherwise hidden.
 #pragma once
 
+#include <QWidget>
+
 #include "app/workbench/kit/cards.h"
 
+class QLabel;
+class QPushButton;
 class QToolButton;
 
 namespace tactus::workbench {
+
+// Offers the work that a crash left behind: restore, discard, or later.
+
+class RecoveryController;
+
+class RecoveryStrip : public Card {
+  Q_OBJECT
+
+ public:
+  explicit RecoveryStrip(RecoveryController& recovery, QWidget* parent = nullptr);
+
+ signals:
+  void restoreRequested();
+
+ private:
+  void showOffer();
+
+  RecoveryController& recovery_;
+  QLabel* label_;
+  QPushButton* restore_;
+  QPushButton* discard_;
+  QPushButton* later_;
+};
+
+// The switch between A and B. One button is pressed during a comparison, none otherwise.
+
+class CompareController;
+enum class CompareSide;
+
+class CompareSwitch : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit CompareSwitch(CompareController& compare, QWidget* parent = nullptr);
+
+ private:
+  void showSide();
+  QToolButton* addButton(const QString& letter, CompareSide side);
+
+  CompareController& compare_;
+  QToolButton* a_;
+  QToolButton* b_;
+};
 
 class CompareController;
 class ElidedLabel;

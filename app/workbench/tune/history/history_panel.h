@@ -3,6 +3,8 @@
 // state is ever lost.
 #pragma once
 
+#include <QStyledItemDelegate>
+
 #include "app/editing/edit_history.h"
 #include "app/workbench/kit/cards.h"
 
@@ -13,6 +15,26 @@ class QPushButton;
 class QToolButton;
 
 namespace tactus::workbench {
+
+// Paints a row of the history: its place in the tree, the change, the effect on the force, and its badges.
+
+class HistoryModel;
+
+class HistoryDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  explicit HistoryDelegate(const HistoryModel& model, QObject* parent = nullptr);
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+
+ private:
+  void paintTree(QPainter& painter, const QRect& area, int row) const;
+  int paintBadges(QPainter& painter, const QRect& line, const QModelIndex& index) const;
+
+  const HistoryModel& model_;
+};
 
 class AuthorName;
 class CompareController;

@@ -1,17 +1,104 @@
 #include "app/workbench/tune/rules/rule_controller.h"
 
+#include <QCoreApplication>
+#include <QString>
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "app/editing/edit_text.h"
 #include "app/editing/rule_edits.h"
+#include "app/editing/rule_grid.h"
 #include "app/editing/term_list.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/places.h"
-#include "app/workbench/tune/rules/rule_block.h"
+#include "app/workbench/model/selection.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
+
+RuleCell stepped(const RuleGridSizes& sizes, RuleCell from, int columns, int rows) {
+  if (columns < 0 && from.column > 0) --from.column;
+  if (columns > 0 && from.column + 1 < sizes.columns) ++from.column;
+  if (rows > 0) {
+    if (from.row + 1 < sizes.rows[from.grid]) {
+      ++from.row;
+    } else if (from.grid + 1 < sizes.rows.size()) {
+      from = {from.grid + 1, 0, from.column};
+    }
+  }
+  if (rows < 0) {
+    if (from.row > 0) {
+      --from.row;
+    } else if (from.grid > 0) {
+      from = {from.grid - 1, sizes.rows[from.grid - 1] - 1, from.column};
+    }
+  }
+  return from;
+}
+
+RuleCell steppedGrid(const RuleGridSizes& sizes, RuleCell from, int count) {
+  const auto last = static_cast<std::ptrdiff_t>(sizes.rows.size()) - 1;
+  const auto grid =
+      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(from.grid) + count, 0, last));
+  return {grid, std::min(from.row, sizes.rows[grid] - 1), from.column};
+}
+
+RuleCell nextToFill(const RuleGridSizes& sizes, RuleCell from) {
+  if (from.column + 1 < sizes.columns) return {from.grid, from.row, from.column + 1};
+  if (from.row + 1 < sizes.rows[from.grid]) return {from.grid, from.row + 1, 0};
+  if (from.grid + 1 < sizes.rows.size()) return {from.grid + 1, 0, 0};
+  return from;
+}
+
+// Copies and pastes rules as a block of text (app/editing/rule_grid.h).
+
+class EditController;
+class Selection;
+
+/// The selected rules as lines of text; empty if none is selected.
+QString copiedRules(const EditController& edits, const Selection& selection);
+
+/// Puts the rules of such text among those of the selected expert as one edit, and points at them. One line that is no
+/// rule refuses all of them, with a sentence that names it.
+void pasteRules(EditController& edits, Selection& selection, const QString& lines);
+
+namespace {
+
+struct RuleBlock {
+  Q_DECLARE_TR_FUNCTIONS(RuleBlock)
+};
+
+}  // namespace
+
+QString copiedRules(const EditController& edits, const Selection& selection) {
+  if (!edits.isOpen()) return {};
+  const auto expert = editing::findExpert(edits.model(), selection.expert());
+  return expert ? text(editing::rulesAsText(edits.model(), **expert, selection.rules())) : QString();
+}
+
+void pasteRules(EditController& edits, Selection& selection, const QString& lines) {
+  if (!edits.isOpen()) return;
+  const auto expert = editing::findExpert(edits.model(), selection.expert());
+  if (!expert) return;
+  const auto rules = editing::rulesFromText(edits.model(), **expert, lines.toStdString());
+  if (!rules) {
+    edits.refuse(RuleBlock::tr("Nothing was pasted: %1").arg(text(rules.error().message())));
+    return;
+  }
+  if (!edits.apply(editing::putRules(edits.model(), selection.expert(), *rules))) return;
+  const std::vector<fuzzy::Rule>& all = (*editing::findExpert(edits.model(), selection.expert()))->rules;
+  std::vector<std::size_t> put;
+  for (std::size_t r = 0; r < all.size(); ++r) {
+    const bool is_one = std::any_of(rules->begin(), rules->end(), [&](const fuzzy::Rule& one) {
+      return one.then == all[r].then && editing::sameConditions(one, all[r]);
+    });
+    if (is_one) put.push_back(r);
+  }
+  selection.pointAtRules(selection.expert(), std::move(put));
+}
+
 namespace {
 
 constexpr int kRestMs = 600;  // longer than between two steps of a key that is held down

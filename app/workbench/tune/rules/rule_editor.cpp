@@ -1,20 +1,241 @@
 #include "app/workbench/tune/rules/rule_editor.h"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/force_word.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/rules/rule_controller.h"
-#include "app/workbench/tune/rules/rule_grid_pane.h"
+#include "app/workbench/tune/rules/rule_grids.h"
 #include "app/workbench/tune/rules/rule_list_pane.h"
+#include "app/workbench/tune/rules/rule_weight.h"
 
 namespace tactus::workbench {
+
+WordButton::WordButton(const QString& word, const QString& key, std::optional<QColor> color, QWidget* parent)
+    : QAbstractButton(parent), key_(key), color_(color) {
+  setText(word);
+  setAccessibleName(word);
+  setToolTip(key.isEmpty() ? tr("Answer %1").arg(word) : tr("Answer %1 (key %2)").arg(word, key));
+  setFont(theme::smallFont());
+  // The keys stay with the grids.
+  setFocusPolicy(Qt::NoFocus);
+  setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  setAttribute(Qt::WA_Hover);
+}
+
+void WordButton::setMarked(bool marked) {
+  if (marked == marked_) return;
+  marked_ = marked;
+  update();
+}
+
+QSize WordButton::sizeHint() const {
+  return {fontMetrics().horizontalAdvance(key_ + QStringLiteral("  ") + text()) + 2 * theme::kGrid,
+          fontMetrics().height() + 10};
+}
+
+void WordButton::paintEvent(QPaintEvent* /*event*/) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setFont(font());
+  painter.setOpacity(isEnabled() ? (isDown() ? 0.75 : 1.0) : 0.4);
+  const QRectF place = QRectF(rect()).adjusted(2, 2, -2, -2);
+  const QString shown = fontMetrics().elidedText(key_.isEmpty() ? text() : key_ + QStringLiteral("  ") + text(),
+                                                 Qt::ElideRight, static_cast<int>(place.width()) - 6);
+  if (color_) {
+    paintForceWord(painter, place, {shown, *color_});
+  } else {
+    paintNoWord(painter, place);
+    painter.setPen(theme::mutedInk());
+    painter.drawText(place, Qt::AlignCenter, shown);
+  }
+  if (!marked_ && !(underMouse() && isEnabled())) return;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(marked_ ? theme::ink() : theme::accent(), 2));
+  painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 5, 5);
+}
+
+namespace {
+
+constexpr std::size_t kMostOnALine = 6;  // words and the empty answer; more get a second line
+constexpr std::size_t kMostKeys = 9;
+
+}  // namespace
+
+WordBar::WordBar(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+  grid_->setContentsMargins(0, 0, 0, 0);
+  grid_->setSpacing(2);
+  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+}
+
+void WordBar::setWords(const std::vector<fuzzy::Term>& words) {
+  QStringList labels;
+  for (const fuzzy::Term& word : words) labels << labelOf(word);
+  if (none_ != nullptr && labels == words_) return;
+  words_ = labels;
+  for (WordButton* button : buttons_) delete button;
+  buttons_.clear();
+  delete none_;
+  const auto place = [&](WordButton* button, std::size_t index) {
+    const std::size_t columns = std::min(kMostOnALine, words.size() + 1);
+    grid_->addWidget(button, static_cast<int>(index / columns), static_cast<int>(index % columns));
+    grid_->setColumnStretch(static_cast<int>(index % columns), 1);
+  };
+  for (std::size_t w = 0; w < words.size(); ++w) {
+    const QString key = w < kMostKeys ? QString::number(w + 1) : QString();
+    buttons_.push_back(new WordButton(labels[static_cast<qsizetype>(w)], key, theme::force(w, words.size()), this));
+    connect(buttons_.back(), &QAbstractButton::clicked, this, [this, w] { emit chosen(w); });
+    place(buttons_.back(), w);
+  }
+  none_ = new WordButton(tr("No answer"), QString(), std::nullopt, this);
+  none_->setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+  none_->setToolTip(tr("Remove the answer (Delete)"));
+  connect(none_, &QAbstractButton::clicked, this, &WordBar::cleared);
+  place(none_, words.size());
+}
+
+void WordBar::setAnswer(std::optional<std::size_t> word) {
+  for (std::size_t w = 0; w < buttons_.size(); ++w) buttons_[w]->setMarked(w == word);
+  if (none_ != nullptr) none_->setMarked(!word);
+}
+
+RuleCellBar::RuleCellBar(RuleController& rules, QWidget* parent)
+    : QWidget(parent),
+      rules_(rules),
+      conditions_(new ElidedLabel(this)),
+      weight_(makeWeightBox(this)),
+      enabled_(new QCheckBox(tr("Enabled"), this)),
+      words_(new WordBar(this)) {
+  conditions_->setFont(theme::smallFont());
+  weight_->setAccessibleName(tr("Weight of the selected rule"));
+  enabled_->setAccessibleName(tr("The selected rule is enabled"));
+  // A click leaves the keys with the grids.
+  enabled_->setFocusPolicy(Qt::TabFocus);
+  auto* first = new QHBoxLayout;
+  first->setSpacing(theme::kGrid);
+  first->addWidget(conditions_, 1);
+  first->addWidget(new QLabel(tr("Weight"), this));
+  first->addWidget(weight_);
+  first->addWidget(enabled_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addLayout(first);
+  layout->addWidget(words_);
+
+  connect(words_, &WordBar::chosen, &rules_, &RuleController::answerAndGoOn);
+  connect(words_, &WordBar::cleared, &rules_, [this] { rules_.answer(std::nullopt); });
+  connect(weight_, &NumberBox::valueChanged, this, [this](double weight) {
+    const auto cell = rules_.selected();
+    if (cell && rules_.cell(*cell).rule) rules_.weigh(*rules_.cell(*cell).rule, weight);
+  });
+  connect(weight_, &NumberBox::editingFinished, this, [this] {
+    rules_.endWeighing();
+    if (weight_->hasFocus()) emit done();
+  });
+  connect(enabled_, &QCheckBox::clicked, this, [this](bool on) {
+    const auto cell = rules_.selected();
+    if (cell && rules_.cell(*cell).rule) rules_.enable({*rules_.cell(*cell).rule}, on);
+  });
+}
+
+void RuleCellBar::showCell() {
+  if (!rules_.isOpen()) return;
+  const auto selected = rules_.selected();
+  words_->setWords(rules_.words());
+  words_->setEnabled(selected.has_value());
+  const editing::GridCell none;
+  const editing::GridCell& cell = selected ? rules_.cell(*selected) : none;
+  QString sentence = selected ? rules_.conditionsOf(*selected) : tr("Click a cell to answer it.");
+  if (cell.conflict) {
+    sentence = tr("Conflict with a rule for %1. Choose an answer to resolve it. %2")
+                   .arg(rules_.otherAnswers(*selected).join(tr(" and ")), sentence);
+  }
+  if (cell.conflict != warns_) {
+    warns_ = cell.conflict;
+    QPalette colors;
+    if (warns_) colors.setColor(QPalette::WindowText, theme::warningInk());
+    conditions_->setPalette(colors);
+  }
+  conditions_->setFullText(sentence);
+  words_->setAnswer(cell.rule ? rules_.wordOf(cell.then) : std::nullopt);
+  weight_->setEnabled(cell.rule.has_value());
+  enabled_->setEnabled(cell.rule.has_value());
+  const QSignalBlocker no_weight(weight_);
+  const QSignalBlocker no_enabled(enabled_);
+  // Typed text stays until it is committed.
+  if (weight_->exact() != cell.weight) weight_->setExact(cell.weight);
+  enabled_->setChecked(cell.rule && cell.enabled);
+}
+
+RuleGridPane::RuleGridPane(RuleController& rules, QWidget* parent)
+    : QWidget(parent),
+      rules_(rules),
+      area_(new QScrollArea(this)),
+      grids_(new RuleGrids(rules)),
+      cell_(new RuleCellBar(rules, this)),
+      hint_(new ElidedLabel(this)),
+      refresh_(new Refresh(this, [this] { showRules(); })) {
+  area_->setFrameShape(QFrame::NoFrame);
+  area_->setWidgetResizable(true);
+  area_->setWidget(grids_);
+  setFocusProxy(grids_);
+  area_->setFocusPolicy(Qt::NoFocus);
+  area_->viewport()->setAutoFillBackground(false);
+  grids_->setAutoFillBackground(false);
+  hint_->setFont(theme::smallFont());
+  hint_->setForegroundRole(QPalette::PlaceholderText);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(6);
+  layout->addWidget(area_, 1);
+  layout->addWidget(cell_);
+  layout->addWidget(hint_);
+
+  connect(&rules_, &RuleController::rulesChanged, refresh_, &Refresh::request);
+  connect(&rules_, &RuleController::hereChanged, refresh_, &Refresh::request);
+  connect(&rules_, &RuleController::selectionChanged, this, &RuleGridPane::showSelection);
+  connect(cell_, &RuleCellBar::done, grids_, [this] { grids_->setFocus(); });
+  setFocusProxy(grids_);
+  refresh_->request();
+}
+
+void RuleGridPane::showRules() {
+  if (!rules_.isOpen()) return;
+  // The keys need a cell to begin with.
+  rules_.beginAnywhere();
+  grids_->showRules();
+  cell_->showCell();
+  const std::size_t words = std::min<std::size_t>(9, rules_.words().size());
+  hint_->setFullText(
+      tr("1–%1 answer and go on · Space skips · Del empties · arrows move · bar: how strongly it acts here")
+          .arg(words));
+}
+
+void RuleGridPane::showSelection() {
+  if (!isVisible() || !rules_.isOpen()) return;
+  cell_->showCell();
+  if (const auto cell = rules_.selected()) {
+    const QRect place = grids_->cellRect(*cell);
+    area_->ensureVisible(place.center().x(), place.center().y(), place.width(), place.height());
+  }
+}
+
 namespace {
 
 constexpr int kTall = 760;  // px, with room for the grids and a list below them

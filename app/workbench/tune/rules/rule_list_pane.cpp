@@ -22,7 +22,7 @@
 #include "app/workbench/tune/rules/rule_form.h"
 #include "app/workbench/tune/rules/rule_list_delegate.h"
 #include "app/workbench/tune/rules/rule_list_model.h"
-#include "app/workbench/tune/rules/rule_list_sieve.h"
+#include "app/workbench/tune/rules/rule_rows.h"
 
 namespace tactus::workbench {
 namespace {

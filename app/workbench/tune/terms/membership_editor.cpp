@@ -26,11 +26,10 @@
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
-#include "app/workbench/tune/terms/roomiest_place.h"
+#include "app/workbench/tune/terms/term_grip.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_sliders.h"
 #include "app/workbench/tune/terms/term_table.h"
-#include "app/workbench/tune/terms/terms_before.h"
 
 namespace tactus::workbench {
 namespace {

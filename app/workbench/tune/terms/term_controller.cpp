@@ -1,16 +1,40 @@
 #include "app/workbench/tune/terms/term_controller.h"
 
+#include <QString>
 #include <algorithm>
+#include <cstddef>
+#include <string>
 #include <utility>
 
 #include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/tune/terms/term_id.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
 namespace {
+
+// The id of a new term, from the label that a person typed.
+
+constexpr std::size_t kLongestId = 48;  // bytes; leaves room for a number behind it
+
+/// `Upper esophagus` becomes `upper_esophagus`; letters and digits of ASCII stay, at most 48 bytes; `term` if none is
+/// left.
+std::string termIdFrom(const QString& label) {
+  std::string id;
+  for (const QChar letter : label.toLower()) {
+    const char c = letter.toLatin1();
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
+    if (plain) {
+      id += c;
+    } else if (!id.empty() && id.back() != '_') {
+      id += '_';
+    }
+    if (id.size() == kLongestId) break;
+  }
+  while (!id.empty() && id.back() == '_') id.pop_back();
+  return id.empty() ? "term" : id;
+}
 
 using editing::TermListId;
 using editing::VertexPlace;

@@ -1,4 +1,4 @@
-#include "app/workbench/tune/findings/finding_rows.h"
+#include "app/workbench/tune/findings/findings_controller.h"
 
 #include <gtest/gtest.h>
 

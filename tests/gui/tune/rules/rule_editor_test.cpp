@@ -10,7 +10,6 @@
 #include "app/editing/edit.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/number_box.h"
-#include "app/workbench/tune/rules/word_button.h"
 
 #include "tests/gui/tune/rules/rule_editor_fixture.h"
 

@@ -1,4 +1,4 @@
-#include "app/workbench/tune/rules/rule_filter.h"
+#include "app/workbench/tune/rules/rule_rows.h"
 
 #include <gtest/gtest.h>
 

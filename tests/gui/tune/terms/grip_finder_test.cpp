@@ -1,4 +1,4 @@
-#include "app/workbench/tune/terms/grip_finder.h"
+#include "app/workbench/tune/terms/term_grip.h"
 
 #include <gtest/gtest.h>
 
