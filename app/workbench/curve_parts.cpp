@@ -14,7 +14,6 @@
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/understand/curves/curves_panel.h"
 #include "app/workbench/understand/curves/reading_model.h"
-#include "app/workbench/understand/curves/reading_panel.h"
 #include "app/workbench/understand/curves/reference_controller.h"
 
 namespace tactus::workbench {

@@ -9,7 +9,6 @@
 
 #include "app/editing/membership_edits.h"
 #include "app/figures/force_curves.h"
-#include "app/workbench/understand/map/contour_lines.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "core/analysis/explain.h"
 #include "core/base/check.h"

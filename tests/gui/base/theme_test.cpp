@@ -9,7 +9,7 @@
 #include "app/figures/colors.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
-#include "app/workbench/understand/curves/curve_looks.h"
+#include "app/workbench/understand/curves/curve_legend.h"
 
 namespace tactus::workbench {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/workbench/shell/shortcut_sheet.h"
 #include "app/workbench/shell/stage_button.h"
 #include "app/workbench/understand/map/force_map.h"
-#include "app/workbench/understand/map/force_map_plot.h"
+#include "app/workbench/understand/map/map_panel.h"
 
 #include "tests/gui/shown_bench.h"
 

@@ -16,7 +16,6 @@
 #include "app/workbench/plot/term_bands.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/understand/curves/curve_overlays.h"
-#include "app/workbench/understand/curves/silence_marks.h"
 
 namespace tactus::workbench {
 namespace {

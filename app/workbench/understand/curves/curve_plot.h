@@ -11,9 +11,9 @@
 #include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/understand/curves/coincident_curves.h"
-#include "app/workbench/understand/curves/curve_looks.h"
-#include "app/workbench/understand/curves/reference_curve.h"
+#include "app/workbench/understand/curves/force_spread.h"
+#include "app/workbench/understand/curves/curve_legend.h"
+#include "app/workbench/understand/curves/reference_controller.h"
 #include "core/analysis/force_steps.h"
 #include "core/fuzzy/force_model.h"
 

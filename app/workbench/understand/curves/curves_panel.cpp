@@ -3,8 +3,11 @@
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -21,20 +24,157 @@
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_impact.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/understand/curves/curve_items.h"
 #include "app/workbench/understand/curves/curve_legend.h"
-#include "app/workbench/understand/curves/curve_looks.h"
 #include "app/workbench/understand/curves/curve_plot.h"
-#include "app/workbench/understand/curves/curve_table.h"
-#include "app/workbench/understand/curves/figure_button.h"
 #include "app/workbench/understand/curves/force_spread.h"
 #include "app/workbench/understand/curves/reading_model.h"
-#include "app/workbench/understand/curves/reference_bar.h"
 #include "app/workbench/understand/curves/reference_controller.h"
 #include "core/analysis/force_steps.h"
 
 namespace tactus::workbench {
+
+ReferenceBar::ReferenceBar(ReferenceController& references, const SceneController& scene, QWidget* parent)
+    : QWidget(parent), references_(references), scene_(scene), against_(new QComboBox(this)) {
+  against_->setAccessibleName(tr("Which curve the references are compared with"));
+  against_->setToolTip(tr("Choose the curve that the references are compared with"));
+  against_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* layout = new QGridLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setHorizontalSpacing(theme::kGrid);
+  layout->setVerticalSpacing(2);
+  layout->addWidget(against_, 0, 1, Qt::AlignTop);
+  layout->setColumnStretch(0, 1);
+  connect(against_, &QComboBox::activated, this, [this](int row) {
+    references_.setExpert(row == 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row) - 1));
+  });
+  connect(&references_, &ReferenceController::changed, this, &ReferenceBar::build);
+  build();
+}
+
+void ReferenceBar::build() {
+  delete rows_;
+  names_.clear();
+  texts_.clear();
+  rows_ = new QWidget(this);
+  static_cast<QGridLayout*>(layout())->addWidget(rows_, 0, 0);
+  auto* grid = new QGridLayout(rows_);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(theme::kGrid);
+  grid->setVerticalSpacing(0);
+  grid->setColumnStretch(1, 1);
+  const std::vector<ReferenceCurve> shown = references_.shown();
+  for (const ReferenceCurve& reference : shown) {
+    const int row = grid->rowCount();
+    auto* name = new QLabel(QStringLiteral("● ") + reference.name, rows_);
+    name->setTextFormat(Qt::PlainText);
+    name->setToolTip(explained(Statistic::kRms));
+    names_ << name;
+    auto* difference = new ElidedLabel(rows_);
+    auto* remove = new QToolButton(rows_);
+    remove->setText(QStringLiteral("✕"));
+    remove->setAutoRaise(true);
+    remove->setToolTip(tr("Take %1 away").arg(reference.name));
+    remove->setAccessibleName(remove->toolTip());
+    for (QWidget* part :
+         {static_cast<QWidget*>(name), static_cast<QWidget*>(difference), static_cast<QWidget*>(remove)})
+      part->setFont(theme::smallFont());
+    grid->addWidget(name, row, 0);
+    grid->addWidget(difference, row, 1);
+    grid->addWidget(remove, row, 2);
+    texts_ << difference;
+    // Queued, because taking it away rebuilds the rows and with them the button.
+    connect(
+        remove, &QToolButton::clicked, this, [this, name = reference.name] { references_.remove(name); },
+        Qt::QueuedConnection);
+  }
+  colorNames();
+  listExperts();
+  setVisible(!shown.empty());
+  showDifferences();
+}
+
+void ReferenceBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) colorNames();
+}
+
+void ReferenceBar::colorNames() {
+  const std::vector<ReferenceCurve> shown = references_.shown();
+  for (std::size_t i = 0; i < shown.size() && i < static_cast<std::size_t>(names_.size()); ++i) {
+    QPalette colors;
+    colors.setColor(QPalette::WindowText, referencePen(shown[i].color).color());
+    names_[static_cast<qsizetype>(i)]->setPalette(colors);
+  }
+}
+
+void ReferenceBar::listExperts() {
+  const QSignalBlocker no_signal(against_);
+  against_->clear();
+  if (!scene_.model()) return;
+  against_->addItem(tr("Mean"));
+  for (const fuzzy::Expert& expert : scene_.model()->model.experts) against_->addItem(labelOf(expert));
+  against_->setCurrentIndex(references_.expert() ? static_cast<int>(*references_.expert()) + 1 : 0);
+}
+
+void ReferenceBar::showDifferences() {
+  if (texts_.isEmpty() || !isVisible()) return;
+  const auto& differences = references_.differences();
+  for (qsizetype i = 0; i < texts_.size(); ++i) {
+    texts_[i]->setFullText(references_.differenceText(differences[static_cast<std::size_t>(i)]));
+  }
+}
+
+namespace {
+
+// `Fig. 11: experts and mean (lubrication 1, speed 50 mm/s)` with the labels of the model.
+QString presetText(const fuzzy::ForceModel& model, const FigurePreset& preset) {
+  QStringList values;
+  for (const fuzzy::Variable& input : model.inputs) {
+    for (const FigurePreset::Setting& setting : preset.settings) {
+      if (setting.input != input.id) continue;
+      values << labelOf(input) + QLatin1Char(' ') + quantityText(setting.value, input.unit);
+    }
+  }
+  return QStringLiteral("%1: %2 (%3)").arg(preset.figure, preset.shows, values.join(QStringLiteral(", ")));
+}
+
+}  // namespace
+
+FigureButton::FigureButton(SceneController& scene, QWidget* parent)
+    : QPushButton(tr("Figures"), parent), scene_(scene) {
+  setMenu(new QMenu(this));
+  // The style leaves no air around the text.
+  keepFitted(*this, [this] { setMinimumWidth(fontMetrics().horizontalAdvance(text()) + 5 * theme::kGrid); });
+  setToolTip(tr("Set the inputs as in a figure of the paper, and show the curves it shows"));
+  connect(menu(), &QMenu::aboutToShow, this, &FigureButton::showFamily);
+  connect(&scene_, &SceneController::modelChanged, this, &FigureButton::adoptModel);
+  connect(&scene_, &SceneController::familyChanged, this, &FigureButton::showFamily);
+}
+
+void FigureButton::adoptModel() {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const std::vector<FigurePreset> presets = figurePresets(model);
+  menu()->clear();
+  menu()->addAction(tr("Experts and mean"), &scene_, &SceneController::clearFamily)->setCheckable(true);
+  menu()->addSeparator();
+  for (const FigurePreset& preset : presets) {
+    QAction* action = menu()->addAction(presetText(model, preset));
+    action->setCheckable(!preset.varied.empty());
+    action->setData(preset.figure);
+    connect(action, &QAction::triggered, &scene_, [this, preset] { scene_.applyPreset(preset); });
+  }
+  setVisible(!presets.empty());
+  showFamily();
+}
+
+void FigureButton::showFamily() {
+  const QString figure = scene_.family() ? scene_.family()->figure : QString();
+  setText(figure.isEmpty() ? tr("Figures") : figure);
+  for (QAction* action : menu()->actions()) action->setChecked(action->data().toString() == figure);
+}
+
 namespace {
 
 // The one table that is dragged, or an empty path.

@@ -2,18 +2,71 @@
 // the change since an edit, and reference curves.
 #pragma once
 
+#include <QPushButton>
+#include <QWidget>
 #include <optional>
 #include <string>
 
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
-#include "app/workbench/understand/curves/curve_looks.h"
+#include "app/workbench/understand/curves/curve_legend.h"
 
 class QComboBox;
+class QGridLayout;
 class QLabel;
 class QToolButton;
 
 namespace tactus::workbench {
+
+// The bar below the curves: the difference between the model and each reference curve, and a button to remove the
+// curve.
+
+class ReferenceController;
+class SceneController;
+
+class ReferenceBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  ReferenceBar(ReferenceController& references, const SceneController& scene, QWidget* parent = nullptr);
+
+  /// Shows the current differences.
+  void showDifferences();
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void build();
+  void colorNames();
+  void listExperts();
+
+  ReferenceController& references_;
+  const SceneController& scene_;
+  QWidget* rows_ = nullptr;
+  QComboBox* against_;
+  QList<QLabel*> names_;
+  QList<class ElidedLabel*> texts_;
+};
+
+// The menu of the settings and families of the paper's figures. The button shows the figure whose family of curves is
+// visible.
+
+class SceneController;
+
+/// Hidden if the model does not have the inputs of the figures.
+class FigureButton : public QPushButton {
+  Q_OBJECT
+
+ public:
+  explicit FigureButton(SceneController& scene, QWidget* parent = nullptr);
+
+ private:
+  void adoptModel();
+  void showFamily();
+
+  SceneController& scene_;
+};
 
 class CurveLegend;
 class CurvePlot;

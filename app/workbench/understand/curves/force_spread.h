@@ -1,12 +1,44 @@
 // The spread of the experts along a curve.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "app/figures/force_curves.h"
+#include "app/workbench/base/plot_table.h"
 
 namespace tactus::workbench {
+
+// The curves as a table.
+
+class SceneController;
+
+/// The visible lines, which are the columns of the table.
+struct ShownCurves {
+  bool mean = true;
+  std::vector<bool> experts;  ///< one per expert
+  std::vector<bool> family;   ///< one per value of the family, if there is one
+  bool range = false;         ///< range of the experts; two columns
+  bool deviation = false;     ///< one standard deviation of the experts
+};
+
+/// The x axis, then one column for each visible line; a cell is empty if no rule fires. `notes` go into the caption.
+PlotTable curveTable(const SceneController& scene, const ShownCurves& shown, QStringList notes);
+
+// Finds curves of experts that lie on each other, so that none of them hides the others.
+
+/// The place of a curve among those that it coincides with.
+struct Coincidence {
+  std::size_t member = 0;  ///< from 0
+  std::size_t of = 1;      ///< how many lie on each other; 1: the curve is alone
+
+  bool operator==(const Coincidence&) const = default;
+};
+
+/// One per expert. Two curves coincide where both fire and differ by at most `within_n`, if they do so over a tenth of
+/// the axis or more. Of more than twelve experts none is looked at: their colors repeat anyway.
+std::vector<Coincidence> coincidences(const figures::ForceCurves& curves, double within_n);
 
 /// One value per position of the curves; NaN if too few experts have a rule there.
 struct ForceSpread {

@@ -6,7 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/model/scene_controller.h"
+
+class QLabel;
+class QTableView;
 
 namespace tactus::workbench {
 
@@ -45,6 +49,26 @@ class ReadingModel : public QAbstractTableModel {
   std::vector<bool> shown_;
   std::vector<std::string> ids_;      ///< ids of the experts
   std::vector<std::size_t> numbers_;  ///< of the experts, for their colors
+};
+
+// The forces at the reading place, one row for the mean and each expert. It is also the legend of the curves.
+
+class ReadingModel;
+class SceneController;
+
+class ReadingPanel : public Card {
+  Q_OBJECT
+
+ public:
+  ReadingPanel(const SceneController& scene, ReadingModel& readings, QWidget* parent = nullptr);
+
+ private:
+  void showPlace();
+
+  const SceneController& scene_;
+  QLabel* place_;
+  QTableView* table_;
+  QLabel* hint_;
 };
 
 }  // namespace tactus::workbench

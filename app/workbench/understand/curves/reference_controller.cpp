@@ -1,15 +1,166 @@
 #include "app/workbench/understand/curves/reference_controller.h"
 
+#include <QFileInfo>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/plot_table.h"
 #include "app/workbench/model/scene_controller.h"
 #include "core/base/check.h"
+#include "core/base/tables/csv.h"
+#include "core/base/text.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+
+struct Columns {
+  std::size_t x = 0;
+  std::size_t force = 0;
+  std::optional<std::size_t> series;
+  const fuzzy::Variable* input = nullptr;
+};
+
+std::optional<std::size_t> columnOf(const base::CsvTable& table, const fuzzy::Variable& variable) {
+  const auto found = table.find(columnName(variable));
+  return found ? found : table.find(variable.id);
+}
+
+base::Result<Columns> columnsOf(const base::CsvTable& table, const fuzzy::ForceModel& model) {
+  Columns out;
+  std::vector<std::string> found;
+  std::vector<std::string> wanted;
+  for (const fuzzy::Variable& input : model.inputs) {
+    wanted.push_back(columnName(input));
+    const auto column = columnOf(table, input);
+    if (!column) continue;
+    found.push_back(table.columns()[*column]);
+    out.x = *column;
+    out.input = &input;
+  }
+  const auto refuse = [&table](const std::string& what, const std::string& want) {
+    return base::inFile({base::ErrorCode::kSchema, {}, "header", what, want}, table.file());
+  };
+  if (found.empty()) {
+    return refuse("columns " + base::joined(table.columns(), ", "), "one of " + base::joined(wanted, ", "));
+  }
+  if (found.size() > 1) {
+    return refuse("columns " + base::joined(found, ", "), "one input alone, which is the x axis of the curve");
+  }
+  const auto force = columnOf(table, model.output);
+  if (!force) return refuse("columns " + base::joined(table.columns(), ", "), "a column " + columnName(model.output));
+  out.force = *force;
+  out.series = table.find("series");
+  return out;
+}
+
+base::Result<void> addRow(ReferenceCurve& curve, const base::CsvTable& table, const Columns& columns, std::size_t row) {
+  const auto x = table.number(row, columns.x);
+  if (!x) return tl::unexpected(x.error());
+  double force = kGap;
+  if (!base::trimmed(table.cell(row, columns.force)).empty()) {
+    const auto number = table.number(row, columns.force);
+    if (!number) return tl::unexpected(number.error());
+    force = *number;
+  }
+  if (!curve.x.empty() && *x <= curve.x.back()) {
+    return table.refuse(row, columns.x, base::ErrorCode::kValue,
+                        "more than " + base::formatNumber(curve.x.back()) + ", the place before it in this curve");
+  }
+  curve.x.push_back(*x);
+  curve.force_n.push_back(force);
+  return {};
+}
+
+// The force of the reference at `x`, straight between the points at `i` and `i + 1`.
+double forceAt(const ReferenceCurve& reference, std::size_t i, double x) {
+  if (x == reference.x[i]) return reference.force_n[i];
+  if (x == reference.x[i + 1]) return reference.force_n[i + 1];
+  const double share = (x - reference.x[i]) / (reference.x[i + 1] - reference.x[i]);
+  return reference.force_n[i] + share * (reference.force_n[i + 1] - reference.force_n[i]);
+}
+
+}  // namespace
+
+base::Result<std::vector<ReferenceCurve>> readReferences(const QString& path, const fuzzy::ForceModel& model) {
+  const auto table = base::CsvTable::read(path.toStdString());
+  if (!table) return tl::unexpected(table.error());
+  const auto columns = columnsOf(*table, model);
+  if (!columns) return tl::unexpected(columns.error());
+  const auto too_many = [&](std::size_t found, std::size_t most, const char* what) {
+    return base::inFile(
+        {base::ErrorCode::kLimit, {}, {}, std::to_string(found) + what, "at most " + std::to_string(most) + what},
+        table->file());
+  };
+  if (table->rowCount() > kMostReferencePoints) return too_many(table->rowCount(), kMostReferencePoints, " points");
+
+  std::vector<ReferenceCurve> curves;
+  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+    QString name = QFileInfo(path).completeBaseName();
+    if (columns->series) {
+      const std::string_view series = base::trimmed(table->cell(row, *columns->series));
+      if (!series.empty()) name = QString::fromUtf8(series.data(), static_cast<qsizetype>(series.size()));
+    }
+    auto curve = std::find_if(curves.begin(), curves.end(), [&](const auto& known) { return known.name == name; });
+    if (curve == curves.end()) {
+      if (curves.size() == kMostReferences) return too_many(curves.size() + 1, kMostReferences, " curves");
+      curve = curves.insert(curves.end(), ReferenceCurve{path, name, columns->input->id, {}, {}, 0});
+    }
+    if (auto added = addRow(*curve, *table, *columns, row); !added) return tl::unexpected(added.error());
+  }
+  for (const ReferenceCurve& curve : curves) {
+    const auto points = std::count_if(curve.force_n.begin(), curve.force_n.end(), [](double f) { return f == f; });
+    if (points >= 2) continue;
+    return base::inFile({base::ErrorCode::kData,
+                         {},
+                         base::quoted(curve.name.toStdString()),
+                         std::to_string(points) + " points with a force",
+                         "two or more"},
+                        table->file());
+  }
+  if (curves.empty()) return base::inFile({base::ErrorCode::kData, {}, {}, "no rows", "points"}, table->file());
+  return curves;
+}
+
+std::optional<ReferenceDifference> compare(const ReferenceCurve& reference, const SampledForce& force) {
+  TACTUS_CHECK(force.x.size() == force.force_n.size());
+  ReferenceDifference out;
+  double length = 0;
+  double squares = 0;
+  std::size_t piece = 0;  // of the reference, at the left place
+  const auto look = [&](double off, double at) {
+    if (std::abs(off) <= out.largest_n) return;
+    out.largest_n = std::abs(off);
+    out.largest_at = at;
+  };
+  for (std::size_t i = 0; i + 1 < force.x.size(); ++i) {
+    const double left = force.x[i];
+    const double right = force.x[i + 1];
+    if (left < reference.x.front() || right > reference.x.back()) continue;
+    while (reference.x[piece + 1] <= left) ++piece;
+    const double off_left = force.force_n[i] - forceAt(reference, piece, left);
+    const double off_right = force.force_n[i + 1] - forceAt(reference, piece, right);
+    // Not a number: a gap in one of the two.
+    if (!std::isfinite(off_left) || !std::isfinite(off_right)) continue;
+    if (length == 0) {
+      out.from = left;
+      out.largest_at = left;
+    }
+    out.to = right;
+    length += right - left;
+    squares += (right - left) * (off_left * off_left + off_left * off_right + off_right * off_right) / 3;
+    look(off_left, left);
+    look(off_right, right);
+  }
+  if (length == 0) return std::nullopt;
+  out.rms_n = std::sqrt(squares / length);
+  return out;
+}
 
 ReferenceController::ReferenceController(const SceneController& scene, QObject* parent)
     : QObject(parent), scene_(scene) {

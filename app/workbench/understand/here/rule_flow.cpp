@@ -13,7 +13,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_colors.h"
-#include "app/workbench/understand/here/set_sketch.h"
+#include "app/workbench/understand/here/variable_row.h"
 
 namespace tactus::workbench {
 namespace {

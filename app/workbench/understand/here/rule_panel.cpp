@@ -3,6 +3,9 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
+#include <QPaintEvent>
+#include <QPainter>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -10,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
@@ -17,12 +21,231 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/plot/plot_caption.h"
+#include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/understand/here/expert_flow.h"
-#include "app/workbench/understand/here/output_sets_plot.h"
+#include "app/workbench/plot/plot_style.h"
 #include "app/workbench/understand/here/rule_flow.h"
+#include "app/workbench/understand/here/variable_row.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr double kExpertHeight = 50;  // px, the least height of an expert
+constexpr double kRoomAround = 13;    // px above and below its two lines
+constexpr double kDot = 10;           // px
+constexpr double kForces = 120;       // px, the least width of force and share
+constexpr double kNarrowestSketch = 90;
+constexpr int kNarrowestFlow = 340;  // px, of all
+
+// Both lines have their room whatever the size of the text.
+double expertHeight() {
+  return std::max(kExpertHeight, kRoomAround + QFontMetrics(theme::headingFont()).height() +
+                                     QFontMetrics(theme::smallFont()).height());
+}
+
+double forcesWidth() {
+  const QString share = ExpertFlow::tr("× %1 = %2").arg(QStringLiteral("0.333"), QStringLiteral("0.000 N"));
+  return std::max(kForces, QFontMetrics(theme::smallFont()).horizontalAdvance(share) + 2.0 * theme::kGrid);
+}
+
+}  // namespace
+
+ExpertFlow::ExpertFlow(const SceneController& scene, QWidget* parent) : QWidget(parent), scene_(scene) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::MinimumExpanding);
+  setCursor(Qt::PointingHandCursor);
+}
+
+std::size_t ExpertFlow::count() const { return scene_.model() ? scene_.model()->model.experts.size() : 0; }
+
+void ExpertFlow::follow() {
+  updateGeometry();
+  update();
+}
+
+QSize ExpertFlow::sizeHint() const { return {640, static_cast<int>(expertHeight() * static_cast<double>(count()))}; }
+
+QSize ExpertFlow::minimumSizeHint() const { return {kNarrowestFlow, sizeHint().height()}; }
+
+void ExpertFlow::paintEvent(QPaintEvent* event) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  // Of many experts only those in sight.
+  const auto first = static_cast<std::size_t>(std::max(0.0, event->rect().top() / expertHeight()));
+  const auto last = static_cast<std::size_t>(std::max(0.0, event->rect().bottom() / expertHeight()));
+  for (std::size_t expert = first; expert < count() && expert <= last; ++expert) {
+    paintLine(painter, expert);
+  }
+}
+
+void ExpertFlow::mousePressEvent(QMouseEvent* event) {
+  const auto line = static_cast<std::size_t>(std::max(0.0, event->position().y()) / expertHeight());
+  if (event->button() == Qt::LeftButton && line < count()) emit chosen(line);
+}
+
+void ExpertFlow::paintLine(QPainter& painter, std::size_t expert) const {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const analysis::ExplainedExpert& explained = scene_.explanation().experts[expert];
+  const double height = expertHeight();
+  const double forces_width = forcesWidth();
+  const QRectF line(0, height * static_cast<double>(expert), width(), height);
+  if (expert % 2 == 0) painter.fillRect(line, theme::window());
+  const QColor color = theme::expert(figures::expertNumbers(model.experts)[expert]);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(color);
+  painter.drawEllipse(QRectF(4, line.center().y() - kDot / 2, kDot, kDot));
+
+  const double sketch_width = std::max(kNarrowestSketch, (width() - forces_width) * 0.25);
+  const QRectF words(4 + kDot + theme::kGrid, line.top() + 5, width() - forces_width - sketch_width - kDot - 28,
+                     height - 10);
+  painter.setPen(theme::ink());
+  painter.setFont(theme::headingFont());
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignTop,
+                   painter.fontMetrics().elidedText(labelOf(model.experts[expert]), Qt::ElideRight,
+                                                    static_cast<int>(words.width())));
+  painter.setPen(theme::mutedInk());
+  painter.setFont(theme::smallFont());
+  painter.drawText(
+      words, Qt::AlignLeft | Qt::AlignBottom,
+      painter.fontMetrics().elidedText(strongestRule(expert), Qt::ElideRight, static_cast<int>(words.width())));
+
+  const QRectF forces(line.right() - forces_width, line.top() + 5, forces_width - theme::kGrid, height - 10);
+  SetSketch sketch(painter, QRectF(forces.left() - sketch_width, line.top() + 4, sketch_width - 8, height - 9),
+                   model.output);
+  sketch.ground();
+  if (explained.abstains) {
+    painter.setPen(theme::mutedInk());
+    painter.drawText(forces, Qt::AlignRight | Qt::AlignVCenter, tr("no rule fires"));
+    return;
+  }
+  sketch.set(explained.aggregated, color);
+  sketch.mark(explained.force_n, theme::ink());
+  painter.setPen(theme::ink());
+  painter.setFont(theme::headingFont());
+  painter.drawText(forces, Qt::AlignRight | Qt::AlignTop, forceText(explained.force_n, model.output.unit));
+  painter.setPen(theme::mutedInk());
+  painter.setFont(theme::smallFont());
+  painter.drawText(
+      forces, Qt::AlignRight | Qt::AlignBottom,
+      tr("× %1 = %2")
+          .arg(numberText(explained.weight_share, 3), forceText(explained.contribution_n, model.output.unit)));
+}
+
+QString ExpertFlow::strongestRule(std::size_t expert) const {
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  const std::vector<analysis::ExplainedRule>& rules = scene_.explanation().experts[expert].rules;
+  const auto strongest = std::max_element(
+      rules.begin(), rules.end(), [](const auto& one, const auto& other) { return one.strength < other.strength; });
+  if (strongest == rules.end() || strongest->strength <= 0) return {};
+  const auto acting = std::count_if(rules.begin(), rules.end(), [](const auto& rule) { return rule.strength > 0; });
+  const fuzzy::Expert& said = model.experts[expert];
+  const fuzzy::Rule& rule = said.rules[strongest->rule];
+  // The terms alone; the variables stand in the rule viewer of the expert.
+  QStringList terms;
+  for (const fuzzy::Condition& condition : rule.conditions) {
+    const auto input = std::find_if(model.inputs.begin(), model.inputs.end(),
+                                    [&condition](const auto& variable) { return variable.id == condition.input; });
+    terms << labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, *input), condition.term));
+  }
+  const QString words = terms.join(QStringLiteral(", ")) + QStringLiteral(" → ") +
+                        labelOf(*fuzzy::findTerm(fuzzy::termsFor(said, model.output), rule.then));
+  return acting == 1 ? words : tr("%n rule(s) · %1", nullptr, static_cast<int>(acting)).arg(words);
+}
+
+namespace {
+
+constexpr std::size_t kMostFills = 12;
+
+}  // namespace
+
+OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  setMinimumSize(200, 120);
+  setAccessibleName(tr("Clipped sets of the output and their centroid"));
+  cursor_ = new ReadingCursor(*plot_);
+  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
+}
+
+void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation,
+                                std::size_t expert) {
+  begin(model.output);
+  const analysis::ExplainedExpert& explained = explanation.experts[expert];
+  const std::vector<fuzzy::Term>& terms = fuzzy::termsFor(model.experts[expert], model.output);
+  for (std::size_t i = 0; i < explained.output_terms.size(); ++i) {
+    addSet(labelOf(terms[i]), explained.output_terms[i].set, theme::force(i, explained.output_terms.size()), 0.45F, 1);
+  }
+  addSet(tr("together"), explained.aggregated, theme::ink(), 0, 1.6);
+  finish(!explained.abstains, explained.force_n,
+         tr("centroid %1").arg(forceText(explained.force_n, model.output.unit)));
+}
+
+void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation) {
+  begin(model.output);
+  // Many fills over each other say nothing any more, and outlines are enough.
+  const bool many = explanation.experts.size() > kMostFills;
+  const std::vector<std::size_t> numbers = figures::expertNumbers(model.experts);
+  for (std::size_t i = 0; i < explanation.experts.size(); ++i) {
+    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(numbers[i]), many ? 0 : 0.1F,
+           many ? 1 : 1.6);
+  }
+  finish(explanation.fired, explanation.force_n, tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));
+}
+
+void OutputSetsPlot::begin(const fuzzy::Variable& output) {
+  output_ = output;
+  styleAxis(*plot_->xAxis, output);
+  styleAxis(*plot_->yAxis, output);
+  plot_->xAxis->setLabel(axisText(output));
+  plot_->xAxis->grid()->setVisible(false);
+  plot_->yAxis->setRange(0, 1.06);
+  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
+  ticker->setTickStep(0.5);
+  plot_->yAxis->setTicker(ticker);
+  plot_->clearGraphs();
+}
+
+void OutputSetsPlot::addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha,
+                            double width) {
+  if (set.empty()) return;
+  QVector<double> x{set.front().x};
+  QVector<double> height{0};
+  for (const analysis::Vertex& vertex : set) {
+    x << vertex.x;
+    height << vertex.height;
+  }
+  x << set.back().x;
+  height << 0;
+  QCPGraph& graph = addShape(*plot_, color, width, fill_alpha);
+  graph.setName(name);
+  graph.setData(x, height, true);
+}
+
+void OutputSetsPlot::finish(bool fired, double force_n, const QString& tag) {
+  cursor_->setVisible(fired);
+  cursor_->set(force_n, tag, {});
+  redraw(*plot_);
+}
+
+std::vector<LegendEntry> OutputSetsPlot::legend() const {
+  std::vector<LegendEntry> entries;
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    const QCPGraph& set = *plot_->graph(i);
+    entries.push_back({set.name(), set.pen(), set.brush()});
+  }
+  return entries;
+}
+
+void OutputSetsPlot::fillTable(PlotTable& table) const {
+  table.columns = {"set", columnName(output_), "height"};
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    const std::string name = plot_->graph(i)->name().toStdString();
+    for (const QCPGraphData& corner : *plot_->graph(i)->data()) table.rows.push_back({name, corner.key, corner.value});
+  }
+}
+
+// The force at the centroid is what the plot is about, so its mark stays.
+void OutputSetsPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget* parent)
     : Card(parent),

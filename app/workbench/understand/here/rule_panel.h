@@ -2,16 +2,88 @@
 // mean.
 #pragma once
 
+#include <QWidget>
+
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
+#include "app/workbench/plot/plot_menu.h"
+#include "core/analysis/explain.h"
+#include "core/fuzzy/force_model.h"
 
 class QComboBox;
+class QCustomPlot;
 class QLabel;
 class QScrollArea;
 class QStackedWidget;
 class QToolButton;
 
 namespace tactus::workbench {
+
+// How the forces of the experts lead to the mean: one line per expert with the set of its rules, the centroid of the
+// set, and the expert's share in the mean.
+
+class SceneController;
+
+/// Shows the explanation of the scene; it copies nothing, so that hundreds of experts cost only what is in sight.
+class ExpertFlow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ExpertFlow(const SceneController& scene, QWidget* parent = nullptr);
+
+  /// The explanation changed.
+  void follow();
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  /// The user clicked the line of `expert`.
+  void chosen(std::size_t expert);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  void paintLine(QPainter& painter, std::size_t expert) const;
+  QString strongestRule(std::size_t expert) const;
+
+  std::size_t count() const;
+
+  const SceneController& scene_;
+};
+
+// The output sets of the rules, their aggregation, and its centroid, which is the force.
+
+class ReadingCursor;
+
+class OutputSetsPlot : public QWidget, public PlotSource {
+  Q_OBJECT
+
+ public:
+  explicit OutputSetsPlot(QWidget* parent = nullptr);
+
+  /// Shows the sets of one expert in the colors of their terms.
+  void showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation, std::size_t expert);
+  /// Shows one set per expert in the color of the expert, and the mean.
+  void showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation);
+
+  /// The corners of the drawn sets: set, force, height.
+  void fillTable(PlotTable& table) const;
+  QSize pictureSize() const override { return {800, 420}; }
+  std::vector<LegendEntry> legend() const override;
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ private:
+  void begin(const fuzzy::Variable& output);
+  void addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha, double width);
+  void finish(bool fired, double force_n, const QString& tag);
+
+  QCustomPlot* plot_;
+  fuzzy::Variable output_;
+  ReadingCursor* cursor_;
+};
 
 class ElidedLabel;
 class ExpertFlow;

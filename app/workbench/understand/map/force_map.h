@@ -1,18 +1,72 @@
 // Keeps the force map of the scene up to date for all views: what of it is computed, when, and on which thread.
 #pragma once
 
+#include <QLineF>
 #include <QObject>
 #include <QString>
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "app/figures/force_curves.h"
+#include "app/workbench/base/plot_table.h"
 #include "app/workbench/base/worker.h"
-#include "app/workbench/understand/map/map_request.h"
+#include "app/workbench/model/open_model.h"
+#include "core/fuzzy/scene.h"
 
 namespace tactus::workbench {
+
+// Force over two inputs while the other inputs stay fixed: the numbers behind the color map and the surface, and the
+// request to compute them, which any thread can serve.
+
+/// Forces on a grid over the parts of two inputs that are shown, including the ends.
+struct ForceMap {
+  std::size_t x_input = 0;
+  std::size_t y_input = 0;
+  figures::Interval x_part;  ///< of the universe
+  figures::Interval y_part;
+  std::size_t side = 0;             ///< points along each input
+  std::vector<double> force_n;      ///< side * side values, row by row from the lowest y
+  std::vector<std::uint8_t> fired;  ///< 1 if a rule fires
+
+  double force(std::size_t x, std::size_t y) const { return force_n[y * side + x]; }
+  bool isFired(std::size_t x, std::size_t y) const { return fired[y * side + x] != 0; }
+};
+
+/// What a map is computed of. Immutable; it shares the model.
+class MapRequest {
+ public:
+  struct Axis {
+    std::size_t input = 0;
+    figures::Interval part;  ///< of its universe
+  };
+
+  /// `point`: one value per input; those of the axes do not matter. `expert`: nothing for the mean.
+  MapRequest(std::shared_ptr<const OpenModel> model, std::vector<double> point, const Axis& x, const Axis& y,
+             std::optional<std::size_t> expert);
+
+  /// A map of `side` places along each input, at least 2, without forces.
+  ForceMap begin(std::size_t side) const;
+  /// Computes rows of `map` while `goes_on` says so, which is asked before each row. Returns the number of rows that
+  /// are computed.
+  /// Thread: any.
+  std::size_t compute(ForceMap& map, const std::function<bool()>& goes_on) const;
+  /// How many forces stand behind one place: that of the expert, or the mean and those of all experts.
+  std::size_t forcesOfAPlace() const;
+
+ private:
+  std::shared_ptr<const OpenModel> model_;
+  std::vector<double> point_;
+  Axis x_;
+  Axis y_;
+  std::optional<std::size_t> expert_;
+  std::optional<fuzzy::Scene> scene_;  ///< of the mean
+};
 
 class SceneController;
 struct FigurePreset;
@@ -97,5 +151,26 @@ class ForceMapController : public QObject {
   double place_ns_ = 0;                        ///< time of one place on a processor; 0 before the first map of a model
   Background worker_;
 };
+
+// Lines of equal force through a map.
+
+/// The contour lines at the force `level_n`, as pieces in grid units: x and y from 0 to side - 1. Each piece is
+/// straight within one cell. A cell with a corner where no rule fires has none. Method: marching squares (Lorensen and
+/// Cline 1987, in two dimensions); a saddle is cut by the mean of its corners.
+std::vector<QLineF> contourLines(const ForceMap& map, double level_n);
+/// The same for several ascending levels in one pass over the map: a list of pieces for each level.
+std::vector<std::vector<QLineF>> contourLines(const ForceMap& map, std::span<const double> levels_n);
+
+/// The levels for a universe: about ten round numbers, without its ends.
+std::vector<double> contourLevels(double min_n, double max_n);
+
+// A force map as a table, for every panel that shows it.
+
+class ForceMapController;
+class SceneController;
+
+/// The finest map of the current scene, computed now: one row for every point, x first; the force is empty if no rule
+/// fires. The caption names the axes and the expert. A model with two inputs or more must be open.
+PlotTable mapTable(const SceneController& scene, ForceMapController& map, const QString& suffix);
 
 }  // namespace tactus::workbench

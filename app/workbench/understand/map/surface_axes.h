@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/workbench/plot/label_board.h"
-#include "app/workbench/understand/map/surface_projection.h"
+#include "app/workbench/understand/map/surface_mesh.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::workbench {

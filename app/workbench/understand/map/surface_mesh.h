@@ -1,14 +1,37 @@
 // The forces of a map as a mesh of four-cornered cells in a box. Cells where no rule fires are holes.
 #pragma once
 
+#include <QPointF>
+#include <QRectF>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "app/figures/surface_view.h"
 #include "app/workbench/understand/map/force_map.h"
-#include "app/workbench/understand/map/surface_projection.h"
 
 namespace tactus::workbench {
+
+// The view of a surface's box on the screen.
+
+using figures::BoxPoint;
+using figures::BoxVector;
+using figures::kBox;
+using figures::SurfaceAngles;
+
+class SurfaceProjection : public figures::SurfaceView {
+ public:
+  /// Fits the box into `area` (px) at every azimuth, then scales it by `zoom` and shifts it by `shift` px.
+  SurfaceProjection(const SurfaceAngles& angles, const QRectF& area, double zoom = 1, QPointF shift = {});
+
+  /// The position of a box point on the screen, px.
+  QPointF operator()(const BoxPoint& point) const;
+
+ private:
+  QPointF middle_;
+  double scale_ = 1;
+};
 
 /// A cell of the mesh: its corners are the nodes (x, y) to (x + 1, y + 1).
 struct SurfaceCell {
@@ -59,5 +82,19 @@ class PaintOrder {
   bool x_rises_;
   bool y_rises_;
 };
+
+// The operating point on a surface: its position, the surface lines through it, and the parts of them that the surface
+// hides. No widget, no painting.
+
+/// Height of the mesh above a point of the floor (shares of x and y), bilinear between the nodes; nothing over a hole
+/// or outside the mesh.
+std::optional<double> heightAt(const SurfaceMesh& mesh, double x, double y);
+
+/// Whether the mesh lies between a point on it and the viewer.
+bool isCovered(const SurfaceMesh& mesh, const BoxPoint& point, const BoxVector& to_viewer);
+
+/// The surface lines through (x, y), along x and along y, as runs of points that the viewer sees.
+std::vector<std::vector<BoxPoint>> visibleSections(const SurfaceMesh& mesh, double x, double y,
+                                                   const BoxVector& to_viewer);
 
 }  // namespace tactus::workbench

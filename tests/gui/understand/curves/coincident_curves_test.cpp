@@ -1,4 +1,4 @@
-#include "app/workbench/understand/curves/coincident_curves.h"
+#include "app/workbench/understand/curves/force_spread.h"
 
 #include <gtest/gtest.h>
 

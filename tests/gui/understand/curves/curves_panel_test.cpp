@@ -13,7 +13,6 @@
 #include "app/workbench/understand/curves/curve_legend.h"
 #include "app/workbench/understand/curves/curve_plot.h"
 #include "app/workbench/understand/curves/reading_model.h"
-#include "app/workbench/understand/curves/reference_bar.h"
 #include "core/base/tables/csv.h"
 
 #include "tests/gui/shown_bench.h"

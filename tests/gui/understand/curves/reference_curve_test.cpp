@@ -1,4 +1,4 @@
-#include "app/workbench/understand/curves/reference_curve.h"
+#include "app/workbench/understand/curves/reference_controller.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "app/workbench/understand/map/contour_lines.h"
+#include "app/workbench/understand/map/force_map.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

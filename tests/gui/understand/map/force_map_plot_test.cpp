@@ -1,4 +1,4 @@
-#include "app/workbench/understand/map/force_map_plot.h"
+#include "app/workbench/understand/map/map_panel.h"
 
 #include <QWheelEvent>
 #include <gtest/gtest.h>

@@ -5,7 +5,6 @@
 #include <random>
 #include <vector>
 
-#include "app/workbench/understand/map/surface_sections.h"
 
 #include "tests/gui/understand/map/sample_maps.h"
 

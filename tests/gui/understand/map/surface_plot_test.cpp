@@ -1,4 +1,4 @@
-#include "app/workbench/understand/map/surface_plot.h"
+#include "app/workbench/understand/map/surface_panel.h"
 
 #include <QApplication>
 #include <QImage>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/understand/map/force_colors.h"
+#include "app/workbench/understand/map/map_view_panel.h"
 
 #include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"

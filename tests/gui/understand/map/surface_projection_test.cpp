@@ -1,4 +1,4 @@
-#include "app/workbench/understand/map/surface_projection.h"
+#include "app/workbench/understand/map/surface_mesh.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
