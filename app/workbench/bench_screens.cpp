@@ -2,7 +2,7 @@
 
 #include "app/workbench/feel_parts.h"
 #include "app/workbench/shell/main_window.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 
 namespace tactus::workbench {
 

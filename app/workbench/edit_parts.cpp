@@ -5,7 +5,6 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/shell/frame_clock.h"
-#include "app/workbench/shell/frame_status.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"

@@ -5,7 +5,6 @@
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/feel_status.h"
-#include "app/workbench/feel/force_off_button.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/operating_strip.h"

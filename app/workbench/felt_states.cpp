@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/workbench/feel/depth_regions.h"
+#include "app/workbench/feel/procedure.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"

@@ -1,7 +1,7 @@
 #include "app/workbench/finding_parts.h"
 
 #include "app/workbench/shell/main_window.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/findings/findings_panel.h"
 #include "app/workbench/tune/rules/rule_controller.h"

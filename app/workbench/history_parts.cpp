@@ -4,11 +4,11 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/feel/felt_state.h"
+#include "app/workbench/feel/placement.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/shell/main_window.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/compare_strip.h"
 #include "app/workbench/tune/history/history_panel.h"

@@ -13,7 +13,6 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/session_run.h"
 #include "app/workbench/shell/frame_clock.h"
-#include "app/workbench/shell/frame_status.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_files.h"
 #include "app/workbench/shell/operating_strip.h"

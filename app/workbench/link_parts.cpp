@@ -5,7 +5,6 @@
 
 #include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/link/link_dialog.h"
-#include "app/workbench/deliver/link/link_sign.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"

@@ -1,7 +1,7 @@
 #include "app/workbench/rule_parts.h"
 
 #include "app/workbench/shell/main_window.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"
 

@@ -12,14 +12,13 @@
 #include "app/workbench/collect_pictures.h"
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/help/guide_window.h"
-#include "app/workbench/help/tour_card.h"
+#include "app/workbench/help/tour.h"
 #include "app/workbench/lab_pictures.h"
 #include "app/workbench/participant_pictures.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/shell/command_search.h"
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/shell/shortcut_sheet.h"
+#include "app/workbench/shell/help_menu.h"
 #include "app/workbench/workbench.h"
 
 namespace tactus::workbench {

@@ -8,7 +8,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/shell/main_window.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/history/history_panel.h"
 #include "app/workbench/tune/terms/term_controller.h"

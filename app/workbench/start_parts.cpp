@@ -10,7 +10,7 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_files.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/start_view.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/study_models.h"

@@ -6,7 +6,7 @@
 #include "app/workbench/curve_parts.h"
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/deliver/link/link_controller.h"
-#include "app/workbench/deliver/readiness_controller.h"
+#include "app/workbench/deliver/readiness.h"
 #include "app/workbench/deliver_parts.h"
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/edit_parts.h"

@@ -9,7 +9,7 @@
 
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_panel.h"

@@ -8,7 +8,6 @@
 #include <qcustomplot.h>
 
 #include "app/workbench/base/theme.h"
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_table.h"

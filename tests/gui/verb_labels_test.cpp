@@ -6,7 +6,6 @@
 
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 
 #include "tests/gui/shown_bench.h"

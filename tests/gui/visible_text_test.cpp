@@ -8,7 +8,7 @@
 #include <set>
 
 #include "app/editing/membership_edits.h"
-#include "app/workbench/shell/shortcut_sheet.h"
+#include "app/workbench/shell/help_menu.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/marking_translator.h"

@@ -5,17 +5,44 @@
 #include <QObject>
 #include <QString>
 #include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "app/session/session_state.h"
-#include "app/workbench/collect/force_trace.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"
+#include "core/haptics/servo/sample.h"
 
 namespace tactus::workbench {
+
+/// The force of the last seconds, commanded and delivered, as the monitor draws it.
+class ForceTrace {
+ public:
+  static constexpr double kSeconds = 12;
+  static constexpr std::int64_t kStepNs = 5'000'000;  ///< one point for each 5 ms: 2400 points
+
+  struct Point {
+    std::int64_t time_ns = 0;
+    double commanded_n = 0;  ///< requested by the source
+    double delivered_n = 0;  ///< after all limits
+    double position_mm = 0;
+  };
+
+  void add(std::span<const haptics::Sample> samples);
+  void clear();
+  /// Oldest first.
+  const std::deque<Point>& points() const { return points_; }
+  /// Of the newest sample; null before the first.
+  const Point* newest() const { return points_.empty() ? nullptr : &points_.back(); }
+  /// The newest sample was limited: the force in the hand is not the commanded one.
+  bool isCut() const;
+
+ private:
+  std::deque<Point> points_;
+};
 
 /// The state of the participant's screens, in the words of the monitor.
 struct NurseView {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/collect/step_words.h"
+#include "app/workbench/collect/study_overview.h"
 #include "app/workbench/study/connection/study_contents.h"
 
 namespace tactus::workbench {

@@ -1,14 +1,48 @@
 // One value of the protocol on the page: its name, the field, the way back to the stored value, and what is wrong.
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
+#include <array>
 #include <string>
 #include <vector>
 
+class QCheckBox;
 class QLabel;
 class QToolButton;
 
 namespace tactus::workbench {
+
+// The parts of a session on the protocol's page: which of them there are, and in which order they come.
+
+class ProtocolController;
+
+class PartList : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `protocol` outlives this.
+  explicit PartList(ProtocolController& protocol, QWidget* parent = nullptr);
+
+ private:
+  static constexpr int kParts = 3;
+  struct Row {
+    QLabel* number;
+    QCheckBox* box;
+    QToolButton* earlier;
+    QToolButton* later;
+  };
+
+  QToolButton* makeArrow(const QString& text);
+  void follow();
+  void put(const QString& part, bool in);
+  void move(int row, int by);
+
+  ProtocolController& protocol_;
+  QStringList in_;     ///< of the session, in its order
+  QStringList shown_;  ///< these, then the others
+  std::array<Row, kParts> rows_{};
+};
 
 class ProtocolController;
 

@@ -1,6 +1,7 @@
 // The home of a study: its participants, how far each has come, and what to do next.
 #pragma once
 
+#include <QStyledItemDelegate>
 #include <QWidget>
 #include <optional>
 
@@ -13,6 +14,18 @@ class QStackedWidget;
 class QTableView;
 
 namespace tactus::workbench {
+
+/// Draws the cells of the participants' table: a mark and a word for each step, so that no state is told by color
+/// alone.
+class StepDelegate : public QStyledItemDelegate {
+  Q_OBJECT
+
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+};
 
 class Card;
 class ElidedLabel;

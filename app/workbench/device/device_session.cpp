@@ -1,15 +1,160 @@
 #include "app/workbench/device/device_session.h"
 
+#include <QString>
 #include <chrono>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "app/devices/device_list.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/device/device_run.h"
+#include "app/workbench/device/servo_loop.h"
+#include "core/base/error.h"
 #include "core/haptics/safety/trip.h"
+#include "core/haptics/servo/servo.h"
 #include "core/haptics/simulated/virtual_device.h"
 
+namespace tactus::haptics {
+class VirtualDevice;
+}  // namespace tactus::haptics
+
 namespace tactus::workbench {
+
+// One run of a device: open, started, and driven by the servo.
+
+/// The run lasts from `begin` to the destructor, which leaves the device with zero force. Thread: one at a time. A slow
+/// device begins and ends on a background thread.
+class DeviceRun {
+ public:
+  /// Starts the device, and a servo on it with `orders`, the axis of the device and limits that fit it. Sends the first
+  /// heartbeat of the program. `thermal` may be null; otherwise it holds the motor heat of earlier runs. Refused: the
+  /// device or the loop does not start.
+  static base::Result<std::unique_ptr<DeviceRun>> begin(devices::OpenedDevice opened, const MakeServoLoop& make_loop,
+                                                        haptics::ServoOrders orders,
+                                                        std::shared_ptr<haptics::ThermalLedger> thermal = nullptr);
+  ~DeviceRun();
+  DeviceRun(const DeviceRun&) = delete;
+  DeviceRun& operator=(const DeviceRun&) = delete;
+
+  haptics::Servo& servo() { return *servo_; }
+  const haptics::DeviceInfo& info() const { return device_->info(); }
+  const ServoLoop& loop() const { return *loop_; }
+  /// The last posted orders. The owner changes them and posts them again.
+  haptics::ServoOrders& orders() { return orders_; }
+  /// Posts the orders; returns their number.
+  std::uint64_t post();
+  void heartbeat() { servo_->heartbeat(loop_->nowNs()); }
+  /// The samples since the last call, oldest first. Valid until the next call.
+  std::span<const haptics::Sample> drain();
+  /// The device if mouse and keyboard drive its hand; otherwise null.
+  haptics::VirtualDevice* liveHand() const { return live_hand_; }
+  /// What to do if the device reports that it is not calibrated.
+  const std::string& calibrationAdvice() const { return calibration_advice_; }
+  /// What to do if inward and outward are swapped; may be empty.
+  const std::string& axisAdvice() const { return axis_advice_; }
+  /// Zero force from the next tick on; then no more ticks. May be called twice.
+  void end() noexcept;
+
+ private:
+  DeviceRun(devices::OpenedDevice opened, const MakeServoLoop& make_loop, haptics::ServoOrders orders,
+            std::shared_ptr<haptics::ThermalLedger> thermal);
+
+  // In this order, so that the loop is destroyed before the servo, and the servo before the device.
+  std::shared_ptr<haptics::ThermalLedger> thermal_;
+  std::unique_ptr<haptics::HapticDevice> device_;
+  haptics::VirtualDevice* live_hand_;
+  std::string calibration_advice_;
+  std::string axis_advice_;
+  haptics::ServoOrders orders_;
+  std::unique_ptr<haptics::Servo> servo_;
+  std::unique_ptr<ServoLoop> loop_;
+  std::vector<haptics::Sample> drained_;
+};
+
+namespace {
+
+/// More than the ticks between two looks at 60 Hz, with room for a pause of the program.
+constexpr std::size_t kMostDrained = 16'384;
+
+}  // namespace
+
+base::Result<std::unique_ptr<DeviceRun>> DeviceRun::begin(devices::OpenedDevice opened, const MakeServoLoop& make_loop,
+                                                          haptics::ServoOrders orders,
+                                                          std::shared_ptr<haptics::ThermalLedger> thermal) {
+  if (auto started = opened.device->start(); !started) return tl::unexpected(started.error());
+  // Not make_unique: the constructor is private, so that no run exists whose device has not been started.
+  std::unique_ptr<DeviceRun> run(new DeviceRun(std::move(opened), make_loop, std::move(orders), std::move(thermal)));
+  run->post();
+  run->heartbeat();
+  if (auto started = run->loop_->start(); !started) return tl::unexpected(started.error());
+  return run;
+}
+
+DeviceRun::DeviceRun(devices::OpenedDevice opened, const MakeServoLoop& make_loop, haptics::ServoOrders orders,
+                     std::shared_ptr<haptics::ThermalLedger> thermal)
+    : thermal_(std::move(thermal)),
+      device_(std::move(opened.device)),
+      live_hand_(dynamic_cast<haptics::VirtualDevice*>(device_.get())),
+      calibration_advice_(std::move(opened.calibration_advice)),
+      axis_advice_(std::move(opened.axis_advice)),
+      orders_(std::move(orders)),
+      servo_(std::make_unique<haptics::Servo>(*device_, thermal_.get())),
+      loop_(make_loop(*servo_)),
+      drained_(kMostDrained) {
+  orders_.axis = opened.axis;
+  const bool guard_velocity = orders_.limits.guard_velocity;
+  orders_.limits = haptics::LimitSettings::forDevice(device_->info());
+  orders_.limits.guard_velocity = guard_velocity;
+}
+
+DeviceRun::~DeviceRun() { end(); }
+
+std::uint64_t DeviceRun::post() { return servo_->post(orders_); }
+
+std::span<const haptics::Sample> DeviceRun::drain() { return servo_->drain(drained_); }
+
+void DeviceRun::end() noexcept {
+  servo_->stop();
+  loop_->stop();
+  device_->stop();
+}
+
+using haptics::EnableKind;
+
+bool isHeldByKey(const haptics::DeviceInfo& device) { return device.simulated || device.buttons == 0; }
+
+haptics::EnableSettings enableOf(const haptics::DeviceInfo& device, const DeviceGrip& grip) {
+  haptics::EnableSettings enable;
+  enable.kind = grip.latch ? EnableKind::kLatch : isHeldByKey(device) ? EnableKind::kPedal : EnableKind::kButton;
+  enable.release_zone_mm = grip.release_zone_mm;
+  return enable;
+}
+
+haptics::EnableSettings enableOfReplay() {
+  haptics::EnableSettings enable;
+  enable.kind = EnableKind::kButton;
+  // What was recorded is the hand after its debounce.
+  enable.press_debounce_s = 0;
+  return enable;
+}
+
+bool isDown(const haptics::EnableSettings& enable, const haptics::Sample& sample, bool key_down) {
+  const bool button = (sample.buttons & enable.button_mask) != 0;
+  switch (enable.kind) {
+    case EnableKind::kPedal:
+    case EnableKind::kKey:
+      return key_down;
+    case EnableKind::kLatch:
+      return key_down || button;
+    case EnableKind::kButton:
+      break;
+  }
+  return button;
+}
+
 namespace {
 
 constexpr int kBeatMs = 16;  // the refresh of a screen

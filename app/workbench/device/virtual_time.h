@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "app/workbench/device/device_access.h"
+#include "app/workbench/device/device_search.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::workbench {

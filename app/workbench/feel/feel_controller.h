@@ -7,18 +7,71 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "app/workbench/device/device_session.h"
-#include "app/workbench/feel/feel_history.h"
-#include "app/workbench/feel/feel_latency.h"
-#include "app/workbench/feel/force_cost.h"
 #include "app/workbench/feel/placement.h"
+#include "app/workbench/model/open_model.h"
+#include "core/haptics/servo/sample.h"
 
 namespace tactus::workbench {
+
+/// What one force of a model costs: measured once for each shape of a model, because an edit of a number hardly changes
+/// it.
+class ForceCost {
+ public:
+  /// The cost of one force of `open`, s (haptics::measuredCostS). Measured if the shape differs from the last time.
+  double of(const OpenModel& open);
+  /// How often it was measured.
+  int measurements() const { return measurements_; }
+
+ private:
+  /// What decides how long an evaluation takes: the numbers of experts, rules and terms with their shapes; and the
+  /// terms of the output, because a force is computed faster where they have an order.
+  struct Shape {
+    std::vector<std::size_t> numbers;
+    std::vector<double> output_points;
+
+    bool operator==(const Shape&) const = default;
+  };
+  static Shape shapeOf(const fuzzy::ForceModel& model);
+
+  Shape shape_;
+  double cost_s_ = 0;
+  int measurements_ = 0;
+};
+
+// The time from an edit to its force.
+
+/// In ticks of the servo.
+struct EditLatency {
+  std::uint64_t last_ticks = 0;     ///< from the edit to the first tick that used it, including the making of the scene
+  std::uint64_t longest_ticks = 0;  ///< of all edits of this run
+};
+
+/// Finds the first samples that used the orders of each edit.
+class FeelLatency {
+ public:
+  /// An edit was posted with the orders `number`. Its processing began after `ticks_before` ticks.
+  void posted(std::uint64_t number, std::uint64_t ticks_before) { pending_.push_back({number, ticks_before}); }
+  void take(const haptics::Sample& sample);
+  /// Nothing before the first edit.
+  const std::optional<EditLatency>& value() const { return value_; }
+
+ private:
+  struct Pending {
+    std::uint64_t number = 0;
+    std::uint64_t ticks_before = 0;
+  };
+  std::deque<Pending> pending_;  ///< posted and not yet seen in a sample
+  std::optional<EditLatency> value_;
+};
 
 class SceneController;
 

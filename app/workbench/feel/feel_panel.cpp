@@ -4,26 +4,23 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <numeric>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
-#include "app/workbench/feel/depth_regions.h"
 #include "app/workbench/feel/device_bar.h"
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/feel/feel_keys.h"
+#include "app/workbench/feel/feel_status.h"
 #include "app/workbench/feel/force_bar.h"
-#include "app/workbench/feel/force_trace_plot.h"
 #include "app/workbench/feel/patient_controls.h"
-#include "app/workbench/feel/placement_card.h"
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/feel/procedure_panel.h"
-#include "app/workbench/feel/trace_table.h"
+#include "app/workbench/feel/placement.h"
 #include "app/workbench/feel/tube_pad.h"
-#include "app/workbench/feel/tube_picture.h"
-#include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
@@ -32,6 +29,57 @@
 #include "core/haptics/servo/sample.h"
 
 namespace tactus::workbench {
+namespace {
+
+// Deeper than the upper sphincter the tip leaves the picture of head and neck.
+constexpr double kNeckEndMm = 215;
+
+}  // namespace
+
+anatomy::Posture drawnPosture(const fuzzy::Variable& neck_flexion, double value) {
+  using anatomy::Posture;
+  const auto word = strongestTerm(neck_flexion, value);
+  if (!word)
+    return value < std::midpoint(neck_flexion.min, neck_flexion.max) ? Posture::kUpright : Posture::kChinOnChest;
+  if (*word == 0) return Posture::kUpright;
+  return *word + 1 == neck_flexion.terms.size() ? Posture::kChinOnChest : Posture::kHalfFlexed;
+}
+
+TubePicture::TubePicture(QWidget* parent) : AnatomyView(parent) {
+  setAccessibleName(tr("The tube in nose, throat and esophagus, from the side"));
+  setFont(theme::smallFont());
+  showTip();
+}
+
+void TubePicture::setRegions(std::vector<DepthRegion> regions) {
+  regions_ = std::move(regions);
+  showTip();
+}
+
+void TubePicture::setTip(double depth_mm) {
+  depth_mm_ = depth_mm;
+  showTip();
+}
+
+QString TubePicture::regionText() const {
+  const auto region = depth_mm_ > 0 ? regionAt(regions_, depth_mm_) : std::nullopt;
+  return region ? regions_[*region].label : QString();
+}
+
+void TubePicture::setNeck(anatomy::Posture posture) {
+  setPosture(posture, placed_);
+  placed_ = true;
+}
+
+void TubePicture::showTip() {
+  setDepth(depth_mm_);
+  setFraming(depth_mm_ > kNeckEndMm ? anatomy::Framing::kWhole : anatomy::Framing::kHeadAndNeck);
+  const auto region = depth_mm_ > 0 ? regionAt(regions_, depth_mm_) : std::nullopt;
+  std::optional<anatomy::LitRange> lit;
+  if (region) lit = {regions_[*region].from_mm, regions_[*region].to_mm, regions_[*region].label};
+  light(lit);
+}
+
 namespace {
 
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other

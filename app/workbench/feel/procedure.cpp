@@ -2,10 +2,48 @@
 
 #include <QCoreApplication>
 #include <QFile>
+#include <cmath>
 
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/model/patient.h"
 #include "core/base/check.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr int kSteps = 4000;
+
+}  // namespace
+
+std::vector<DepthRegion> depthRegions(const fuzzy::Variable& depth) {
+  std::vector<DepthRegion> regions;
+  std::optional<std::size_t> before;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double x = std::lerp(depth.min, depth.max, static_cast<double>(i) / kSteps);
+    const auto term = strongestTerm(depth, x);
+    if (term && term != before) {
+      // What touches begins where the one before ends.
+      if (before) regions.back().to_mm = x;
+      regions.push_back({labelOf(depth.terms[*term]), x, x, depth.terms[*term].id});
+    } else if (term) {
+      regions.back().to_mm = x;
+    }
+    before = term;
+  }
+  return regions;
+}
+
+std::optional<std::size_t> regionAt(const std::vector<DepthRegion>& regions, double depth_mm) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const bool last = i + 1 == regions.size();
+    if (depth_mm >= regions[i].from_mm && (depth_mm < regions[i].to_mm || (last && depth_mm <= regions[i].to_mm)))
+      return i;
+  }
+  return std::nullopt;
+}
+}  // namespace tactus::workbench
 
 // Outside of every namespace, as Qt wants it: a resource of a static library has to be asked for.
 static void initFeelResource() { Q_INIT_RESOURCE(feel); }

@@ -3,12 +3,58 @@
 
 #include <QObject>
 #include <QString>
+#include <QWidget>
 #include <functional>
 #include <vector>
 
+#include "app/workbench/kit/cards.h"
+
+class QLabel;
+class QPushButton;
 class QWidget;
 
 namespace tactus::workbench {
+
+// What a step of the tour says, with the way to the next one.
+
+class PrimaryButton;
+
+class TourCard : public Card {
+  Q_OBJECT
+
+ public:
+  explicit TourCard(QWidget* parent = nullptr);
+
+  /// `step` counts from 0.
+  void showStep(const QString& title, const QString& text, int step, int steps);
+
+ signals:
+  void backRequested();
+  void nextRequested();
+  void endRequested();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QLabel* title_;
+  QLabel* text_;
+  QLabel* place_;
+  QPushButton* back_;
+  PrimaryButton* next_;
+  QPushButton* end_;
+};
+
+/// The frame around the panel of which the tour speaks. It lets the mouse through.
+class TourFrame : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit TourFrame(QWidget* parent = nullptr);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
 
 class TourCard;
 class TourFrame;

@@ -11,7 +11,7 @@
 
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/participant_state.h"
-#include "app/workbench/study/connection/session_snapshot.h"
+#include "app/workbench/study/connection/study_contents.h"
 #include "core/haptics/servo/sample.h"
 #include "core/haptics/servo/stimulus_delivery.h"
 #include "experiments/force_protocol.h"

@@ -15,7 +15,7 @@
 #include "app/workbench/participant/participant_state.h"
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/rehearsal/screen_nurse.h"
-#include "app/workbench/study/connection/session_snapshot.h"
+#include "app/workbench/study/connection/study_contents.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"

@@ -9,6 +9,7 @@
 
 class QLineEdit;
 class QListWidget;
+class QMenuBar;
 
 namespace tactus::workbench {
 
@@ -48,5 +49,19 @@ class CommandSearch : public QDialog {
   QLineEdit* line_;
   QListWidget* list_;
 };
+
+// What the search finds in the window itself: the entries of its menus, and its panels.
+
+class MainWindow;
+class Panel;
+
+/// Actions that can be used now, with their menu and keys.
+QList<SearchEntry> menuEntries(const QMenuBar& bar);
+
+/// The panels, while a model is open.
+QList<SearchEntry> panelEntries(MainWindow& window);
+
+/// Brings `panel` to the front in the stage that is shown, or in Understand where that shows no panels.
+void goToPanel(MainWindow& window, Panel& panel);
 
 }  // namespace tactus::workbench

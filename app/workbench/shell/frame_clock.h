@@ -1,9 +1,11 @@
 // Measures the time from an edit to its display.
 #pragma once
 
+#include <QLabel>
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QTimer>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -87,6 +89,28 @@ class FrameClock : public QObject {
   bool looking_ = false;
   std::vector<double> painted_ms_;
   std::vector<double> finest_ms_;
+};
+
+// The strip's label for the time from the last edit to the plots.
+
+class FrameClock;
+
+class FrameStatus : public QLabel {
+  Q_OBJECT
+
+ public:
+  /// `clock` outlives this.
+  explicit FrameStatus(const FrameClock& clock, QWidget* parent = nullptr);
+
+ protected:
+  bool event(QEvent* event) override;
+
+ private:
+  void showLast();
+  QString explanation() const;
+
+  const FrameClock& clock_;
+  QTimer calm_;
 };
 
 }  // namespace tactus::workbench

@@ -1,8 +1,12 @@
 #include "app/workbench/shell/main_window.h"
 
 #include <QAction>
+#include <QBoxLayout>
 #include <QCloseEvent>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QMenuBar>
 #include <QScreen>
 #include <QSettings>
@@ -13,18 +17,166 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/notes.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/notes.h"
 #include "app/workbench/model/model_controller.h"
-#include "app/workbench/shell/header_place.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/shell/stage_rail.h"
+#include "app/workbench/shell/stage_button.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {
+namespace {
+
+struct MenuText {
+  Q_DECLARE_TR_FUNCTIONS(MenuText)
+};
+
+/// A menu holds the slots up to and with `last`, from the one after the menu before.
+struct MenuSpan {
+  MenuSlot last;
+  QString title;
+};
+
+QList<MenuSpan> spans() {
+  return {{MenuSlot::kFileQuit, MenuText::tr("&File")},    {MenuSlot::kEditAuthor, MenuText::tr("&Edit")},
+          {MenuSlot::kStudyNotes, MenuText::tr("&Study")}, {MenuSlot::kView, MenuText::tr("&View")},
+          {MenuSlot::kFeelLink, MenuText::tr("Fee&l")},    {MenuSlot::kHelp, MenuText::tr("&Help")}};
+}
+
+}  // namespace
+
+WindowMenus::WindowMenus(QMenuBar& bar) {
+  int slot = 0;
+  for (const MenuSpan& span : spans()) {
+    QMenu* menu = bar.addMenu(span.title);
+    menu->menuAction()->setVisible(false);
+    // A menu shows no separator at its end, and one for several in a row.
+    for (; slot <= static_cast<int>(span.last); ++slot) groups_.push_back({menu, menu->addSeparator()});
+  }
+}
+
+const WindowMenus::Group& WindowMenus::group(MenuSlot slot) const { return groups_[static_cast<std::size_t>(slot)]; }
+
+QMenu& WindowMenus::menu(MenuSlot slot) const { return *group(slot).menu; }
+
+QAction* WindowMenus::addAction(MenuSlot slot, const QString& text, const QKeySequence& keys) {
+  auto* action = new QAction(text, group(slot).menu);
+  action->setShortcut(keys);
+  insert(slot, action);
+  return action;
+}
+
+QMenu* WindowMenus::addMenu(MenuSlot slot, const QString& title) {
+  auto* submenu = new QMenu(title, group(slot).menu);
+  insert(slot, submenu->menuAction());
+  return submenu;
+}
+
+void WindowMenus::insert(MenuSlot slot, QAction* action) {
+  const auto [menu, end] = group(slot);
+  menu->insertAction(end, action);
+  menu->menuAction()->setVisible(true);
+}
+
+StageRail::StageRail(QWidget* parent) : QWidget(parent) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  for (const Stage stage : kStages) {
+    auto* button = new StageButton(stage, this);
+    buttons_.insert(stage, button);
+    layout->addWidget(button);
+    button->hide();
+    connect(button, &StageButton::clicked, this, [this, stage] { emit chosen(stage); });
+  }
+  layout->addStretch(1);
+  setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+  fitWidth();
+}
+
+void StageRail::show(Stage stage) { buttons_.value(stage)->show(); }
+
+void StageRail::setReady(Stage stage, bool ready) { buttons_.value(stage)->setEnabled(ready); }
+
+void StageRail::setStage(std::optional<Stage> stage) {
+  for (StageButton* button : buttons_) {
+    // Among exclusive buttons the checked one cannot be unchecked.
+    button->setAutoExclusive(stage.has_value());
+    button->setChecked(stage == button->stage());
+  }
+}
+
+void StageRail::setCompact(bool compact) {
+  if (compact == compact_) return;
+  compact_ = compact;
+  for (StageButton* button : buttons_) button->setCompact(compact);
+  fitWidth();
+}
+
+// Larger text is wider.
+void StageRail::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::FontChange && !buttons_.isEmpty()) fitWidth();
+}
+
+void StageRail::fitWidth() { setFixedWidth(buttons_.first()->sizeHint().width()); }
+
+BenchView::BenchView(SceneController& scene, QSettings& settings, QWidget* parent)
+    : QWidget(parent), header_(new ModelHeader(scene, this)), panels_(new PanelArea(settings, this)) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(theme::kGrid);
+  layout->addWidget(header_);
+  layout->addWidget(panels_, 1);
+}
+
+HeaderPlace::HeaderPlace(QMenuBar& menus, BenchView& bench, QObject* parent)
+    : QObject(parent), menus_(menus), bench_(bench) {
+  menus_.installEventFilter(this);
+}
+
+void HeaderPlace::setLow(bool low) {
+  low = low && !menus_.isNativeMenuBar();
+  if (low == low_) return;
+  low_ = low;
+  ModelHeader& header = bench_.header();
+  if (low) {
+    header.setParent(&menus_);
+    header.setVisible(shown_);
+  } else {
+    static_cast<QBoxLayout*>(bench_.layout())->insertWidget(0, &header);
+    header.show();
+    menus_.setMinimumHeight(0);
+  }
+  fit();
+}
+
+void HeaderPlace::setShown(bool shown) {
+  shown_ = shown;
+  if (low_) bench_.header().setVisible(shown);
+  fit();
+}
+
+bool HeaderPlace::eventFilter(QObject* watched, QEvent* event) {
+  const QEvent::Type type = event->type();
+  if (type == QEvent::Resize || type == QEvent::LayoutRequest || type == QEvent::Show) fit();
+  return QObject::eventFilter(watched, event);
+}
+
+void HeaderPlace::fit() {
+  if (!low_) return;
+  ModelHeader& header = bench_.header();
+  menus_.setMinimumHeight(shown_ ? header.minimumSizeHint().height() : 0);
+  int left = 0;
+  for (const QAction* action : menus_.actions()) {
+    left = std::max(left, menus_.actionGeometry(const_cast<QAction*>(action)).right());
+  }
+  left += 2 * theme::kGrid;
+  header.setGeometry(left, 0, menus_.width() - left - theme::kGrid, menus_.height());
+}
+
 namespace {
 
 constexpr auto kGeometryKey = "window_geometry";

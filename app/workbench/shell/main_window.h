@@ -3,21 +3,155 @@
 #pragma once
 
 #include <QHash>
+#include <QKeySequence>
 #include <QMainWindow>
+#include <QMap>
+#include <QObject>
+#include <QString>
+#include <QWidget>
 #include <functional>
 #include <optional>
 #include <vector>
 
 #include "app/workbench/kit/notes.h"
-#include "app/workbench/shell/bench_view.h"
 #include "app/workbench/shell/stage.h"
-#include "app/workbench/shell/window_menus.h"
 
+class QAction;
+class QMenu;
+class QMenuBar;
 class QSettings;
 class QStackedWidget;
 class QVBoxLayout;
 
 namespace tactus::workbench {
+
+// The menu bar. The menus and the groups in them have a fixed order, so that features may add their actions in any.
+
+/// A group of actions, between two separators of a menu. In the order on the screen: all groups of the first menu, then
+/// those of the second.
+enum class MenuSlot {
+  kFileOpen,
+  kFileSave,
+  kFilePictures,
+  kFileQuit,
+  kEditUndo,
+  kEditStates,
+  kEditCompare,
+  kEditAuthor,
+  kStudyOpen,
+  kStudyModel,
+  kStudyClose,
+  kStudyNotes,
+  kView,
+  kFeelDevice,
+  kFeelPatient,
+  kFeelLink,
+  kHelp,
+};
+
+class WindowMenus {
+ public:
+  /// `bar` owns the menus.
+  explicit WindowMenus(QMenuBar& bar);
+
+  /// Adds an action at the end of `slot`. A menu is shown once it has an action.
+  QAction* addAction(MenuSlot slot, const QString& text, const QKeySequence& keys = {});
+  /// Adds a menu of its own at the end of `slot`.
+  QMenu* addMenu(MenuSlot slot, const QString& title);
+  /// The menu that holds `slot`.
+  QMenu& menu(MenuSlot slot) const;
+
+ private:
+  struct Group {
+    QMenu* menu;
+    QAction* end;  ///< the separator behind its last action
+  };
+  const Group& group(MenuSlot slot) const;
+  void insert(MenuSlot slot, QAction* action);
+
+  std::vector<Group> groups_;  ///< one for each slot
+};
+
+// The rail on the left: Collect, Understand, Tune, Agree, Deliver.
+
+class StageButton;
+
+class StageRail : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StageRail(QWidget* parent = nullptr);
+
+  /// `stage` has a screen; the others are not shown.
+  void show(Stage stage);
+  /// Whether `stage` can be entered now.
+  void setReady(Stage stage, bool ready);
+  /// Marks the stage on the screen; nothing: none is, as in the Feel layout.
+  void setStage(std::optional<Stage> stage);
+  /// True: a narrow rail.
+  void setCompact(bool compact);
+
+ signals:
+  /// The user chose `stage`, which can be entered.
+  void chosen(tactus::workbench::Stage stage);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void fitWidth();
+
+  QMap<Stage, StageButton*> buttons_;
+  bool compact_ = false;
+};
+
+// The screen of the stages that show the open model: its header and the panels of the current stage.
+
+class ModelHeader;
+class PanelArea;
+class SceneController;
+
+class BenchView : public QWidget {
+  Q_OBJECT
+
+ public:
+  BenchView(SceneController& scene, QSettings& settings, QWidget* parent = nullptr);
+
+  PanelArea& panels() { return *panels_; }
+  ModelHeader& header() { return *header_; }
+
+ private:
+  ModelHeader* header_;
+  PanelArea* panels_;
+};
+
+// Where the line of the open model stands: above the panels, or, in a low window, in the row of the menus.
+
+class BenchView;
+
+class HeaderPlace : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `bench` owns the line while it stands above the panels, `menus` while it stands beside them.
+  HeaderPlace(QMenuBar& menus, BenchView& bench, QObject* parent);
+
+  /// True: beside the menus. A menu bar outside the window has no room for it.
+  void setLow(bool low);
+  /// Whether the panels are on the screen. While the window shows another screen, a line beside the menus is hidden.
+  void setShown(bool shown);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void fit();
+
+  QMenuBar& menus_;
+  BenchView& bench_;
+  bool low_ = false;
+  bool shown_ = false;
+};
 
 class HeaderPlace;
 class MessageBanner;

@@ -3,19 +3,90 @@
 // click on a tab moves or closes its panel.
 #pragma once
 
+#include <QDockWidget>
 #include <QHash>
 #include <QMainWindow>
 #include <QTimer>
+#include <QWidget>
 #include <optional>
 #include <vector>
 
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/stage.h"
 
+class QDockWidget;
 class QSettings;
 class QTabBar;
+class QToolButton;
 
 namespace tactus::workbench {
+
+// A panel of the window, and its place in the default layout of a stage.
+
+/// What PanelArea::addPanel returns: layouts name a panel by it.
+class Panel : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  using QDockWidget::QDockWidget;
+
+  /// Shows the panel before others in the same place.
+  void reveal();
+
+ protected:
+  bool focusNextPrevChild(bool next) override;
+};
+
+/// Places in a layout build on those before them: `right(map, 44, curves)` needs a place of `curves` first.
+struct PanelPlace {
+  enum class How { kFirst, kRight, kBelow, kTab };
+
+  /// Takes the whole area.
+  static PanelPlace first(Panel& panel) { return {&panel, How::kFirst, nullptr, 100}; }
+  /// Takes the right `percent` of the place of `beside`.
+  static PanelPlace right(Panel& panel, int percent, Panel& beside) { return {&panel, How::kRight, &beside, percent}; }
+  /// Takes the lower `percent` of the place of `above`.
+  static PanelPlace below(Panel& panel, int percent, Panel& above) { return {&panel, How::kBelow, &above, percent}; }
+  /// A tab behind `before`.
+  static PanelPlace behind(Panel& panel, Panel& before) { return {&panel, How::kTab, &before, 100}; }
+
+  Panel* panel;
+  How how;
+  Panel* beside;  ///< null for kFirst
+  int percent;    ///< of the place of `beside`
+};
+
+// The title of a panel that stands alone: one slim line. It is hidden while tabs name the panel.
+
+class ElidedLabel;
+
+class PanelTitle : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PanelTitle(QDockWidget& panel);
+
+  /// Whether a tab already names the panel.
+  void setTabbed(bool tabbed);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {0, sizeHint().height()}; }
+
+ signals:
+  /// The user asks for the menu of the panel, at `place` on the screen.
+  void menuRequested(const QPoint& place);
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  void showFloating(bool floating);
+
+  QDockWidget& panel_;
+  ElidedLabel* name_;
+  QToolButton* float_;
+  QToolButton* close_;
+  bool tabbed_ = false;
+};
 
 class PanelArea : public QMainWindow {
   Q_OBJECT

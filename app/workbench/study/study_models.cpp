@@ -1,18 +1,226 @@
 #include "app/workbench/study/study_models.h"
 
+#include <QCoreApplication>
 #include <QFileInfo>
+#include <QPointer>
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <utility>
 
 #include "app/editing/history_versions.h"
+#include "app/session/data_checks.h"
+#include "app/session/session_notes.h"
+#include "app/session/study_source.h"
+#include "app/session/study_view.h"
+#include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
 #include "app/workbench/model/open_model.h"
+#include "app/workbench/study/review_notes.h"
 #include "core/base/check.h"
+#include "core/base/clock.h"
 #include "core/store/model_versions.h"
+#include "core/store/study_info.h"
+#include "elicitation/model/model_builder.h"
+#include "elicitation/model/published_settings.h"
 
 namespace tactus::workbench {
+namespace {
+
+using base::Result;
+
+struct ModelInStudyText {
+  Q_DECLARE_TR_FUNCTIONS(ModelInStudyText)
+};
+
+// `3 experts, 1 of them simulated`.
+QString expertsText(const fuzzy::ForceModel& model, const std::vector<study::Participant>& participants) {
+  const auto simulated = std::count_if(model.experts.begin(), model.experts.end(), [&](const fuzzy::Expert& expert) {
+    return std::any_of(participants.begin(), participants.end(), [&](const study::Participant& participant) {
+      return participant.code == expert.id && participant.simulated;
+    });
+  });
+  const auto experts = static_cast<qlonglong>(model.experts.size());
+  const QString all = ModelInStudyText::tr("%n expert(s)", nullptr, static_cast<int>(experts));
+  if (simulated == 0) return all;
+  return simulated == experts ? ModelInStudyText::tr("%1, SIMULATED").arg(all)
+                              : ModelInStudyText::tr("%1, %2 of them SIMULATED").arg(all).arg(simulated);
+}
+
+Result<void> addVersions(const store::StudyFile& file, ModelInStudy& out) {
+  auto versions = store::modelVersions(file);
+  if (!versions) return tl::unexpected(versions.error());
+  // What participants felt of their own answers is no state of the researcher's model.
+  std::erase_if(*versions, [](const study::ModelVersion& version) { return version.label == session::kOwnModelLabel; });
+  out.versions = *versions;
+  if (versions->empty()) return {};
+  auto last = store::modelVersion(file, versions->back().id);
+  if (!last) return tl::unexpected(last.error());
+  versions->back() = std::move(*last);
+  auto history = editing::historyFrom(*versions, study::RecordIds());
+  if (!history) return base::inFile(history.error(), file.path());
+  out.history = std::move(*history);
+  return {};
+}
+
+bool hasAnswers(const store::StudyInfo& info) {
+  return std::any_of(info.counts.begin(), info.counts.end(), [](const store::TableCount& count) {
+    return (count.table == "answer" || count.table == "rule") && count.rows > 0;
+  });
+}
+
+}  // namespace
+
+Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp,
+                                      elicitation::BuildSettings settings) {
+  const auto view = session::studyForElicitation(file);
+  if (!view) return tl::unexpected(view.error());
+  const auto data = session::dataFindings(view->study);
+  if (auto ok = study::refuseData(data); !ok) return base::inFile(ok.error(), file.path());
+  settings.created_utc =
+      base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
+  settings.generator = kGenerator;
+  auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
+  if (!built) return base::inFile(built.error(), file.path());
+  elicitation::noteUnlikePublished(*built, view->study, session::knownForms(), settings);
+  const QString experts = expertsText(built->model, view->study.participants);
+  auto history = editing::EditHistory::open(built->model,
+                                            ModelInStudyText::tr("Built from the study: %1").arg(experts).toStdString(),
+                                            stamp, study::RecordIds());
+  if (!history) return tl::unexpected(history.error());
+  BuiltFromStudy out{
+      std::move(*history),
+      ModelInStudyText::tr("Built from the answers in %1: %2.").arg(shownFileName(text(file.path())), experts),
+      {}};
+  out.notes = {dataNotes(data), notesOf(view->notes, *built)};
+  const std::size_t count = out.notes.data.size() + out.notes.build.size();
+  if (count > 0) {
+    out.sentence += QLatin1Char(' ') + ModelInStudyText::tr("There are %n note(s) about it beside the heading.",
+                                                            nullptr, static_cast<int>(count));
+  }
+  return out;
+}
+
+Result<ModelInStudy> readModel(const store::StudyFile& file) {
+  ModelInStudy out;
+  const auto info = store::studyInfo(file);
+  if (!info) return tl::unexpected(info.error());
+  if (auto ok = addVersions(file, out); !ok) return tl::unexpected(ok.error());
+  out.has_answers = hasAnswers(*info);
+  return out;
+}
+
+namespace {
+
+constexpr std::size_t kAtOnce = 20;  // few, so that edits are stored in between
+
+}  // namespace
+
+VersionTexts::VersionTexts(StudyConnection& study, QObject* parent)
+    : QObject(parent), study_(study), shelf_(std::make_shared<Shelf>()) {}
+
+void VersionTexts::begin(const std::vector<study::ModelVersion>& versions, std::size_t most_ahead_bytes) {
+  shelf_ = std::make_shared<Shelf>();
+  shelf_->most_bytes = most_ahead_bytes;
+  for (auto version = versions.rbegin(); version != versions.rend(); ++version) shelf_->ahead.push_back(version->id);
+  readAhead(0);
+}
+
+EditController::VersionReader VersionTexts::reader() {
+  return [texts = QPointer(this), shelf = shelf_](const study::RecordId& id) -> Read {
+    const auto found = shelf->read.find(id);
+    if (found != shelf->read.end()) return found->second;
+    if (texts && texts->shelf_ == shelf) texts->ask(id);
+    return base::fail(base::ErrorCode::kIo, "model version " + study::toText(id), "not read from the study yet",
+                      "another try in a moment");
+  };
+}
+
+void VersionTexts::ask(const study::RecordId& id) {
+  if (shelf_->asked.insert(id).second) read({id}, [] {});
+}
+
+void VersionTexts::readAhead(std::size_t next) {
+  const auto& ahead = shelf_->ahead;
+  if (next >= ahead.size() || shelf_->bytes >= shelf_->most_bytes) return;
+  const std::size_t end = std::min(next + kAtOnce, ahead.size());
+  read({ahead.begin() + static_cast<std::ptrdiff_t>(next), ahead.begin() + static_cast<std::ptrdiff_t>(end)},
+       [this, end] { readAhead(end); });
+}
+
+void VersionTexts::read(std::vector<study::RecordId> wanted, std::function<void()> then) {
+  study_.read(*this,
+              [this, wanted = std::move(wanted), then = std::move(then),
+               shelf = shelf_](const store::StudyFile& file) -> StudyConnection::Deliver {
+                std::vector<std::pair<study::RecordId, Read>> found;
+                for (const study::RecordId& id : wanted) found.emplace_back(id, store::modelVersion(file, id));
+                return [this, then, shelf, found = std::move(found)] {
+                  if (shelf != shelf_) return;
+                  bool wanted_now = false;
+                  for (const auto& [id, version] : found) {
+                    if (version && shelf->read.emplace(id, version).second) shelf->bytes += version->text.size();
+                    if (!version) shelf->read.emplace(id, version);
+                    wanted_now |= shelf->asked.erase(id) > 0;
+                  }
+                  if (wanted_now) emit arrived();
+                  then();
+                };
+              });
+}
+
+namespace {
+
+// The text of the version that `version` was made of by edits.
+std::optional<std::string> firstText(const store::StudyFile& file, const study::RecordId& version) {
+  const auto before = store::modelAncestors(file, version);
+  if (!before) return std::nullopt;
+  const auto first = store::modelVersion(file, before->empty() ? version : before->back().id);
+  return first ? std::optional(first->text) : std::nullopt;
+}
+
+}  // namespace
+
+StudyReview::StudyReview(StudyConnection& study, QObject* parent) : QObject(parent), study_(study) {}
+
+void StudyReview::begin(const std::optional<study::RecordId>& model) {
+  clear();
+  busy_ = true;
+  const auto closed = [this, number = newest_] {
+    if (number == newest_) take({});
+  };
+  const auto read = [this, number = newest_, model](const store::StudyFile& file) -> StudyConnection::Deliver {
+    auto view = session::studyForElicitation(file);
+    if (!view) {
+      // Two persons with one code, or a record that is damaged: no build is possible.
+      return [this, number, sentence = text(view.error().message())] {
+        if (number == newest_) take({{{sentence, {}}}, {}});
+      };
+    }
+    const auto study = std::make_shared<const ReadStudy>(ReadStudy{std::move(view->study), std::move(view->notes)});
+    return [this, number, study, first = model ? firstText(file, *model) : std::nullopt] {
+      if (number != newest_) return;
+      background_.run([this, study, first](const std::stop_token&) -> Background::Deliver {
+        return [this, notes = reviewed(*study, first)] { take(notes); };
+      });
+    };
+  };
+  study_.read(*this, read, closed);
+}
+
+void StudyReview::set(BuildNotes notes) {
+  ++newest_;
+  background_.drop();
+  take(std::move(notes));
+}
+
+void StudyReview::take(BuildNotes notes) {
+  busy_ = false;
+  if (notes == notes_) return;
+  notes_ = std::move(notes);
+  emit changed();
+}
+
 namespace {
 
 using base::Result;

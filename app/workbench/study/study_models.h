@@ -5,20 +5,124 @@
 #include <QObject>
 #include <QString>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <set>
+#include <vector>
 
+#include "app/editing/edit_history.h"
 #include "app/workbench/base/messages.h"
+#include "app/workbench/base/worker.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/study/connection/study_connection.h"
-#include "app/workbench/study/connection/study_keeper.h"
-#include "app/workbench/study/model_in_study.h"
-#include "app/workbench/study/study_review.h"
-#include "app/workbench/study/version_texts.h"
+#include "app/workbench/study/connection/study_contents.h"
+#include "core/store/study_file.h"
+#include "core/study/session_records.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
+
+/// The model that a study holds, with its history; and the averaged model, built from the answers as by `tactus build`.
+/// Opening a study builds nothing: a model is a record of the study, and the researcher asks for it.
+struct ModelInStudy {
+  std::vector<study::ModelVersion> versions;    ///< without their texts
+  std::optional<editing::EditHistory> history;  ///< of the model; nothing: there is none
+  bool has_answers = false;                     ///< a model can be built of them, or the data say why not
+};
+
+/// Reads the model of the study. Thread: the one of `file`.
+base::Result<ModelInStudy> readModel(const store::StudyFile& file);
+
+/// A model built from the answers of a study.
+struct BuiltFromStudy {
+  editing::EditHistory history;  ///< of its own
+  QString sentence;              ///< of what it was built
+  BuildNotes notes;
+};
+/// Builds the averaged model of the study anew with `settings`, whose time and generator are set here; refused where
+/// its data cannot be meant (study::refuseData). Thread: that of `file`.
+base::Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp,
+                                            elicitation::BuildSettings settings = {});
+
+// The texts of the study model's old versions. The study's thread reads the newest in advance, the others on request.
+
+/// Thread: gui.
+class VersionTexts : public QObject {
+  Q_OBJECT
+
+ public:
+  /// 64 MiB: enough text for a long run of undo.
+  static constexpr std::size_t kMostAheadBytes = std::size_t{64} << 20U;
+
+  explicit VersionTexts(StudyConnection& study, QObject* parent = nullptr);
+
+  /// Drops all texts. Then reads in advance the newest of `versions` (of the open study, oldest first), about
+  /// `most_ahead_bytes` of text, so that undo does not have to wait.
+  void begin(const std::vector<study::ModelVersion>& versions, std::size_t most_ahead_bytes = kMostAheadBytes);
+  /// Returns a version that has been read, or the error of reading it. A version that is not read yet is an error, too;
+  /// it is read then.
+  EditController::VersionReader reader();
+
+ signals:
+  /// A version that a reader requested too early has been read.
+  void arrived();
+
+ private:
+  using Read = base::Result<study::ModelVersion>;
+  struct Shelf {
+    std::map<study::RecordId, Read> read;
+    std::set<study::RecordId> asked;     ///< requested too early
+    std::vector<study::RecordId> ahead;  ///< to be read, in this order
+    std::size_t most_bytes = 0;
+    std::size_t bytes = 0;
+  };
+  void ask(const study::RecordId& id);
+  void readAhead(std::size_t next);
+  /// Reads `wanted` and puts the texts on the shelf; then calls `then`, unless `begin` has made another shelf.
+  void read(std::vector<study::RecordId> wanted, std::function<void()> then);
+
+  StudyConnection& study_;
+  std::shared_ptr<Shelf> shelf_;
+};
+
+// What there is to say about the data of the open study and about the build of its model. The thread of the study
+// reads the data, a thread of its own looks at them, so neither the window nor what is to be stored waits for that.
+
+/// Thread: gui.
+class StudyReview : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit StudyReview(StudyConnection& study, QObject* parent = nullptr);
+
+  /// Forgets everything and looks at the study that is open. `model`: a version of the model whose notes are wanted.
+  /// They come from building it once more; where that gives another model than the first version of this one, a note
+  /// says so. Without `model` there are no notes of a build.
+  void begin(const std::optional<study::RecordId>& model);
+  /// Takes what is known already.
+  void set(BuildNotes notes);
+  void clear() { set({}); }
+
+  const BuildNotes& notes() const { return notes_; }
+  /// Something is to come.
+  bool isBusy() const { return busy_; }
+
+ signals:
+  void changed();
+
+ private:
+  void take(BuildNotes notes);
+
+  StudyConnection& study_;
+  BuildNotes notes_;
+  bool busy_ = false;
+  std::uint64_t newest_ = 0;  ///< what was begun before does not count any more
+  Background background_;
+};
 
 /// Thread: gui.
 class StudyModels : public QObject, private StudyKeeper {

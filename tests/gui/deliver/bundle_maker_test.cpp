@@ -7,8 +7,7 @@
 
 #include "app/bundle/file_errors.h"
 #include "app/editing/step_fixes.h"
-#include "app/workbench/deliver/bundle_place.h"
-#include "app/workbench/deliver/readiness_controller.h"
+#include "app/workbench/deliver/readiness.h"
 #include "core/fuzzy/compiled_model.h"
 
 #include "tests/gui/bench_controllers.h"

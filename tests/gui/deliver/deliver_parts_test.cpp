@@ -10,8 +10,7 @@
 
 #include "app/workbench/deliver/bundle_panel.h"
 #include "app/workbench/deliver/readiness_panel.h"
-#include "app/workbench/deliver/readiness_row.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 
 #include "tests/gui/shown_bench.h"
 

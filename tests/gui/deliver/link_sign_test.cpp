@@ -1,5 +1,4 @@
 // The lasting sign of the live link in the window: in the strip, and in stage Deliver.
-#include "app/workbench/deliver/link/link_sign.h"
 
 #include <QFile>
 #include <QLabel>
@@ -10,7 +9,6 @@
 #include <optional>
 
 #include "app/workbench/deliver/link/link_dialog.h"
-#include "app/workbench/deliver/link/link_row.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/operating_strip.h"
 

@@ -1,4 +1,4 @@
-#include "app/workbench/feel/depth_regions.h"
+#include "app/workbench/feel/procedure.h"
 
 #include <gtest/gtest.h>
 

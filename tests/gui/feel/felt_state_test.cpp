@@ -1,4 +1,4 @@
-#include "app/workbench/feel/felt_state.h"
+#include "app/workbench/feel/placement.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "app/workbench/feel/tube_picture.h"
+#include "app/workbench/feel/feel_panel.h"
 
 #include <QSettings>
 #include <gtest/gtest.h>

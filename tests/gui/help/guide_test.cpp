@@ -4,7 +4,6 @@
 #include <QTextDocument>
 #include <gtest/gtest.h>
 
-#include "app/workbench/help/guide_browser.h"
 #include "app/workbench/help/guide_pages.h"
 #include "app/workbench/help/guide_window.h"
 

@@ -3,9 +3,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/workbench/help/tour_card.h"
-#include "app/workbench/help/tour_frame.h"
-#include "app/workbench/shell/panel.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/shown_bench.h"

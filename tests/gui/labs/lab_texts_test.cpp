@@ -14,7 +14,7 @@
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/shell/command_search.h"
-#include "app/workbench/shell/shortcut_sheet.h"
+#include "app/workbench/shell/help_menu.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/cut_texts.h"

@@ -1,4 +1,4 @@
-#include "app/workbench/shell/bench_view.h"
+#include "app/workbench/shell/main_window.h"
 
 #include <QDockWidget>
 #include <QDoubleSpinBox>
@@ -11,7 +11,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/shell/shortcut_sheet.h"
+#include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/stage_button.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_panel.h"

@@ -9,9 +9,8 @@
 #include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/feel/feel_panel.h"
-#include "app/workbench/feel/force_off_button.h"
+#include "app/workbench/feel/feel_status.h"
 #include "app/workbench/shell/operating_strip.h"
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/workbench.h"
 

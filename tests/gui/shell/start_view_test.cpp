@@ -10,10 +10,8 @@
 
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/demo_maker.h"
-#include "app/workbench/shell/panel.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/recent_files.h"
-#include "app/workbench/shell/start_entry.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/sample_models.h"

@@ -1,4 +1,4 @@
-#include "app/workbench/shell/window_menus.h"
+#include "app/workbench/shell/main_window.h"
 
 #include <QAction>
 #include <QMenu>

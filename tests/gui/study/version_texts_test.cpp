@@ -1,4 +1,4 @@
-#include "app/workbench/study/version_texts.h"
+#include "app/workbench/study/study_models.h"
 
 #include <QSignalSpy>
 #include <gtest/gtest.h>

@@ -2,23 +2,120 @@
 
 #include <QBoxLayout>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/link/link_controller.h"
-#include "app/workbench/deliver/link/link_text.h"
 #include "app/workbench/kit/cards.h"
-#include "app/workbench/kit/notes.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/notes.h"
 
 namespace tactus::workbench {
+
+LinkSign::LinkSign(const LinkController& link, QWidget* parent) : QToolButton(parent), link_(link) {
+  setFont(theme::smallFont());
+  setAutoRaise(true);
+  setFocusPolicy(Qt::TabFocus);
+  setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  QPalette colors = palette();
+  colors.setColor(QPalette::ButtonText, theme::accent());
+  setPalette(colors);
+  connect(&link_, &LinkController::changed, this, &LinkSign::showState);
+  showState();
+}
+
+QSize LinkSign::sizeFor(const QString& text) const {
+  const QFontMetrics metrics = fontMetrics();
+  const int more = metrics.horizontalAdvance(text) - metrics.horizontalAdvance(this->text());
+  return QToolButton::sizeHint() + QSize(more, 0);
+}
+
+QSize LinkSign::sizeHint() const { return sizeFor(full_); }
+
+QSize LinkSign::minimumSizeHint() const { return sizeFor(brief_); }
+
+void LinkSign::resizeEvent(QResizeEvent* event) {
+  QToolButton::resizeEvent(event);
+  fit();
+}
+
+void LinkSign::fit() { setText(sizeHint().width() <= width() ? full_ : brief_); }
+
+void LinkSign::showState() {
+  // The place becomes known with the next size; until then the text stays as long as it is.
+  const bool short_now = !brief_.isEmpty() && text() == brief_;
+  setVisible(link_.isServing());
+  full_ = servingText(link_);
+  brief_ = shortServingText(link_);
+  setAccessibleName(full_);
+  setToolTip(full_ + QLatin1Char('\n') + tr("Click to see who is connected, or to stop"));
+  setText(short_now ? brief_ : full_);
+  updateGeometry();
+}
+
+LinkRow::LinkRow(const LinkController& link, QWidget* parent)
+    : QWidget(parent), link_(link), state_(new QLabel(this)), open_(new QPushButton(this)) {
+  auto* name = new QLabel(tr("Live link"), this);
+  name->setFont(theme::headingFont());
+  state_->setTextFormat(Qt::PlainText);
+  state_->setWordWrap(true);
+  auto* words = new QVBoxLayout;
+  words->setSpacing(2);
+  words->addWidget(name);
+  words->addWidget(state_);
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(2 * theme::kGrid);
+  layout->addLayout(words, 1);
+  layout->addWidget(open_, 0, Qt::AlignVCenter);
+  connect(open_, &QPushButton::clicked, this, &LinkRow::asked);
+  connect(&link_, &LinkController::changed, this, &LinkRow::showState);
+  showState();
+}
+
+void LinkRow::showState() {
+  const bool serving = link_.isServing();
+  state_->setText(serving ? servingText(link_) : tr("Off. A running simulator can follow each edit."));
+  setInk(*state_, serving ? theme::accent() : theme::ink());
+  open_->setText(serving ? tr("Show who is connected…") : tr("Serve to a simulator…"));
+}
+
+namespace {
+
+struct LinkText {
+  Q_DECLARE_TR_FUNCTIONS(LinkText)
+};
+
+}  // namespace
+
+QString servingText(const LinkController& link) {
+  if (!link.isServing()) return {};
+  return LinkText::tr("Serving %1 · %2").arg(link.address(), connectedText(link));
+}
+
+QString shortServingText(const LinkController& link) {
+  if (!link.isServing()) return {};
+  return LinkText::tr("Serving · %1").arg(link.clients().size());
+}
+
+QString connectedText(const LinkController& link) {
+  const auto count = static_cast<int>(link.clients().size());
+  if (count > 0) return LinkText::tr("%n connected", nullptr, count);
+  const auto& left = link.allLeftAt();
+  return left ? LinkText::tr("the last left at %1").arg(left->toString(QStringLiteral("HH:mm")))
+              : LinkText::tr("none connected");
+}
+
 namespace {
 
 constexpr int kWidth = 560;         // px

@@ -1,18 +1,156 @@
 #include "app/workbench/feel/recordings/feel_store.h"
 
 #include <algorithm>
+#include <chrono>
 #include <type_traits>
 #include <utility>
 
+#include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/study/connection/study_connection.h"
+#include "app/workbench/study/connection/study_contents.h"
+#include "core/base/json/json_writer.h"
 #include "core/haptics/simulated/replay_device.h"
+#include "core/store/batch.h"
+#include "core/store/entries.h"
 #include "core/store/feel_records.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
 
 namespace tactus::workbench {
+namespace {
+
+using base::Result;
+using study::RecordId;
+
+std::string settingsOf(const FeelSessions::Visit& visit) {
+  base::JsonWriter json;
+  json.beginObject(base::JsonWriter::Layout::kInline).key("purpose").value("feel");
+  json.key("device").value(visit.device_id).key("simulated").value(visit.simulated).endObject();
+  std::string text = json.text();
+  text.pop_back();  // the newline of a whole file
+  return text;
+}
+
+}  // namespace
+
+study::Moment momentNow() {
+  using namespace std::chrono;
+  return {utcNowMs(), duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count()};
+}
+
+Result<RecordId> FeelSessions::researcher(store::StudyFile& file, study::RecordIds& ids) {
+  const auto people = readPeople(file);
+  if (!people) return tl::unexpected(people.error());
+  for (const StudyPerson& person : *people) {
+    if (person.researcher) return person.id;
+  }
+  store::PersonCodes codes;
+  const auto code = store::unusedCode(file, codes);
+  if (!code) return tl::unexpected(code.error());
+  const study::Person person{ids.next(), *code, false};
+  if (auto ok = store::append(file, person); !ok) return tl::unexpected(ok.error());
+  return person.id;
+}
+
+Result<RecordId> FeelSessions::sessionOf(const Visit& visit, store::StudyFile& file, study::RecordIds& ids) {
+  const Key key(visit.run, visit.who);
+  if (const auto found = sessions_.find(key); found != sessions_.end()) return found->second;
+  // Person, session and profile together or not at all: it is tried again where the disk refuses.
+  auto batch = store::Batch::begin(file);
+  if (!batch) return tl::unexpected(batch.error());
+  const auto who = visit.who ? Result<RecordId>(*visit.who) : researcher(file, ids);
+  if (!who) return who;
+  study::SessionRecord session;
+  session.id = ids.next();
+  session.person = *who;
+  session.kind = study::SessionKind::kUsability;
+  session.started = visit.started;
+  session.program = kGenerator;
+  session.device = visit.device;
+  session.device_friction_n = visit.device_friction_n;
+  session.settings = settingsOf(visit);
+  if (auto ok = store::append(file, session); !ok) return tl::unexpected(ok.error());
+  if (!visit.who) {
+    study::ProfileRecord profile;
+    profile.entry = {ids.next(), session.id, visit.started, study::EnteredBy::kResearcher, std::nullopt, {}};
+    profile.category = kResearcherCategory;
+    if (auto ok = store::append(file, profile); !ok) return tl::unexpected(ok.error());
+  }
+  if (auto ok = batch->commit(); !ok) return tl::unexpected(ok.error());
+  sessions_[key] = session.id;
+  return session.id;
+}
+
+int FeelSessions::numberOf(std::uint64_t serial, const RecordId& session) {
+  const auto [it, is_new] = numbers_.try_emplace(serial, 0);
+  if (is_new) it->second = ++counts_[session];
+  return it->second;
+}
+
+FeelRecorder::FeelRecorder(double rate_hz, const std::vector<Condition>& conditions) {
+  empty_.sample_rate_hz = rate_hz;
+  empty_.channels = {{"time", "s", {}},        {"position", "mm", {}},     {"speed", "mm/s", {}},
+                     {"depth", "mm", {}},      {"slip_speed", "mm/s", {}}, {"stretch", "mm", {}},
+                     {"model_force", "N", {}}, {"source_force", "N", {}},  {"force", "N", {}},
+                     {"button", "1", {}},      {"stroke", "1", {}},        {"placement", "1", {}},
+                     {"limited", "1", {}}};
+  for (const Condition& condition : conditions) {
+    empty_.channels.push_back({condition.id, condition.unit, {}});
+    conditions_.push_back(condition.value);
+  }
+  piece_ = empty_;
+}
+
+bool FeelRecorder::has(const std::vector<Condition>& conditions) const {
+  const auto first = empty_.channels.end() - static_cast<std::ptrdiff_t>(conditions_.size());
+  return std::equal(first, empty_.channels.end(), conditions.begin(), conditions.end(),
+                    [](const study::Channel& channel, const Condition& condition) {
+                      return channel.name == condition.id && channel.unit == condition.unit;
+                    });
+}
+
+void FeelRecorder::add(const haptics::Sample& sample, double depth_mm, int placement) {
+  if (!start_ns_) start_ns_ = sample.time_ns;
+  last_tick_ = sample.tick;
+  length_s_ = static_cast<double>(sample.time_ns - *start_ns_) * 1e-9;
+  auto channel = piece_.channels.begin();
+  const auto put = [&](double value) { (channel++)->values.push_back(value); };
+  put(length_s_);
+  put(sample.position_mm);
+  put(sample.speed_mm_s);
+  put(depth_mm);
+  put(sample.slip_speed_mm_s);
+  put(sample.stretch_mm);
+  put(sample.model_force_n);
+  put(sample.source_force_n);
+  put(sample.force_n);
+  put(sample.enabled ? 1 : 0);
+  put(sample.stroke);
+  put(placement);
+  put(sample.limited);
+  for (const double value : conditions_) put(value);
+}
+
+double FeelRecorder::pieceS() const {
+  return piece_.size() == 0 ? 0 : length_s_ - piece_.channels.front().values.front();
+}
+
+std::optional<study::Recording> FeelRecorder::takePiece() {
+  if (piece_.size() == 0) return std::nullopt;
+  return std::exchange(piece_, empty_);
+}
+
+const std::vector<double>* channelOf(const study::Recording& recording, const std::string& name) {
+  for (const study::Channel& channel : recording.channels) {
+    if (channel.name == name) return &channel.values;
+  }
+  return nullptr;
+}
+
 namespace {
 
 using base::Result;

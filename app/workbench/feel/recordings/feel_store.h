@@ -4,22 +4,101 @@
 
 #include <QObject>
 #include <QString>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "app/workbench/base/messages.h"
-#include "app/workbench/feel/feel_history.h"
-#include "app/workbench/feel/recordings/feel_recorder.h"
-#include "app/workbench/feel/recordings/feel_sessions.h"
+#include "app/workbench/feel/placement.h"
 #include "core/haptics/device/device.h"
 #include "core/haptics/servo/sample.h"
+#include "core/store/study_file.h"
+#include "core/study/record_id.h"
 #include "core/study/session_records.h"
 
 namespace tactus::workbench {
+
+/// The study sessions in which a person feels a model: one for each person and each run. A session is created with its
+/// first record. Used only by the thread of the study file.
+class FeelSessions {
+ public:
+  /// A person and the device.
+  struct Visit {
+    std::uint64_t run = 0;               ///< number of the run
+    std::optional<study::RecordId> who;  ///< nothing: the researcher
+    study::Moment started;
+    std::string device;
+    std::string device_id;
+    bool simulated = false;
+    std::optional<double> device_friction_n;
+  };
+
+  /// The session of `visit` in `file`; creates it if there is none. At the first session of the researcher it adds a
+  /// person with a code and a profile that says so.
+  base::Result<study::RecordId> sessionOf(const Visit& visit, store::StudyFile& file, study::RecordIds& ids);
+
+  /// The number of the recording `serial` within `session`, counted from 1 in the order of their beginning.
+  int numberOf(std::uint64_t serial, const study::RecordId& session);
+
+ private:
+  base::Result<study::RecordId> researcher(store::StudyFile& file, study::RecordIds& ids);
+
+  using Key = std::pair<std::uint64_t, std::optional<study::RecordId>>;
+  std::map<Key, study::RecordId> sessions_;
+  std::map<std::uint64_t, int> numbers_;
+  std::map<study::RecordId, int> counts_;
+};
+
+/// The current time of both clocks.
+study::Moment momentNow();
+
+/// Turns the samples of the servo into the channels of a recording (docs/study-file.md, "Feeling a model").
+class FeelRecorder {
+ public:
+  /// An input of the model that is a condition of the tube or the patient.
+  struct Condition {
+    std::string id;
+    std::string unit;
+    double value = 0;
+  };
+
+  /// The first added sample is time 0. `rate_hz`: rate of the servo.
+  FeelRecorder(double rate_hz, const std::vector<Condition>& conditions);
+
+  /// Whether `conditions` are the recorder's conditions, with any values.
+  bool has(const std::vector<Condition>& conditions) const;
+  /// Sets the values from the next sample on; as many values as conditions.
+  void setConditions(const std::vector<double>& values) { conditions_ = values; }
+  /// Whether servo samples between the last added sample and `next` are missing.
+  bool isGapBefore(const haptics::Sample& next) const { return last_tick_ && next.tick != *last_tick_ + 1; }
+  /// Adds a sample. `depth_mm` in the coordinates of the model; `placement` counts from 1.
+  void add(const haptics::Sample& sample, double depth_mm, int placement);
+
+  /// Seconds since the first sample.
+  double lengthS() const { return length_s_; }
+  /// Seconds since the end of the last piece.
+  double pieceS() const;
+  /// The samples added since the last call, or nothing. Times continue from piece to piece.
+  std::optional<study::Recording> takePiece();
+
+ private:
+  study::Recording empty_;  ///< the channels without samples
+  study::Recording piece_;
+  std::vector<double> conditions_;
+  std::optional<std::int64_t> start_ns_;
+  std::optional<std::uint64_t> last_tick_;
+  double length_s_ = 0;
+};
+
+/// The values of the channel `name`; null if there is none.
+const std::vector<double>* channelOf(const study::Recording& recording, const std::string& name);
 
 class FeelController;
 class SceneController;

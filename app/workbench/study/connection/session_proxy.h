@@ -16,7 +16,7 @@
 
 #include "app/session/session.h"
 #include "app/session/stroke_capture.h"
-#include "app/workbench/study/connection/session_snapshot.h"
+#include "app/workbench/study/connection/study_contents.h"
 #include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {

@@ -4,18 +4,114 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "app/workbench/base/worker.h"
 #include "app/workbench/study/connection/study_contents.h"
-#include "app/workbench/study/connection/study_keeper.h"
-#include "app/workbench/study/connection/study_orders.h"
-#include "app/workbench/study/connection/study_worker.h"
+#include "core/base/error.h"
+#include "core/store/study_file.h"
+#include "core/study/record_id.h"
 
 namespace tactus::workbench {
+
+/// The thread that owns the study file. It runs tasks in order. No other thread uses the file, so a slow or full disk
+/// never blocks the window.
+class StudyWorker {
+ public:
+  /// An order for the study, with a callback for its result.
+  struct Work {
+    std::function<base::Result<void>(store::StudyFile&, study::RecordIds&)> run;
+    /// Runs in the worker's thread after each attempt. A disk error (ErrorCode::kIo) is retried.
+    std::function<void(const base::Result<void>&)> answer;
+  };
+  /// The state that only the worker's thread uses.
+  struct Desk {
+    std::optional<store::StudyFile> file;  ///< the open study
+    std::optional<store::StudyFile> next;  ///< an opened study that replaces `file` on request
+    std::deque<Work> works;                ///< not done yet, because the disk refused the first of them
+    study::RecordIds ids;
+    /// Run before `file` is closed or exchanged.
+    std::vector<std::function<void()>> before_closing;
+
+    /// Runs the orders in sequence until the disk refuses one. Returns whether all are done.
+    bool catchUp();
+    /// Closes `file`.
+    base::Result<void> close();
+    /// Puts `next` in the place of `file`.
+    void exchange();
+
+   private:
+    void drop();
+  };
+  using Task = std::function<void(Desk&)>;
+
+  /// Runs `task` in the worker's thread after all tasks posted before.
+  void post(Task task) {
+    worker_.post([this, task = std::move(task)] { task(desk_); });
+  }
+
+ private:
+  Desk desk_;      ///< used by the worker's thread, except in the destructor
+  Worker worker_;  ///< last member: all posted tasks are done before the study is closed
+};
+
+// The orders for the open study that are not written yet. The study's thread runs them in order; this class reports the
+// results and retries after disk errors.
+
+/// Thread: gui.
+class StudyOrders : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `worker` and `answers` may come to life later, and must do so before the first order; `worker` ends before this.
+  StudyOrders(StudyWorker& worker, CallQueue& answers, QObject* parent = nullptr);
+
+  /// An order: `Work` runs in the study's thread, `Done` afterwards in this thread.
+  using Work = std::function<base::Result<void>(store::StudyFile&, study::RecordIds&)>;
+  using Done = std::function<void()>;
+  /// Called for a permanent failure (anything but a disk error), with one sentence. The order is not retried.
+  using Refused = std::function<void(const QString& sentence)>;
+  /// The study must stay open until the order is done (`whenWritten`).
+  void add(Work work, Done done, Refused refused);
+
+  bool isBusy() const { return !waiting_.empty(); }
+  /// An order has waited so long that the screen should say so.
+  bool isSlow() const { return slow_; }
+  /// The last disk error; empty if all is well. The order is retried every few seconds.
+  const QString& failure() const { return failure_; }
+  /// Retries now.
+  void tryAgain();
+  /// Calls `then` after all orders so far, with true if they are written and false if the disk fails.
+  void whenWritten(std::function<void(bool)> then);
+
+ signals:
+  /// One of the above changed.
+  void changed();
+  /// The disk fails: one sentence, once for each reason.
+  void failed(const QString& sentence);
+
+ private:
+  void onAnswer(const std::optional<base::Error>& error);
+  void setFailure(const QString& sentence);
+
+  struct Waiting {
+    Done done;
+    Refused refused;
+  };
+  StudyWorker& worker_;
+  CallQueue& answers_;
+  std::deque<Waiting> waiting_;  ///< what follows each order that is not written yet
+  QString failure_;
+  bool slow_ = false;
+  QTimer slow_timer_;
+  QTimer retry_;
+};
 
 /// Thread: gui.
 class StudyConnection : public QObject {
