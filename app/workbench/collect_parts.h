@@ -6,9 +6,73 @@
 
 #include "app/workbench/collect/collect_controller.h"
 #include "app/workbench/collect/protocol_controller.h"
-#include "app/workbench/session_run.h"
+#include "app/workbench/labs/data/corrections.h"
+#include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/depth/depth_lab.h"
+#include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/labs/force/force_lab.h"
+#include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/method/method_lab.h"
+#include "app/workbench/labs/origins/origin_finder.h"
+#include "app/workbench/labs/rules/rules_lab.h"
+#include "app/workbench/labs/speed/speed_lab.h"
+#include "app/workbench/take_part.h"
 
 namespace tactus::workbench {
+
+// Adds stage Agree to the window: the labs, which lead from recordings to an agreed model.
+
+class AuthorName;
+class DepthLabView;
+class ForceLabView;
+class MainWindow;
+class ModelController;
+class ModelFiles;
+class RulesLabView;
+class SessionRun;
+class SpeedLabView;
+class StudyModels;
+
+class LabParts : public QObject {
+  Q_OBJECT
+
+ public:
+  LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study, StudyModels& study_models,
+           const ModelController& models, const SessionRun& run, const AuthorName& author);
+  /// Takes the screen out of the window, because it shows what ends here.
+  ~LabParts() override;
+
+  LabData& data() { return data_; }
+  LabModel& model() { return model_; }
+  Corrections& corrections() { return corrections_; }
+  LabScreen& screen() { return *screen_; }
+  DepthLab& depth() { return depth_; }
+  DepthLabView& depthView() { return *depth_view_; }
+  MethodLab& method() { return method_; }
+  SpeedLab& speed() { return speed_; }
+  ForceLabView& forceView() { return *force_view_; }
+  RulesLab& rules() { return rules_; }
+  RulesLabView& rulesView() { return *rules_view_; }
+  SpeedLabView& speedView() { return *speed_view_; }
+
+ private:
+  bool leads_to_bench_ = false;  ///< a model is being built for tuning
+  LabData data_;
+  LabModel model_{data_};
+  Corrections corrections_{data_};
+  SpeedLab speed_{data_};
+  ForceLab force_{data_, model_, corrections_};
+  RulesLab rules_{data_, model_, corrections_};
+  ExpertsLab experts_{data_, model_};
+  MethodLab method_{data_};
+  DepthLab depth_;
+  LabScreen* screen_;
+  DepthLabView* depth_view_;
+  SpeedLabView* speed_view_;
+  ForceLabView* force_view_;
+  RulesLabView* rules_view_;
+};
 
 class AuthorName;
 class CollectView;
@@ -47,6 +111,61 @@ class CollectParts : public QObject {
   ProtocolController protocol_;
   CollectView* view_;
   SessionRun run_;
+};
+
+// Connects the numbers of bench and labs with the records behind them: who asks "Where does this come from?", and which
+// lab shows a record.
+
+class CurvesPanel;
+class LabParts;
+class MainWindow;
+class MembershipEditor;
+class ModelController;
+class OriginWindow;
+class RuleController;
+class SceneController;
+class StudyConnection;
+class StudyModels;
+class TermController;
+
+class OriginParts : public QObject {
+  Q_OBJECT
+
+ public:
+  struct Controllers {
+    const ModelController& models;
+    const SceneController& scene;
+    const TermController& terms;
+    const RuleController& rules;
+    const StudyConnection& study;
+    const StudyModels& study_models;
+  };
+  OriginParts(MainWindow& window, LabParts& labs, const Controllers& controllers, MembershipEditor& editor,
+              CurvesPanel& curves);
+
+  /// Ends its window, which shows what ends here.
+  ~OriginParts() override;
+
+  OriginFinder& finder() { return finder_; }
+  /// The window; null before the first question.
+  OriginWindow* view() { return view_; }
+
+ private:
+  void connectBench(MembershipEditor& editor, const RuleController& rules, CurvesPanel& curves);
+  void connectLabs();
+  /// A number of the model that the labs build.
+  void askLabs(OriginQuestion question);
+  /// A number of the model on the bench, which may not be built from the open study.
+  void askBench(OriginQuestion question);
+  QString whyNotOfStudy() const;
+  void show(OriginQuestion question, const QString& not_of_study);
+  void lead(const OriginRecord& record);
+
+  MainWindow& window_;
+  LabParts& labs_;
+  Controllers on_;
+  OriginFinder finder_;
+  OriginWindow* view_ = nullptr;
 };
 
 }  // namespace tactus::workbench

@@ -1,28 +1,139 @@
 #include "app/workbench/deliver_parts.h"
 
+#include <QAction>
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/file_dialog.h"
 #include "app/workbench/deliver/bundle_maker.h"
 #include "app/workbench/deliver/bundle_panel.h"
+#include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/deliver/readiness.h"
 #include "app/workbench/deliver/readiness_panel.h"
-#include "app/workbench/history_parts.h"
+#include "app/workbench/edit_parts.h"
+#include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/procedure.h"
 #include "app/workbench/kit/notes.h"
-#include "app/workbench/link_parts.h"
 #include "app/workbench/model/finding_words.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/patient.h"
+#include "app/workbench/model/scene_controller.h"
 #include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
+namespace {
+
+/// The values of the inputs that the hand does not move.
+std::vector<std::pair<std::string, double>> conditionsOf(const SceneController& scene) {
+  std::vector<std::pair<std::string, double>> conditions;
+  const auto& inputs = scene.model()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (inputs[i].id != kDepthId && inputs[i].id != kSpeedId) conditions.emplace_back(inputs[i].id, scene.value(i));
+  }
+  return conditions;
+}
+
+std::vector<link::LinkSetting::Region> regionsOf(const fuzzy::ForceModel& model) {
+  std::vector<link::LinkSetting::Region> regions;
+  if (const auto depth = inputNamed(model, kDepthId)) {
+    for (const DepthRegion& region : depthRegions(model.inputs[*depth]))
+      regions.push_back({region.from_mm, region.to_mm, region.id});
+  }
+  return regions;
+}
+
+}  // namespace
+
+std::shared_ptr<const link::LinkSetting> FeltStates::setting() {
+  const bool same_model = setting_ && model_ == scene_.shared();
+  auto made = std::make_shared<link::LinkSetting>();
+  made->conditions = conditionsOf(scene_);
+  const auto device = feel_.device();
+  made->simulated = device ? device->simulated || feel_.isReplay() : setting_ && setting_->simulated;
+  if (same_model && made->conditions == setting_->conditions && made->simulated == setting_->simulated) return setting_;
+  made->regions = same_model ? setting_->regions : regionsOf(scene_.model()->model);
+  model_ = scene_.shared();
+  setting_ = std::move(made);
+  return setting_;
+}
+
+link::LinkStates FeltStates::of(std::span<const haptics::Sample> samples) {
+  if (samples.empty() || !scene_.model()) return {};
+  if (feel_.runs() != run_) {
+    run_ = feel_.runs();
+    run_began_ns_ = samples.front().time_ns;
+  }
+  link::LinkStates states{setting(), {}};
+  states.states.reserve(samples.size());
+  for (const haptics::Sample& sample : samples) {
+    link::LinkState state;
+    state.time_s = static_cast<double>(sample.time_ns - run_began_ns_) * 1e-9;
+    state.depth_mm = sample.depth_mm + feel_.depthOffsetMm();
+    state.speed_mm_s = sample.speed_mm_s;
+    state.slip_speed_mm_s = sample.slip_speed_mm_s;
+    state.force_n = sample.force_n;
+    state.model_force_n = sample.model_force_n;
+    state.held = sample.enabled;
+    state.held_last = sample.held;
+    state.stroke = sample.stroke;
+    states.states.push_back(state);
+  }
+  return states;
+}
+
+link::LinkStates FeltStates::afterRun() {
+  if (run_ == 0 || feel_.runs() != run_) return {};
+  haptics::Sample last = feel_.latest();
+  last.force_n = last.model_force_n = last.speed_mm_s = last.slip_speed_mm_s = 0;
+  last.enabled = last.held = false;
+  return of({&last, 1});
+}
+
+LinkParts::LinkParts(MainWindow& window, const ModelController& models, const SceneController& scene,
+                     FeelController& feel, LinkController& link)
+    : window_(window),
+      feel_(feel),
+      link_(link),
+      states_(feel, scene),
+      dialog_(new LinkDialog(link, &window)),
+      serve_(window.menus().addAction(MenuSlot::kFeelLink, tr("Serve to a s&imulator…"))) {
+  auto* sign = new LinkSign(link);
+  window.strip().addState(sign);
+  connect(sign, &QToolButton::clicked, this, &LinkParts::showDialog);
+  connect(&link_, &LinkController::allLeft, this, [this] { window_.say(tr("The last simulator has left.")); });
+  serve_->setEnabled(models.current() != nullptr);
+  connect(&models, &ModelController::opened, serve_, [this] { serve_->setEnabled(true); });
+  connect(serve_, &QAction::triggered, this, &LinkParts::showDialog);
+  connect(&feel_, &FeelController::sampled, this, [this](std::span<const haptics::Sample> samples) {
+    if (link_.wantsStates()) link_.tell(states_.of(samples));
+  });
+  connect(&feel_, &FeelController::stateChanged, this, &LinkParts::showFelt);
+  connect(&link_, &LinkController::changed, this, [this] {
+    if (std::exchange(serving_, link_.isServing()) == link_.isServing()) return;
+    window_.say(serving_ ? tr("Simulators can connect to %1.").arg(link_.address())
+                         : tr("Simulators are no longer served."));
+  });
+}
+
+void LinkParts::showDialog() {
+  dialog_->show();
+  dialog_->raise();
+  dialog_->activateWindow();
+}
+
+void LinkParts::showFelt() {
+  if (std::exchange(felt_, feel_.isRunning()) && !felt_ && link_.wantsStates()) link_.tell(states_.afterRun());
+}
+
 namespace {
 
 constexpr auto kFolderKey = "bundle_folder";

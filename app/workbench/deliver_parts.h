@@ -3,12 +3,77 @@
 #pragma once
 
 #include <QObject>
+#include <cstdint>
+#include <memory>
+#include <span>
 
+#include "app/link/link_lines.h"
 #include "app/workbench/deliver/readiness.h"
+#include "core/haptics/servo/sample.h"
 
+class QAction;
 class QSettings;
 
 namespace tactus::workbench {
+
+// Adds "Serve to a simulator" to the window: the menu entry, its dialog, the sign in the strip, and what the hand feels
+// for the simulators.
+
+// What the hand feels, in the words of the live link.
+
+class FeelController;
+struct OpenModel;
+class SceneController;
+
+/// Thread: gui. It reads the samples that the servo has left for the screen; the servo knows nothing of it.
+class FeltStates {
+ public:
+  FeltStates(const FeelController& feel, const SceneController& scene) : feel_(feel), scene_(scene) {}
+
+  /// `samples` of the current run as states, in the setting of the scene.
+  link::LinkStates of(std::span<const haptics::Sample> samples);
+  /// The state after a run: the hand holds nothing and feels no force. No states if there was no run.
+  link::LinkStates afterRun();
+
+ private:
+  std::shared_ptr<const link::LinkSetting> setting();
+
+  const FeelController& feel_;
+  const SceneController& scene_;
+  std::uint64_t run_ = 0;
+  std::int64_t run_began_ns_ = 0;
+  // The setting and what it is of: made anew where one of these differs.
+  std::shared_ptr<const OpenModel> model_;
+  std::shared_ptr<const link::LinkSetting> setting_;
+};
+
+class LinkController;
+class LinkDialog;
+class MainWindow;
+class ModelController;
+
+class LinkParts : public QObject {
+  Q_OBJECT
+
+ public:
+  LinkParts(MainWindow& window, const ModelController& models, const SceneController& scene, FeelController& feel,
+            LinkController& link);
+
+  LinkDialog& dialog() { return *dialog_; }
+  void showDialog();
+
+ private:
+  void showFelt();
+
+  MainWindow& window_;
+  FeelController& feel_;
+  LinkController& link_;
+  FeltStates states_;
+  LinkDialog* dialog_;
+  QAction* serve_;
+  bool felt_ = false;     ///< a run is in progress
+  bool serving_ = false;  ///< as last said
+};
 
 class BundleMaker;
 class FindingsController;

@@ -13,8 +13,7 @@
 #include "app/workbench/desktop/system_look.h"
 #include "app/workbench/program_options.h"
 #include "app/workbench/rehearse_start.h"
-#include "app/workbench/take_part_start.h"
-#include "app/workbench/translation.h"
+#include "app/workbench/take_part.h"
 #include "app/workbench/workbench.h"
 
 namespace {

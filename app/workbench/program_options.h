@@ -10,7 +10,16 @@
 #include "app/workbench/screen_pictures.h"
 #include "core/base/error.h"
 
+class QCoreApplication;
+class QLocale;
+
 namespace tactus::workbench {
+
+// The languages that the program speaks: the *.ts files of translations/, carried as resources.
+
+/// English with its plural forms, and above it the language of `locale` where the program carries it. What a language
+/// has no translation for stays English. Before the first text is shown.
+void installTranslations(QCoreApplication& application, const QLocale& locale);
 
 struct ProgramOptions {
   QString file;                              ///< a model or a study; empty: none

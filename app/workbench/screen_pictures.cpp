@@ -5,23 +5,320 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QSettings>
+#include <QSize>
+#include <QString>
+#include <QTabWidget>
 #include <QTemporaryDir>
+#include <QTimer>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "app/session/simulated_nurse.h"
 #include "app/session/simulated_study.h"
+#include "app/session/study_protocol.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/collect_pictures.h"
+#include "app/workbench/collect/collect_view.h"
+#include "app/workbench/collect/monitor_window.h"
+#include "app/workbench/collect/protocol_view.h"
+#include "app/workbench/collect/study_home.h"
+#include "app/workbench/collect/withdrawal_dialog.h"
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/help/guide_window.h"
 #include "app/workbench/help/tour.h"
-#include "app/workbench/lab_pictures.h"
-#include "app/workbench/participant_pictures.h"
+#include "app/workbench/kit/notes.h"
+#include "app/workbench/labs/depth/depth_lab_view.h"
+#include "app/workbench/nurse_view.h"
+#include "app/workbench/participant/participant_window.h"
+#include "app/workbench/participant/screens/closing_screens.h"
+#include "app/workbench/participant/screens/panels.h"
+#include "app/workbench/participant/screens/sample_screens.h"
 #include "app/workbench/picture_album.h"
 #include "app/workbench/shell/command_search.h"
-#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/workbench.h"
+#include "core/base/error.h"
+#include "core/store/persons.h"
+#include "core/store/research_key.h"
+#include "core/store/sessions.h"
 
 namespace tactus::workbench {
+
+// Pictures of stage Collect, for --screens: of the demo study and of one with sessions in progress.
+
+class PictureAlbum;
+struct Workbench;
+
+/// `bench` has the demo study open; another study, in `folder`, is open afterwards.
+base::Result<void> addCollectPictures(PictureAlbum& album, Workbench& bench, const QString& folder);
+
+namespace {
+
+using base::Result;
+
+const QString kArea = QStringLiteral("collect");
+constexpr std::int64_t kBegin = 1'763'971'200'000;  // 2025-11-24 08:00 UTC: the same in each picture
+constexpr const char* kChinese = "zh-Hant";
+
+/// A participant of the pictures and how many steps of a session they have done.
+struct Guest {
+  const char* code;
+  const char* language;
+  int steps;
+};
+
+// Each step is one record, done as the screens do it.
+Result<void> doSteps(session::Session& session, int steps, const session::NurseTraits& traits) {
+  session::SimulatedNurse nurse(traits, session.record().seed);
+  for (int i = 0; i < steps && session.part() != session::SessionPart::kFinished; ++i) {
+    if (auto ok = nurse.doNext(session); !ok) return ok;
+  }
+  return {};
+}
+
+Result<void> addGuest(store::StudyFile& file, study::RecordIds& ids, const Guest& guest, int day,
+                      const session::NurseTraits& traits) {
+  const study::Person person{ids.next(), guest.code, false};
+  if (auto ok = store::append(file, person); !ok) return ok;
+  if (guest.steps == 0) return {};
+  const auto seed = static_cast<std::uint64_t>(day) + 1;
+  const auto start = session::startUnderProtocol(file, person.id, guest.language, seed);
+  if (!start) return tl::unexpected(start.error());
+  const study::Moment when{kBegin + day * std::int64_t{86'400'000}, 0};
+  auto session = session::Session::begin(file, *start, {[when] { return when; }, study::RecordIds(seed)});
+  if (!session) return tl::unexpected(session.error());
+  return doSteps(*session, guest.steps, traits);
+}
+
+// Everybody in it is another way along.
+Result<void> makeStudy(const QString& path) {
+  study::RecordIds ids(11);
+  auto file = store::StudyFile::create(path.toStdString(), {ids.next(), "Ward 7", kBegin, "pictures"});
+  if (!file) return tl::unexpected(file.error());
+  session::StudyProtocol protocol;
+  protocol.languages = {"en", kChinese};
+  protocol.consent_version = "2025-11";
+  protocol.consent = {{"en", "This study is run by the School of Nursing. Questions: ask the researcher."},
+                      {kChinese, "本研究由護理學院主持。如有疑問，請洽研究人員。"}};
+  protocol.device = {"touch", 0.26, 2, 0.88};
+  session::SessionTools tools{[] { return study::Moment{kBegin, 0}; }, study::RecordIds(12)};
+  if (auto set = session::setProtocol(*file, protocol, "lee", {}, tools); !set) return tl::unexpected(set.error());
+  if (auto set = store::setResearchKey(*file, "pictures", kBegin); !set) return set;
+  const Guest guests[] = {{"amber-crow", kChinese, 400},
+                          {"blue-fox", "en", 27},
+                          {"calm-heron", kChinese, 60},
+                          {"dusty-lark", "en", 9},
+                          {"early-finch", "en", 0}};
+  const session::NurseTraits traits = session::simulatedNurseCalled("S1", session::kDefaultSeed);
+  int day = 0;
+  for (const Guest& guest : guests) {
+    if (auto ok = addGuest(*file, ids, guest, day++, traits); !ok) return ok;
+  }
+  return file->close();
+}
+
+// A session at the forces, as the monitor sees it.
+Result<void> addMonitor(PictureAlbum& album, Workbench& bench) {
+  SessionProxy proxy(bench.study);
+  const auto* const row = &bench.collect_parts.collect().overview().rows.at(1);
+  std::optional<study::RecordId> session;
+  bench.study.read(bench.study, [&session, person = row->person](const store::StudyFile& file) {
+    const auto sessions = store::sessions(file, person);
+    return [&session, found = sessions && !sessions->empty() ? std::optional(sessions->back().id) : std::nullopt] {
+      session = found;
+    };
+  });
+  waitFor([&] { return session.has_value(); });
+  if (!session) return {};
+  proxy.resume(*session);
+  waitFor([&] { return proxy.snapshot() != nullptr; });
+  std::int64_t now_ms = kBegin + 1'234'000;
+  MonitorController monitor(proxy, bench.study, [&now_ms] { return now_ms += 8'000; });
+  for (int i = 0; i < 3 && proxy.snapshot() && proxy.snapshot()->part == session::SessionPart::kForce; ++i) {
+    experiments::ForceAnswer answer{study::ForceJudgement::Kind::kTerm, i == 0 ? "very_small" : "small"};
+    answer.forward_mm = 40;
+    answer.forward_speed_mm_s = 60;
+    answer.delivered_share = i == 1 ? 0.82 : 1.0;
+    const std::size_t lines = monitor.lines().size();
+    if (!proxy.judge(proxy.snapshot()->step, answer)) break;
+    waitFor([&] { return monitor.lines().size() > lines; });
+  }
+  monitor.note(MonitorWindow::tr("Grip changed"));
+  ParticipantState state;
+  state.code = row->code;
+  state.screen = ParticipantScreen::kForce;
+  state.device = DeviceStep::kReady;
+  state.force.phase = ForceState::Phase::kFeel;
+  const auto snapshot = proxy.snapshot();
+  NurseView view = nurseView(state, snapshot && snapshot->force ? &*snapshot->force : nullptr);
+  monitor.show(view);
+  std::vector<haptics::Sample> samples(12'000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const double time_s = static_cast<double>(i) * 1e-3;
+    const double wanted_n = std::fmod(time_s, 6) < 3 ? (time_s < 6 ? 0.6 : 0.7) : 0;
+    samples[i].time_ns = static_cast<std::int64_t>(i) * 1'000'000;
+    samples[i].source_force_n = wanted_n;
+    samples[i].force_n = wanted_n * (1 - std::exp(-std::fmod(time_s, 6) / 0.08));
+  }
+  monitor.add(samples);
+  MonitorWindow window(monitor);
+  window.show();
+  if (auto ok = album.add(kArea, QStringLiteral("monitor"), window.windowTitle(), window); !ok) return ok;
+  view.called = view.force_off = true;
+  monitor.show(view);
+  auto added = album.add(kArea, QStringLiteral("monitor_called"), window.windowTitle(), window);
+  window.hide();
+  proxy.leave();
+  waitFor([&] { return !proxy.isSaving(); });
+  return added;
+}
+
+}  // namespace
+
+Result<void> addCollectPictures(PictureAlbum& album, Workbench& bench, const QString& folder) {
+  const auto home = [&](const char* screen) {
+    bench.window.banner().hide();
+    return album.add(kArea, QLatin1String(screen), stageName(Stage::kCollect), bench.window);
+  };
+  CollectParts& parts = bench.collect_parts;
+  const auto settled = [&] { return !bench.study.isOpening() && parts.collect().isCurrent() && parts.isReady(); };
+  bench.window.enter(Stage::kCollect);
+  if (auto ok = home("home_simulated"); !ok) return ok;
+
+  const QString path = folder + QStringLiteral("/ward-7.tactus");
+  if (auto made = makeStudy(path); !made) return made;
+  bench.files.open(path);
+  waitFor([&] { return bench.study.path() == path && settled() && parts.collect().overview().rows.size() == 5; });
+  bench.window.enter(Stage::kCollect);
+  StudyHome& list = parts.view().home();
+  list.select(parts.collect().overview().rows.at(1).person);
+  if (auto ok = home("home"); !ok) return ok;
+  parts.view().showProtocol();
+  if (auto ok = home("protocol"); !ok) return ok;
+  parts.view().protocolPage().showSection(2);
+  if (auto ok = home("protocol_forces"); !ok) return ok;
+  parts.view().protocolPage().showSection(4);
+  if (auto ok = home("protocol_consent"); !ok) return ok;
+  parts.protocol().set("force.ladder.highest_n", QStringLiteral("2.4"));
+  parts.view().protocolPage().showSection(2);
+  if (auto ok = home("protocol_refused"); !ok) return ok;
+  parts.protocol().discard();
+  parts.view().showHome();
+  WithdrawalDialog dialog(parts.collect(), parts.collect().overview().rows.at(1).person, &bench.window);
+  dialog.show();
+  waitFor([&] { return dialog.isCounted(); });
+  if (auto ok = album.add(kArea, QStringLiteral("withdrawal"), dialog.windowTitle(), dialog); !ok) return ok;
+  dialog.hide();
+  if (auto ok = addMonitor(album, bench); !ok) return ok;
+
+  const QString empty = folder + QStringLiteral("/new-study.tactus");
+  bench.study.create(empty);
+  waitFor([&] { return bench.study.path() == empty && settled(); });
+  bench.window.enter(Stage::kCollect);
+  return home("home_empty");
+}
+
+// Pictures of stage Agree, for --screens: each lab with the demo study.
+
+class PictureAlbum;
+struct Workbench;
+
+/// `bench` has the demo study open.
+base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench);
+
+namespace {
+
+constexpr int kLabPatienceMs = 60'000;
+
+// Until nothing more is computed for the lab in front.
+void waitForLab(const LabScreen& screen) {
+  QEventLoop loop;
+  QTimer look;
+  int quiet = 0;  // a result may start further work
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    quiet = screen.isBusy() ? 0 : quiet + 1;
+    if (quiet == 5) loop.quit();
+  });
+  QTimer::singleShot(kLabPatienceMs, &loop, &QEventLoop::quit);
+  look.start(20);
+  loop.exec();
+}
+
+}  // namespace
+
+base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
+  LabScreen& screen = bench.lab_parts.screen();
+  bench.window.enter(Stage::kAgree);
+  bench.lab_parts.depthView().showExample();
+  for (QWidget* const lab : screen.labs()) {
+    screen.reveal(lab);
+    waitForLab(screen);
+    MethodLab& method = bench.lab_parts.method();
+    if (lab->objectName() == QLatin1String("method")) {
+      method.compare();
+      waitForLab(screen);
+      waitFor([&method] { return method.curves() != nullptr; });
+    }
+    const QString title = stageName(Stage::kAgree) + QStringLiteral(": ") + lab->windowTitle();
+    // Pages inside a lab have pictures of their own.
+    auto* const pages = lab->findChild<QTabWidget*>();
+    const int count = pages == nullptr ? 1 : pages->count();
+    for (int page = 0; page < count; ++page) {
+      QString name = lab->objectName();
+      if (pages != nullptr) pages->setCurrentIndex(page);
+      if (page > 0) name += QStringLiteral("_") + pages->widget(page)->objectName();
+      waitForLab(screen);
+      if (auto added = album.add(stageId(Stage::kAgree), name, title, bench.window); !added) return added;
+    }
+    if (pages != nullptr) pages->setCurrentIndex(0);
+  }
+  return {};
+}
+
+// Pictures of the nurse's screens, each in its window with the red button.
+
+class PictureAlbum;
+
+/// Adds every screen in each of its states, with its longest values. `language`: `en`, `zh-Hant`, `zh-Hans`; English
+/// for others. `size`: of the window, px.
+base::Result<void> addParticipantPictures(PictureAlbum& album, const QString& language, const QSize& size);
+
+namespace {
+
+constexpr double kUsualDotsPerInch = 96;
+
+// A screen says where she is; what lies over one is named by its file.
+QString titleOf(const QWidget& screen, const QString& name) {
+  return screen.accessibleName().isEmpty() ? QString(name).replace(QLatin1Char('_'), QLatin1Char(' '))
+                                           : screen.accessibleName();
+}
+
+}  // namespace
+
+base::Result<void> addParticipantPictures(PictureAlbum& album, const QString& language, const QSize& size) {
+  nurse::Look look;
+  if (const auto known = nurse::languageWithId(language)) look.setLanguage(*known);
+  look.setScreen(kUsualDotsPerInch, size);
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
+    ParticipantWindow window(look, [] {});
+    window.resize(size);
+    QWidget* const screen = sample.make(look).release();
+    if (qobject_cast<nurse::PanelCard*>(screen) != nullptr) {
+      window.setScreen(new nurse::RestScreen(look));
+      window.cover(screen);
+    } else {
+      window.setScreen(screen);
+    }
+    window.show();
+    const QString title = titleOf(*screen, sample.name);
+    if (auto added = album.add(QStringLiteral("take_part"), sample.name, title, window); !added) return added;
+    window.leave();
+  }
+  return {};
+}
+
 namespace {
 
 base::Result<void> makeStudyOfPictures(const QString& wanted, const QString& path) {

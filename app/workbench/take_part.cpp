@@ -1,12 +1,193 @@
 #include "app/workbench/take_part.h"
 
+#include <QGuiApplication>
 #include <QPointer>
+#include <QScreen>
+#include <algorithm>
 #include <utility>
 
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/collect/monitor_controller.h"
+#include "app/workbench/collect/monitor_window.h"
+#include "app/workbench/nurse_view.h"
+#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_window.h"
+#include "app/workbench/shell/main_window.h"
 #include "core/store/research_key.h"
 
 namespace tactus::workbench {
+
+QScreen& screenForParticipant(QScreen& researcher) {
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  const auto other = std::find_if(screens.begin(), screens.end(), [&](QScreen* one) { return one != &researcher; });
+  return other == screens.end() ? researcher : **other;
+}
+
+SessionRun::SessionRun(MainWindow& window, StudyConnection& study, DeviceSession& device, QObject* parent)
+    : QObject(parent), window_(window), study_(study), device_(device) {
+  connect(&search_, &DeviceSearch::found, this, &SessionRun::plan);
+  connect(&device_, &DeviceSession::sampled, this, [this](std::span<const haptics::Sample> samples) {
+    if (monitor_) monitor_->add(samples);
+  });
+  // Its windows may be moved to another screen: the participant's.
+  connect(qGuiApp, &QGuiApplication::screenRemoved, this, &SessionRun::hideMonitor);
+}
+
+SessionRun::~SessionRun() = default;
+
+void SessionRun::start(const QString& code) { prepare(code, false); }
+
+void SessionRun::startUsability() { prepare({}, true); }
+
+void SessionRun::prepare(const QString& code, bool usability) {
+  if (isRunning() || !study_.takesOrders()) return;
+  preparing_ = true;
+  study_path_ = study_.path();
+  code_ = code;
+  usability_ = usability;
+  device_.stop();  // whatever was felt ends
+  search_.search();
+  emit changed();
+}
+
+void SessionRun::plan() {
+  if (!preparing_ || take_part_) return;
+  const auto gone = [this] {
+    if (preparing_ && !take_part_)
+      fail(tr("No session has begun: the study was closed while the device was looked for."));
+  };
+  const auto read = [this, gone](const store::StudyFile& file) -> StudyConnection::Deliver {
+    return [this, gone, plan = participantPlan(file)] {
+      if (!preparing_ || take_part_) return;
+      if (study_.path() != study_path_) {
+        gone();
+      } else if (!plan) {
+        fail(text(plan.error().message()));
+      } else if (const QString why = whyNoSession(*plan); !why.isEmpty()) {
+        preparing_ = false;
+        emit refused(why);
+        emit changed();
+      } else {
+        begin(*plan);
+      }
+    };
+  };
+  study_.read(*this, read, gone);
+}
+
+// The code is of one study; in another the screens ask.
+void SessionRun::startAgain() { prepare(study_.path() == study_path_ ? code_ : QString(), usability_); }
+
+void SessionRun::begin(ParticipantPlan plan) {
+  plan.device = deviceToFeel(search_.list());
+  take_part_ = std::make_unique<TakePart>(study_, device_, plan);
+  preparing_ = false;
+  // The window is closed from within its own button.
+  connect(take_part_.get(), &TakePart::left, this, &SessionRun::end, Qt::QueuedConnection);
+  if (!code_.isEmpty()) take_part_->course().sitDown(code_);
+  if (usability_) take_part_->course().sitDownAsTeacher();
+  // The window of the one mode is gone before that of the other comes.
+  quits_with_last_window_ = QGuiApplication::quitOnLastWindowClosed();
+  QGuiApplication::setQuitOnLastWindowClosed(false);
+  QScreen& here = *window_.screen();
+  QScreen& screen = screenForParticipant(here);
+  window_.hide();
+  take_part_->begin(screen);
+  watch(screen, here);
+  emit changed();
+}
+
+// The researcher's window must never be seen by the participant: with one screen it stays hidden.
+void SessionRun::watch(QScreen& nurse, QScreen& researcher) {
+  ParticipantController& course = take_part_->course();
+  monitor_ = std::make_unique<MonitorController>(course.session(), study_, utcNowMs);
+  monitor_window_ = std::make_unique<MonitorWindow>(*monitor_);
+  connect(&course, &ParticipantController::changed, monitor_.get(), [this] { report(); });
+  connect(&course, &ParticipantController::refused, monitor_.get(), &MonitorController::say);
+  report();
+  if (&nurse == &researcher) return;
+  const QRect room = researcher.availableGeometry();
+  monitor_window_->setScreen(&researcher);
+  monitor_window_->resize(room.size() * 4 / 5);
+  monitor_window_->move(room.center() - monitor_window_->rect().center());
+  monitor_window_->show();
+}
+
+void SessionRun::report() {
+  const auto snapshot = take_part_->course().session().snapshot();
+  const bool feels = snapshot && snapshot->part == session::SessionPart::kForce && snapshot->force;
+  monitor_->show(nurseView(take_part_->course().state(), feels ? &*snapshot->force : nullptr));
+}
+
+void SessionRun::hideMonitor() {
+  if (monitor_window_) monitor_window_->hide();
+}
+
+void SessionRun::end() {
+  monitor_window_.reset();
+  monitor_.reset();
+  take_part_.reset();
+  device_.stop();
+  window_.show();
+  QGuiApplication::setQuitOnLastWindowClosed(quits_with_last_window_);
+  emit changed();
+}
+
+void SessionRun::fail(const QString& sentence) {
+  preparing_ = false;
+  emit failed(sentence);
+  emit changed();
+}
+
+QString deviceToFeel(const devices::DeviceList& list) {
+  const auto real = std::find_if(list.devices.begin(), list.devices.end(),
+                                 [](const auto& device) { return device.usable && !device.simulated; });
+  return text(real != list.devices.end() ? real->id : list.devices.back().id);
+}
+
+TakePartStart::TakePartStart(DeviceAccess devices) : device_(std::move(devices)) {
+  connect(&study_, &StudyConnection::failed, this, [this](const QString& /*path*/, const QString& sentence) {
+    if (!take_part_) emit failed(sentence);
+  });
+  connect(&study_, &StudyConnection::opened, this, [this] {
+    if (study_.isReadOnly()) {
+      emit failed(tr("No session can begin: %1 is open for reading only, because %2.")
+                      .arg(study_.fileName(), study_.readOnlyReason()));
+    } else {
+      search_.search();
+    }
+  });
+  connect(&search_, &DeviceSearch::found, this, &TakePartStart::plan);
+  connect(&study_, &StudyConnection::closed, this, [this] { emit left(path_); });
+}
+
+void TakePartStart::open(const QString& study) {
+  path_ = study;
+  study_.open(study);
+}
+
+void TakePartStart::plan() {
+  if (take_part_) return;
+  study_.read(*this, [this](const store::StudyFile& file) {
+    return [this, plan = participantPlan(file)] {
+      if (!plan) {
+        emit failed(text(plan.error().message()));
+      } else if (const QString why = whyNoSession(*plan); !why.isEmpty()) {
+        emit failed(tr("No session can begin. %1").arg(why));
+      } else {
+        begin(*plan);
+      }
+    };
+  });
+}
+
+void TakePartStart::begin(ParticipantPlan plan) {
+  plan.device = deviceToFeel(search_.list());
+  take_part_ = std::make_unique<TakePart>(study_, device_, plan);
+  connect(take_part_.get(), &TakePart::left, &study_, &StudyConnection::close);
+  take_part_->begin(*QGuiApplication::primaryScreen());
+}
 
 TakePart::TakePart(StudyConnection& study, DeviceSession& device, const ParticipantPlan& plan,
                    std::function<study::Moment()> now)

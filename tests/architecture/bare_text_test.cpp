@@ -89,12 +89,12 @@ constexpr Exception kExceptions[] = {
     {"base/display_text.cpp", "zh-Hant", "the id of a language"},
     {"base/display_text.cpp", "zh-Hans", "the id of a language"},
     {"collect/protocol_controller.cpp", "language '", "the place in an error"},
-    {"workbench/collect_pictures.cpp", "zh-Hant", "the id of a language"},
-    {"workbench/collect_pictures.cpp", "This study is run by the School of Nursing. Questions: ask the researcher.",
+    {"workbench/screen_pictures.cpp", "zh-Hant", "the id of a language"},
+    {"workbench/screen_pictures.cpp", "This study is run by the School of Nursing. Questions: ask the researcher.",
      "stored in the study of the pictures"},
-    {"workbench/report_parts.cpp", "Study", "stands in the report, which is in English"},
-    {"workbench/report_parts.cpp", "Program", "stands in the report, which is in English"},
-    {"workbench/report_parts.cpp", "Created (UTC)", "stands in the report, which is in English"},
+    {"workbench/study_parts.cpp", "Study", "stands in the report, which is in English"},
+    {"workbench/study_parts.cpp", "Program", "stands in the report, which is in English"},
+    {"workbench/study_parts.cpp", "Created (UTC)", "stands in the report, which is in English"},
     {"feel/recordings/feel_store.cpp", " alone", "stored in the study, the same in every language"},
 };
 

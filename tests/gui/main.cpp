@@ -6,7 +6,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/base/utf8_locale.h"
-#include "app/workbench/translation.h"
+#include "app/workbench/program_options.h"
 
 #include "tests/gui/stop_on_warning.h"
 

@@ -1,5 +1,4 @@
 // What the window says about a study: what happened to it, its data, and the build of its model.
-#include "app/workbench/note_parts.h"
 
 #include <QAbstractButton>
 #include <QAction>

@@ -1,4 +1,4 @@
-#include "app/workbench/selection_parts.h"
+#include "app/workbench/workbench.h"
 
 #include <QComboBox>
 #include <QFontMetricsF>

@@ -1,5 +1,5 @@
 // The *.ts files hold the texts of the sources as they are now, and nothing else.
-#include "app/workbench/translation.h"
+#include "app/workbench/program_options.h"
 
 #include <QCoreApplication>
 #include <QDir>

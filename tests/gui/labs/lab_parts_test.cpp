@@ -1,5 +1,5 @@
 // Stage Agree in the window: where its labs lead.
-#include "app/workbench/lab_parts.h"
+#include "app/workbench/collect_parts.h"
 
 #include <QFile>
 #include <QSettings>

@@ -1,5 +1,5 @@
 // From a number in the window to the records behind it, and to the lab that shows them.
-#include "app/workbench/origin_parts.h"
+#include "app/workbench/collect_parts.h"
 
 #include <QSettings>
 #include <QTableView>
