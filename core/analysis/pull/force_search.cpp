@@ -265,10 +265,15 @@ std::vector<SearchedRule> searchRules(const PointForce& point, std::size_t exper
   const Expert& one = model.experts[expert];
   const auto& words = termsFor(one, model.output);
   const auto& rules = point.experts()[expert].rules;
+  // What fires less than this part of the strongest word moves nothing beyond rounding, whatever becomes of it: most
+  // rules where the terms are Gaussian.
+  constexpr double kTooWeak = 1e-15;
+  const auto& strengths = point.experts()[expert].strengths;
+  const double strongest = strengths.empty() ? 0 : *std::max_element(strengths.begin(), strengths.end());
   std::vector<SearchedRule> out;
   for (std::size_t r = 0; r < rules.size(); ++r) {
     const PointRule& rule = rules[r];
-    if (rule.membership <= 0) continue;
+    if (rule.membership <= kTooWeak * strongest) continue;
     for (PullEdit& edit : wordEdits(model, one, rule.index)) {
       const auto then = static_cast<std::size_t>(findTerm(words, edit.then) - words.data());
       const auto there = point.withRule(expert, r, then, rule.weight);

@@ -12,6 +12,10 @@ namespace {
 using fuzzy::ForceModel;
 using fuzzy::MembershipFunction;
 
+// Of the largest strength: what a word with less adds is lost in the rounding of the centroid. With Gaussian terms
+// every rule fires a little.
+constexpr double kLostInRounding = 1e-22;
+
 std::size_t indexOf(const std::vector<fuzzy::Term>& terms, const std::string& id) {
   return static_cast<std::size_t>(findTerm(terms, id) - terms.data());
 }
@@ -63,10 +67,9 @@ std::optional<double> PointForce::centroid(std::span<const double> strengths,
   std::array<fuzzy::ActiveTerm, fuzzy::kMostTerms> active;
   std::size_t count = 0;
   double largest = 0;
+  for (std::size_t w = 0; w < words.size(); ++w) largest = std::max(largest, strengths[w]);
   for (std::size_t w = 0; w < words.size(); ++w) {
-    if (strengths[w] <= 0) continue;
-    active[count++] = {&words[w], strengths[w], strengths[w]};
-    largest = std::max(largest, strengths[w]);
+    if (strengths[w] > kLostInRounding * largest) active[count++] = {&words[w], strengths[w], strengths[w]};
   }
   if (count == 0) return std::nullopt;
   for (std::size_t k = 0; k < count; ++k) active[k].height /= largest;
@@ -106,7 +109,8 @@ std::optional<double> PointForce::withRule(std::size_t expert, std::size_t rule,
     auto& strength = strengths[r == rule ? then : other.then];
     strength = std::max(strength, (r == rule ? weight : other.weight) * other.membership);
   }
-  const std::optional<double> force = centroid(strengths, one.words);
+  // Most rules are weaker than another one with their word.
+  const auto force = strengths == one.strengths ? one.force_n : centroid(strengths, one.words);
   return mean({&expert, 1}, {&force, 1});
 }
 
@@ -154,7 +158,7 @@ std::optional<double> MembershipProbe::force(std::span<const double> memberships
 }
 
 std::vector<double> MembershipProbe::bends() const {
-  constexpr std::size_t kMostPairs = 512;  // beyond them the even steps of a search must do
+  constexpr std::size_t kMostPairs = 128;  // beyond them the even steps of a search must do
   std::vector<double> values;
   std::vector<double> weights = {1};
   const auto tidy = [](std::vector<double>& list) {
