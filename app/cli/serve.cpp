@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "app/cli/commands.h"
-#include "app/cli/terminal.h"
 #include "app/cli/model_arguments.h"
+#include "app/cli/terminal.h"
 #include "app/link/link_server.h"
 #include "app/link/link_sockets.h"
 #include "app/version.h"

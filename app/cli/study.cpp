@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "app/cli/findings_text.h"
 #include "app/cli/commands.h"
+#include "app/cli/findings_text.h"
 #include "app/cli/study_text.h"
 #include "app/session/data_checks.h"
 #include "app/session/export_folder.h"

@@ -11,8 +11,8 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
-#include "core/store/study_records.h"
 #include "core/store/research_key.h"
+#include "core/store/study_records.h"
 
 namespace tactus::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <utility>
 
 #include "app/report/study_report.h"
-#include "app/session/study_source.h"
 #include "app/session/export_folder.h"
 #include "app/session/simulated_study.h"
+#include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "app/simulation/scenario.h"
 #include "app/version.h"
@@ -15,8 +15,8 @@
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
-#include "core/store/study_file.h"
 #include "core/store/fresh_file.h"
+#include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
 #include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/published_rules.h"

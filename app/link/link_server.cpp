@@ -18,8 +18,8 @@
 #include <utility>
 
 #include "app/link/client_session.h"
-#include "app/link/link_sockets.h"
 #include "app/link/link_lines.h"
+#include "app/link/link_sockets.h"
 #include "core/base/check.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/descriptor.h"

@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "app/link/link_sockets.h"
 #include "app/link/link_lines.h"
+#include "app/link/link_sockets.h"
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/fuzzy/compiled_model.h"

@@ -103,7 +103,7 @@ std::string lineName(const ReportContext& context, const fuzzy::Expert& expert) 
   return expert.id + (expert.id == context.demo->published_expert ? " (published rules)" : " (simulated)");
 }
 
-std::string millimeters(double depth_mm) { return base::formatFixed(depth_mm, 0); }
+std::string inMillimeters(double depth_mm) { return base::formatFixed(depth_mm, 0); }
 
 }  // namespace
 
@@ -254,7 +254,7 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
     for (const auto& [from_mm, to_mm] : holesOf(curve)) {
       plot.band(from_mm, to_mm, kMuted, 0.35, {});
       plot.label((from_mm + to_mm) / 2, context.in.built.model.output.max * 0.5, "hole", kInk);
-      texts.push_back(millimeters(from_mm) + " to " + millimeters(to_mm) + " mm");
+      texts.push_back(inMillimeters(from_mm) + " to " + inMillimeters(to_mm) + " mm");
     }
     plot.line(toSeries(curve), {.color = seriesColor(published), .width = 2.4});
     figure.panels.push_back(

@@ -30,8 +30,8 @@ double holdS(double force_n, const std::optional<double>& asked_s, const haptics
   return force_n > limits.continuous_force_n ? std::min(hold_s, limits.stimulus_hold_s) : hold_s;
 }
 
-Result<void> requireHolds(const std::string& place, double force_n, const experiments::ForceSettings& settings,
-                          const haptics::LimitSettings& limits) {
+Result<void> requireHoldsAt(const std::string& place, double force_n, const experiments::ForceSettings& settings,
+                            const haptics::LimitSettings& limits) {
   if (force_n > limits.force_cap_n) {
     return fail(ErrorCode::kValue, place, formatNumber(force_n) + " N",
                 "at most " + formatNumber(limits.force_cap_n) + " N, the force cap of the device");
@@ -60,7 +60,7 @@ Result<void> requireHolds(const experiments::ForceSettings& settings, const hapt
   if (settings.ascending) largest.emplace_back("ladder.highest_n", settings.ladder.highest_n);
   if (settings.random) largest.emplace_back("random_steps.highest_n", settings.random_steps.highest_n);
   for (const auto& [place, force_n] : largest) {
-    if (auto ok = requireHolds(place, force_n, settings, limits); !ok) return ok;
+    if (auto ok = requireHoldsAt(place, force_n, settings, limits); !ok) return ok;
   }
   return {};
 }

@@ -9,8 +9,8 @@
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
-#include "core/store/study_records.h"
 #include "core/store/sessions.h"
+#include "core/store/study_records.h"
 
 namespace tactus::session {
 namespace {

@@ -7,17 +7,17 @@
 #include <utility>
 
 #include "app/session/session_state.h"
-#include "core/base/files/file.h"
 #include "core/base/files/checksums.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
-#include "core/store/copies.h"
 #include "core/store/batch.h"
+#include "core/store/copies.h"
 #include "core/store/entries.h"
-#include "core/store/study_records.h"
+#include "core/store/fresh_file.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
-#include "core/store/fresh_file.h"
+#include "core/store/study_records.h"
 #include "core/study/csv_tables.h"
 #include "experiments/stroke.h"
 

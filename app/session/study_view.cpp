@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "app/session/judged_forces.h"
-#include "app/session/session_state.h"
 #include "app/session/session_settings.h"
+#include "app/session/session_state.h"
 #include "core/base/check.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"

@@ -21,18 +21,28 @@
 
 namespace tactus::workbench {
 
-// Adds stage Agree to the window: the labs, which lead from recordings to an agreed model.
-
 class AuthorName;
+class CollectView;
+class CurvesPanel;
 class DepthLabView;
+class DeviceSession;
 class ForceLabView;
 class MainWindow;
+class MembershipEditor;
 class ModelController;
 class ModelFiles;
+class OriginWindow;
+class RuleController;
 class RulesLabView;
+class SceneController;
 class SessionRun;
 class SpeedLabView;
+class StudyConnection;
 class StudyModels;
+class StudyParts;
+class TermController;
+
+// Adds stage Agree to the window: the labs, which lead from recordings to an agreed model.
 
 class LabParts : public QObject {
   Q_OBJECT
@@ -74,13 +84,6 @@ class LabParts : public QObject {
   RulesLabView* rules_view_;
 };
 
-class AuthorName;
-class CollectView;
-class DeviceSession;
-class MainWindow;
-class StudyModels;
-class StudyParts;
-
 class CollectParts : public QObject {
   Q_OBJECT
 
@@ -115,18 +118,6 @@ class CollectParts : public QObject {
 
 // Connects the numbers of bench and labs with the records behind them: who asks "Where does this come from?", and which
 // lab shows a record.
-
-class CurvesPanel;
-class LabParts;
-class MainWindow;
-class MembershipEditor;
-class ModelController;
-class OriginWindow;
-class RuleController;
-class SceneController;
-class StudyConnection;
-class StudyModels;
-class TermController;
 
 class OriginParts : public QObject {
   Q_OBJECT

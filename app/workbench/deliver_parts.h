@@ -16,14 +16,25 @@ class QSettings;
 
 namespace tactus::workbench {
 
+class BundleMaker;
+class FeelController;
+class FindingsController;
+class HistoryParts;
+class LinkController;
+class LinkDialog;
+class MainWindow;
+class ModelController;
+class Panel;
+class ReadinessController;
+class SceneController;
+class StudyModels;
+struct NoteGroup;
+struct OpenModel;
+
 // Adds "Serve to a simulator" to the window: the menu entry, its dialog, the sign in the strip, and what the hand feels
 // for the simulators.
 
 // What the hand feels, in the words of the live link.
-
-class FeelController;
-struct OpenModel;
-class SceneController;
 
 /// Thread: gui. It reads the samples that the servo has left for the screen; the servo knows nothing of it.
 class FeltStates {
@@ -47,11 +58,6 @@ class FeltStates {
   std::shared_ptr<const link::LinkSetting> setting_;
 };
 
-class LinkController;
-class LinkDialog;
-class MainWindow;
-class ModelController;
-
 class LinkParts : public QObject {
   Q_OBJECT
 
@@ -74,18 +80,6 @@ class LinkParts : public QObject {
   bool felt_ = false;     ///< a run is in progress
   bool serving_ = false;  ///< as last said
 };
-
-class BundleMaker;
-class FindingsController;
-class HistoryParts;
-class LinkController;
-class LinkParts;
-class MainWindow;
-class ModelController;
-class Panel;
-class ReadinessController;
-class StudyModels;
-struct NoteGroup;
 
 class DeliverParts : public QObject {
   Q_OBJECT

@@ -8,18 +8,21 @@ class QAction;
 
 namespace tactus::workbench {
 
-// Adds the versions of the model to the window: the History panel, its entries in the menu Edit, and the strip that
-// names the compared versions.
-
 class AuthorName;
 class CompareController;
 class EditController;
 class FeelController;
+class FrameClock;
 class GhostController;
 class HistoryPanel;
 class MainWindow;
+class MembershipEditor;
 class Panel;
 class SceneController;
+class TermController;
+
+// Adds the versions of the model to the window: the History panel, its entries in the menu Edit, and the strip that
+// names the compared versions.
 
 class HistoryParts : public QObject {
   Q_OBJECT
@@ -50,15 +53,6 @@ class HistoryParts : public QObject {
   QAction* end_ = nullptr;
   QAction* author_ = nullptr;
 };
-
-class EditController;
-class FrameClock;
-class GhostController;
-class MainWindow;
-class MembershipEditor;
-class Panel;
-class SceneController;
-class TermController;
 
 class EditParts : public QObject {
   Q_OBJECT

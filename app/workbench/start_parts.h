@@ -11,16 +11,24 @@
 
 namespace tactus::workbench {
 
-// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms,
-// findings and places of the open model.
-
+class CollectParts;
 class FindingsController;
+class GuideWindow;
 class LabScreen;
 class MainWindow;
+class ModelController;
+class ModelFiles;
 class Panel;
+class RecentFiles;
 class RuleController;
 class SceneController;
+class StartView;
+class StudyConnection;
+class StudyModels;
 class TermController;
+
+// Adds the search (Ctrl+K) to the window: menus, panels, tables and figures of the labs, and the experts, terms,
+// findings and places of the open model.
 
 class SearchParts : public QObject {
   Q_OBJECT
@@ -57,16 +65,6 @@ class SearchParts : public QObject {
   Places places_;
   std::vector<SearchSource> sources_;
 };
-
-class CollectParts;
-class MainWindow;
-class ModelController;
-class ModelFiles;
-class Panel;
-class RecentFiles;
-class StartView;
-class StudyConnection;
-class StudyModels;
 
 class StartParts : public QObject {
   Q_OBJECT
@@ -113,12 +111,6 @@ class StartParts : public QObject {
 };
 
 // Adds the guide and the tour to the window: the first actions of the menu Help, and their buttons on the start screen.
-
-class GuideWindow;
-class MainWindow;
-class ModelController;
-class Panel;
-class StartParts;
 
 /// The panels of which the tour speaks.
 struct ToldPanels {

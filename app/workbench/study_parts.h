@@ -13,11 +13,18 @@ class QAction;
 
 namespace tactus::workbench {
 
-// Adds the report of the open study to the File menu: its data and every step to the averaged model, as one page.
-
+class FeelController;
+class FeelPanel;
+class FeelStore;
 class LabData;
 class MainWindow;
+class ModelController;
+class ModelFiles;
+class RecentFiles;
 class StudyConnection;
+class StudyModels;
+
+// Adds the report of the open study to the File menu: its data and every step to the averaged model, as one page.
 
 class ReportParts : public QObject {
   Q_OBJECT
@@ -48,16 +55,6 @@ class ReportParts : public QObject {
   bool busy_ = false;
   Background background_;  ///< last: its end waits for a report
 };
-
-class FeelController;
-class FeelPanel;
-class FeelStore;
-class MainWindow;
-class ModelController;
-class ModelFiles;
-class RecentFiles;
-class StudyConnection;
-class StudyModels;
 
 class StudyParts : public QObject {
   Q_OBJECT

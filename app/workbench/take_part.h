@@ -18,7 +18,13 @@ class QScreen;
 
 namespace tactus::workbench {
 
+class DeviceSession;
 class LeavePanel;
+class MainWindow;
+class MonitorController;
+class MonitorWindow;
+class StudyConnection;
+struct ParticipantPlan;
 
 class TakePart : public QObject {
   Q_OBJECT
@@ -88,14 +94,6 @@ class TakePartStart : public QObject {
 // A session from the research mode: the nurse's window over the study that is open, on another screen if there is one,
 // and the researcher's monitor on this one. The window of the research mode is hidden meanwhile, so that nothing of it
 // shows or interferes.
-
-class DeviceSession;
-class MainWindow;
-class MonitorController;
-class MonitorWindow;
-class StudyConnection;
-class TakePart;
-struct ParticipantPlan;
 
 /// The screen for the participant: the first one that is not `researcher`, else that one.
 QScreen& screenForParticipant(QScreen& researcher);

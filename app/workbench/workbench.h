@@ -47,17 +47,29 @@ class QSettings;
 
 namespace tactus::workbench {
 
-// What the window shows of the selection: the editor of what was pointed at comes to the front, a chosen finding and a
-// visited edit of the history select what they are about.
-
+class AutosaveController;
 class EditController;
 class EditParts;
 class FindingsController;
 class HistoryParts;
 class MainWindow;
+class MapPanel;
+class MembershipEditor;
+class ModelController;
+class ModelFiles;
 class Panel;
+class RecoveryController;
+class RuleController;
+class RuleEditor;
+class SceneController;
 class Selection;
+class StudyConnection;
+class StudyModels;
+class StudyNoticeStrip;
 class TermController;
+
+// What the window shows of the selection: the editor of what was pointed at comes to the front, a chosen finding and a
+// visited edit of the history select what they are about.
 
 class SelectionParts : public QObject {
   Q_OBJECT
@@ -80,12 +92,6 @@ class SelectionParts : public QObject {
 
 // Puts into the window what there is to say about the open study: what happened to it, what is odd in its data, and
 // what the build says of its model.
-
-class MainWindow;
-class MembershipEditor;
-class StudyConnection;
-class StudyModels;
-class StudyNoticeStrip;
 
 class NoteParts : public QObject {
   Q_OBJECT
@@ -112,13 +118,6 @@ class NoteParts : public QObject {
 // Adds the way back after a crash to the window: the strip that offers the work that was left behind, and what helps
 // where it is not restored or the history of the edits is not kept.
 
-class AutosaveController;
-class EditController;
-class MainWindow;
-class ModelFiles;
-class RecoveryController;
-class StudyConnection;
-
 class RecoveryParts : public QObject {
   Q_OBJECT
 
@@ -138,9 +137,6 @@ class RecoveryParts : public QObject {
 };
 
 // The stages that show the open model, and the places of their panels before the user moves them.
-
-class MainWindow;
-class Panel;
 
 struct BenchPanels {
   Panel& terms_here;
@@ -165,12 +161,6 @@ class BenchScreens {
 
 // Adds the force over two inputs to the window: as a map and as a surface, with pictures of them.
 
-class MainWindow;
-class MapPanel;
-class ModelController;
-class Panel;
-class SceneController;
-
 class MapParts : public QObject {
   Q_OBJECT
 
@@ -189,12 +179,6 @@ class MapParts : public QObject {
 
 // Adds the findings to the window: their panel, and the links from a chosen finding to the other panels.
 
-class FindingsController;
-class MainWindow;
-class Panel;
-class RuleController;
-class TermController;
-
 class FindingParts {
   Q_DECLARE_TR_FUNCTIONS(FindingParts)
 
@@ -208,11 +192,6 @@ class FindingParts {
 };
 
 // Adds the rule editor to the window.
-
-class MainWindow;
-class Panel;
-class RuleController;
-class RuleEditor;
 
 class RuleParts {
   Q_DECLARE_TR_FUNCTIONS(RuleParts)
@@ -229,9 +208,6 @@ class RuleParts {
 
 // Adds to the window the copy of a picture of the plot in use, whichever panel it belongs to.
 
-class MainWindow;
-class ModelController;
-
 class PictureParts {
   Q_DECLARE_TR_FUNCTIONS(PictureParts)
 
@@ -240,11 +216,6 @@ class PictureParts {
 };
 
 // Adds to the window why the force is what it is at the place that is read: the terms and the rules there.
-
-class MainWindow;
-class Panel;
-class SceneController;
-class Selection;
 
 class HereParts : public QObject {
   Q_OBJECT

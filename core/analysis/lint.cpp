@@ -10,8 +10,8 @@
 
 #include "core/analysis/centroid_bound.h"
 #include "core/analysis/directions.h"
-#include "core/analysis/force_probe.h"
 #include "core/analysis/force_difference.h"
+#include "core/analysis/force_probe.h"
 #include "core/analysis/rule_table.h"
 #include "core/analysis/sample_points.h"
 #include "core/fuzzy/membership.h"

@@ -12,7 +12,7 @@ namespace {
 // A narrower pair that has nearly all of the change says better where it is.
 constexpr double kNearlyAll = 0.99;
 // Distances are differences of rounded sums.
-constexpr double kRounding = 1 + 1e-9;
+constexpr double kDistanceRounding = 1 + 1e-9;
 
 // Memberships of other inputs that kinks are looked for at; where there are more, an even selection.
 constexpr std::size_t kMostConstants = 16;
@@ -155,7 +155,8 @@ std::vector<LinePair> stepsOn(const LineForce& line, double width, bool in_mm, c
   for (std::size_t from = 0; from < count; ++from) {
     LinePair best{from, from, 0, false};
     for (std::size_t to = from + 1;
-         to < count && line.piece[to] == line.piece[from] && line.x[to] - line.x[from] <= width * kRounding; ++to) {
+         to < count && line.piece[to] == line.piece[from] && line.x[to] - line.x[from] <= width * kDistanceRounding;
+         ++to) {
       const LinePair here = pair(from, to);
       if (here.noticeable < least && !here.steep) continue;
       // The narrower of two that are nearly the same.

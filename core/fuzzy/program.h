@@ -30,6 +30,9 @@
 
 namespace tactus::fuzzy {
 
+struct Kernels;
+struct ModelTables;
+
 inline constexpr std::size_t kBatch = 32;       ///< points per call of the batch kernel
 inline constexpr std::size_t kTeam = 4;         ///< experts that the point kernel evaluates at once: an AVX register
 inline constexpr std::size_t kGridCells = 256;  ///< cells of the table that finds the segment of a point
@@ -227,8 +230,6 @@ struct BatchProgram {
 /// Divides the experts of a program into chunks. All other tables of the program must be complete.
 void setChunks(BatchProgram& program);
 
-struct Kernels;
-
 /// The programs of a model and their common data.
 struct Program {
   std::pmr::memory_resource* memory;
@@ -246,8 +247,6 @@ struct Program {
   PointProgram point{memory};
   BatchProgram batch{memory};  ///< without fixed inputs
 };
-
-struct ModelTables;
 
 /// Makes the fast form from the tables of a model. Sets `usable` to false if the model exceeds a limit or a shape needs
 /// the general path.

@@ -13,8 +13,8 @@
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 #include "core/fuzzy/validate.h"
-#include "core/model_io/model_file.h"
 #include "core/model_io/expert_removal.h"
+#include "core/model_io/model_file.h"
 
 namespace tactus::model_io {
 namespace {

@@ -3,8 +3,8 @@
 #include <set>
 
 #include "core/base/tables/csv.h"
-#include "core/store/query.h"
 #include "core/store/person_codes.h"
+#include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawn_codes.h"
 #include "core/study/record_id.h"

@@ -19,14 +19,14 @@
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "core/store/copies.h"
 #include "core/store/connection.h"
+#include "core/store/copies.h"
+#include "core/store/fresh_file.h"
+#include "core/store/migrations.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
-#include "core/store/migrations.h"
-#include "core/store/fresh_file.h"
 
 namespace tactus::store {
 

@@ -10,10 +10,10 @@
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/store/migrations.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/recording_codec.h"
-#include "core/store/migrations.h"
 
 namespace tactus::store {
 namespace {

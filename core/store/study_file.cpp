@@ -8,10 +8,10 @@
 #include "core/base/check.h"
 #include "core/store/connection.h"
 #include "core/store/fresh_file.h"
+#include "core/store/migrations.h"
 #include "core/store/opening.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
-#include "core/store/migrations.h"
 #include "core/store/sqlite_errors.h"
 #include "core/store/study_opening.h"
 

@@ -6,10 +6,10 @@
 #include "core/store/conflicts.h"
 #include "core/store/entries.h"
 #include "core/store/feel_records.h"
-#include "core/store/study_records.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
+#include "core/store/study_records.h"
 #include "core/store/withdrawn_codes.h"
 
 namespace tactus::store {

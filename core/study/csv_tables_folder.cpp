@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/study/record_id.h"
 #include "core/study/csv_tables.h"
+#include "core/study/record_id.h"
 
 namespace tactus::study {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
-#include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/force_end.h"
+#include "elicitation/force/force_terms_from.h"
 #include "elicitation/model/model_provenance.h"
 #include "elicitation/model/record_influence.h"
 #include "elicitation/rules/expert_rules.h"

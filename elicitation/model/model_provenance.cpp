@@ -48,7 +48,7 @@ std::string jsonByExpert(std::span<const ExpertRules> experts, Value value) {
 }
 
 /// One form as a text, several as a list, none as null.
-std::string formsOf(const ExpertRules& expert) {
+std::string formNames(const ExpertRules& expert) {
   if (expert.forms.empty()) return "null";
   return expert.forms.size() == 1 ? base::jsonString(expert.forms.front()) : jsonList(expert.forms);
 }
@@ -131,7 +131,7 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
   out.study = study.name;
   out.settings = methodSettings(settings);
   if (study.judgements.empty()) out.settings.back().json = base::jsonString("default");
-  out.settings.push_back({"forms", jsonByExpert(experts, formsOf)});
+  out.settings.push_back({"forms", jsonByExpert(experts, formNames)});
   out.settings.push_back(
       {"depth_terms", jsonByExpert(experts, [](const ExpertRules& e) { return base::jsonString(e.depth_terms); })});
   if (settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {

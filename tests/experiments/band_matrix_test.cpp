@@ -1,7 +1,7 @@
-#include "experiments/motion_likelihood.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "experiments/motion_likelihood.h"
 
 namespace tactus::experiments {
 namespace {

@@ -1,6 +1,6 @@
-#include "experiments/speed_from_positions.h"
-
 #include <gtest/gtest.h>
+
+#include "experiments/speed_from_positions.h"
 
 namespace tactus::experiments {
 namespace {

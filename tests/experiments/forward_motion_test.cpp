@@ -1,9 +1,9 @@
-#include "experiments/stroke.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+
+#include "experiments/stroke.h"
 
 namespace tactus::experiments {
 namespace {

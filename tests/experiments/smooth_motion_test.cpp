@@ -1,8 +1,8 @@
-#include "experiments/stroke_segmentation.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+
+#include "experiments/stroke_segmentation.h"
 
 namespace tactus::experiments {
 namespace {

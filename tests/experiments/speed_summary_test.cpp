@@ -1,7 +1,7 @@
-#include "experiments/stroke_speeds.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "experiments/stroke_speeds.h"
 
 namespace tactus::experiments {
 namespace {

@@ -1,7 +1,7 @@
-#include "experiments/judgement_checks.h"
-
 #include <gtest/gtest.h>
 #include <vector>
+
+#include "experiments/judgement_checks.h"
 
 namespace tactus::experiments {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "app/editing/rule_grid.h"
 #include "app/editing/edit.h"
+#include "app/editing/rule_grid.h"
 #include "core/fuzzy/membership.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"

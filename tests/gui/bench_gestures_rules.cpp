@@ -2,9 +2,9 @@
 #include <QTest>
 #include <utility>
 
-#include "app/editing/step_fixes.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
+#include "app/editing/step_fixes.h"
 
 #include "tests/gui/bench_gestures.h"
 #include "tests/gui/patience.h"

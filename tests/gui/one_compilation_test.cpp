@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/editing/membership_edits.h"
 #include "app/editing/edit.h"
+#include "app/editing/membership_edits.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 

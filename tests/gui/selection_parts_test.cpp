@@ -1,5 +1,3 @@
-#include "app/workbench/workbench.h"
-
 #include <QComboBox>
 #include <QFontMetricsF>
 #include <QToolButton>
@@ -11,6 +9,7 @@
 #include "app/workbench/tune/rules/rule_grids.h"
 #include "app/workbench/understand/here/rule_flow.h"
 #include "app/workbench/understand/here/rule_panel.h"
+#include "app/workbench/workbench.h"
 
 #include "tests/gui/shown_bench.h"
 

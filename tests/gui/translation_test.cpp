@@ -1,12 +1,12 @@
 // The *.ts files hold the texts of the sources as they are now, and nothing else.
-#include "app/workbench/program_options.h"
-
 #include <QCoreApplication>
 #include <QDir>
 #include <QLocale>
 #include <QProcess>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
+
+#include "app/workbench/program_options.h"
 
 #include "tests/gui/translation_file.h"
 

@@ -1,6 +1,6 @@
-#include "questionnaires/form_file.h"
-
 #include <gtest/gtest.h>
+
+#include "questionnaires/form_file.h"
 
 namespace tactus::questionnaires {
 namespace {

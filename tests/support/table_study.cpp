@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/session/study_source.h"
 #include "app/session/simulated_nurse.h"
+#include "app/session/study_source.h"
 #include "core/base/random.h"
 
 namespace tactus::support {

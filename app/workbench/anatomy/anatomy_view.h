@@ -10,8 +10,8 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/anatomy/anatomy_drawing.h"
 #include "app/workbench/anatomy/anatomy.h"
+#include "app/workbench/anatomy/anatomy_drawing.h"
 
 class QPainter;
 

@@ -15,9 +15,11 @@ class QTimer;
 
 namespace tactus::workbench {
 
-// Draws a ForceTrace: the commanded force as a band, the delivered force as a line.
-
+class Card;
 class ForceTrace;
+class PrimaryButton;
+
+// Draws a ForceTrace: the commanded force as a band, the delivered force as a line.
 
 class ForcePlot : public QWidget {
   Q_OBJECT
@@ -34,10 +36,6 @@ class ForcePlot : public QWidget {
  private:
   const ForceTrace& trace_;
 };
-
-class Card;
-class ForcePlot;
-class PrimaryButton;
 
 class MonitorWindow : public QWidget {
   Q_OBJECT

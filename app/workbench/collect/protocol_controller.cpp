@@ -6,8 +6,8 @@
 
 #include "app/session/protocol_values.h"
 #include "app/workbench/base/display_text.h"
-#include "core/store/study_records.h"
 #include "core/store/research_key.h"
+#include "core/store/study_records.h"
 
 namespace tactus::workbench {
 namespace {

@@ -13,9 +13,9 @@ class QToolButton;
 
 namespace tactus::workbench {
 
-// The parts of a session on the protocol's page: which of them there are, and in which order they come.
-
 class ProtocolController;
+
+// The parts of a session on the protocol's page: which of them there are, and in which order they come.
 
 class PartList : public QWidget {
   Q_OBJECT
@@ -43,8 +43,6 @@ class PartList : public QWidget {
   QStringList shown_;  ///< these, then the others
   std::array<Row, kParts> rows_{};
 };
-
-class ProtocolController;
 
 /// How a value is entered.
 struct ProtocolFieldSpec {

@@ -19,10 +19,10 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/readiness.h"
 #include "app/workbench/deliver/readiness_panel.h"
-#include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/buttons.h"
-#include "app/workbench/kit/quiet_table.h"
+#include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/notes.h"
+#include "app/workbench/kit/quiet_table.h"
 
 namespace tactus::workbench {
 namespace {

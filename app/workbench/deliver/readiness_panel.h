@@ -14,6 +14,8 @@ class QVBoxLayout;
 
 namespace tactus::workbench {
 
+class ReadinessController;
+
 /// The state of a line of the readiness as a small round sign: a tick, an exclamation mark, a cross or dots.
 class ReadinessSign : public QWidget {
   Q_OBJECT
@@ -31,8 +33,6 @@ class ReadinessSign : public QWidget {
 };
 
 // One line of the readiness: its sign, its name and sentence, and the button that leads to the place or to the act.
-
-class ReadinessSign;
 
 class ReadinessRow : public QFrame {
   Q_OBJECT
@@ -57,9 +57,6 @@ class ReadinessRow : public QFrame {
   QVBoxLayout* hole_lines_;
   std::vector<DeliverFindings::Hole> shown_holes_;
 };
-
-class ReadinessController;
-class ReadinessRow;
 
 class ReadinessPanel : public Card {
   Q_OBJECT

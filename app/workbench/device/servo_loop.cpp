@@ -2,8 +2,8 @@
 
 #include <QCoreApplication>
 
-#include "core/haptics/servo/servo_clock.h"
 #include "core/haptics/servo/servo.h"
+#include "core/haptics/servo/servo_clock.h"
 
 namespace tactus::workbench {
 namespace {

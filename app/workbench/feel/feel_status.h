@@ -9,9 +9,9 @@ class QKeyEvent;
 
 namespace tactus::workbench {
 
-// The keys while a model is felt: Space holds the tube, F12 and Esc stop, wherever the keyboard focus is.
-
 class FeelController;
+
+// The keys while a model is felt: Space holds the tube, F12 and Esc stop, wherever the keyboard focus is.
 
 /// Esc stops unless a drag is in progress; then it cancels the drag.
 class FeelKeys : public QObject {
@@ -50,8 +50,6 @@ class ForceOffButton : public QAbstractButton {
  private:
   QString keys() const;
 };
-
-class FeelController;
 
 class FeelStatus : public QLabel {
   Q_OBJECT

@@ -19,11 +19,11 @@
 
 namespace tactus::workbench {
 
-// Keeps how the current state of the model was felt: its strokes, the device and the regions that the tip reached.
-
 class EditController;
 class FeelController;
 class SceneController;
+
+// Keeps how the current state of the model was felt: its strokes, the device and the regions that the tip reached.
 
 /// Thread: gui.
 class FeltState : public QObject {
@@ -132,9 +132,6 @@ class PlacementMeter {
 };
 
 // The force trace of a feel session as a table.
-
-class FeelHistory;
-class SceneController;
 
 /// Columns: time, s, with the newest sample at 0; felt force, fuzzy force F_d and requested friction force, N; in a
 /// replay also the recorded force. The caption names `device` and says if it is simulated.

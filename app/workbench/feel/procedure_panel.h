@@ -14,9 +14,9 @@ class QPushButton;
 
 namespace tactus::workbench {
 
-// The placement in numbers: strokes and depth during it, and the summary of the last one.
-
 class ElidedLabel;
+
+// The placement in numbers: strokes and depth during it, and the summary of the last one.
 
 class PlacementCard : public QWidget {
   Q_OBJECT
@@ -43,8 +43,6 @@ class PlacementCard : public QWidget {
   bool below_ = false;
   bool has_summary_ = false;  ///< of a finished placement
 };
-
-class ElidedLabel;
 
 class ProcedurePanel : public QWidget {
   Q_OBJECT

@@ -15,9 +15,9 @@ class QWidget;
 
 namespace tactus::workbench {
 
-// What a step of the tour says, with the way to the next one.
-
 class PrimaryButton;
+
+// What a step of the tour says, with the way to the next one.
 
 class TourCard : public Card {
   Q_OBJECT
@@ -55,9 +55,6 @@ class TourFrame : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
 };
-
-class TourCard;
-class TourFrame;
 
 struct TourStep {
   QString title;

@@ -6,9 +6,9 @@
 #include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/places.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
-#include "app/workbench/model/places.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {

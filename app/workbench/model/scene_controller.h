@@ -14,8 +14,8 @@
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
-#include "app/workbench/model/places.h"
 #include "app/workbench/model/model_controller.h"
+#include "app/workbench/model/places.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "core/analysis/explain.h"
 

@@ -4,8 +4,8 @@
 #include <QString>
 #include <vector>
 
-#include "app/workbench/participant/kit/wordbook.h"
 #include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/kit/wordbook.h"
 
 namespace tactus::workbench {
 

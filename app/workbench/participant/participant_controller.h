@@ -17,11 +17,11 @@
 
 #include "app/session/stroke_capture.h"
 #include "app/workbench/device/device_session.h"
-#include "app/workbench/participant/questions.h"
 #include "app/workbench/participant/arrival.h"
 #include "app/workbench/participant/own_model_trial.h"
 #include "app/workbench/participant/participant_course.h"
 #include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/questions.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/haptics/servo/sample.h"

@@ -15,19 +15,15 @@
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/force_curve.h"
 #include "app/workbench/participant/screens/glossary_screen.h"
 #include "app/workbench/participant/screens/panels.h"
-#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/shown_state.h"
 
 namespace tactus::workbench {
 
 // Prints the force–depth curve of one participant on the default printer, without a dialog.
-
-namespace nurse {
-class ForceCurve;
-}
 
 bool canPrint();
 /// A page with the curve; nothing without a printer.

@@ -16,6 +16,8 @@ class QScreen;
 
 namespace tactus::workbench {
 
+class DeviceSession;
+
 /// The way back to the research mode: asks for the study's passphrase, over the nurse's screen.
 class LeavePanel : public nurse::PanelCard {
   Q_OBJECT
@@ -63,8 +65,6 @@ namespace nurse {
 class Button;
 class Look;
 }  // namespace nurse
-
-class ForceOffKeys;
 
 /// Why the force was taken away.
 enum class ForceOffCause {
@@ -138,9 +138,6 @@ class ParticipantWindow : public QWidget {
 namespace nurse {
 class Look;
 }
-
-class DeviceSession;
-class ParticipantWindow;
 
 class VirtualHand : public QObject {
   Q_OBJECT

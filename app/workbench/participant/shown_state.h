@@ -3,6 +3,7 @@
 
 #include "app/workbench/participant/participant_state.h"
 #include "app/workbench/participant/screens/about_you_screen.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/consent_screen.h"
 #include "app/workbench/participant/screens/device_check_screen.h"
 #include "app/workbench/participant/screens/force_screen.h"
@@ -10,7 +11,6 @@
 #include "app/workbench/participant/screens/question_screen.h"
 #include "app/workbench/participant/screens/review_screen.h"
 #include "app/workbench/participant/screens/scale_screen.h"
-#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/stroke_screen.h"
 #include "app/workbench/participant/screens/welcome_screen.h"
 

@@ -93,8 +93,6 @@ class FrameClock : public QObject {
 
 // The strip's label for the time from the last edit to the plots.
 
-class FrameClock;
-
 class FrameStatus : public QLabel {
   Q_OBJECT
 

@@ -25,6 +25,16 @@ class QVBoxLayout;
 
 namespace tactus::workbench {
 
+class MessageBanner;
+class ModelController;
+class ModelHeader;
+class OperatingStrip;
+class Panel;
+class PanelArea;
+class SceneController;
+class StageButton;
+struct PanelPlace;
+
 // The menu bar. The menus and the groups in them have a fixed order, so that features may add their actions in any.
 
 /// A group of actions, between two separators of a menu. In the order on the screen: all groups of the first menu, then
@@ -74,8 +84,6 @@ class WindowMenus {
 
 // The rail on the left: Collect, Understand, Tune, Agree, Deliver.
 
-class StageButton;
-
 class StageRail : public QWidget {
   Q_OBJECT
 
@@ -107,10 +115,6 @@ class StageRail : public QWidget {
 
 // The screen of the stages that show the open model: its header and the panels of the current stage.
 
-class ModelHeader;
-class PanelArea;
-class SceneController;
-
 class BenchView : public QWidget {
   Q_OBJECT
 
@@ -126,8 +130,6 @@ class BenchView : public QWidget {
 };
 
 // Where the line of the open model stands: above the panels, or, in a low window, in the row of the menus.
-
-class BenchView;
 
 class HeaderPlace : public QObject {
   Q_OBJECT
@@ -152,15 +154,6 @@ class HeaderPlace : public QObject {
   bool low_ = false;
   bool shown_ = false;
 };
-
-class HeaderPlace;
-class MessageBanner;
-class ModelController;
-class OperatingStrip;
-class Panel;
-struct PanelPlace;
-class SceneController;
-class StageRail;
 
 class MainWindow : public QMainWindow, public MessagePlace {
   Q_OBJECT

@@ -7,9 +7,9 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
-#include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/model/scene_controller.h"
 

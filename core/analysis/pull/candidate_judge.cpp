@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/analysis/coverage.h"
-#include "core/analysis/pull/pull_edit.h"
 #include "core/analysis/pull/force_search.h"
+#include "core/analysis/pull/pull_edit.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {

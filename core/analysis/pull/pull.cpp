@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/analysis/pull/candidate_judge.h"
-#include "core/analysis/pull/point_force.h"
 #include "core/analysis/pull/force_search.h"
+#include "core/analysis/pull/point_force.h"
 #include "core/base/text.h"
 
 namespace tactus::analysis {

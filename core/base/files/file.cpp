@@ -10,8 +10,8 @@
 #include <unistd.h>
 #include <utility>
 
-#include "core/base/files/descriptor.h"
 #include "core/base/files/checksums.h"
+#include "core/base/files/descriptor.h"
 #include "core/base/files/system_reason.h"
 #include "core/base/files/unfinished.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/base/error.h"
-#include "core/haptics/device/device.h"
 #include "core/haptics/device/calibration_file.h"
+#include "core/haptics/device/device.h"
 
 namespace tactus::haptics {
 

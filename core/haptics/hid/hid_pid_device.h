@@ -12,8 +12,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/haptics/device/device.h"
 #include "core/haptics/device/calibration_file.h"
+#include "core/haptics/device/device.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/hid/pid_layout.h"
 #include "core/haptics/hid/pid_session.h"

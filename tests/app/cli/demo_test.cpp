@@ -8,8 +8,8 @@
 #include "core/base/files/unfinished.h"
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
-#include "core/store/study_file.h"
 #include "core/store/fresh_file.h"
+#include "core/store/study_file.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/support/temp_folder.h"

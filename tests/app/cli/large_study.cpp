@@ -6,9 +6,9 @@
 #include <sys/resource.h>
 
 #include "app/cli/commands.h"
-#include "app/session/simulated_study.h"
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_strokes.h"
+#include "app/session/simulated_study.h"
 #include "app/session/stroke_capture.h"
 #include "app/session/study_view.h"
 #include "core/base/text.h"

@@ -10,8 +10,8 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
-#include "core/store/study_records.h"
 #include "core/store/persons.h"
+#include "core/store/study_records.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/core/store/faulty_disk.h"

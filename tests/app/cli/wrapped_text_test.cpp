@@ -1,6 +1,6 @@
-#include "app/cli/terminal.h"
-
 #include <gtest/gtest.h>
+
+#include "app/cli/terminal.h"
 
 namespace tactus::cli {
 namespace {

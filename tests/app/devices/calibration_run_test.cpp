@@ -1,9 +1,9 @@
-#include "app/devices/guided_runs.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <vector>
+
+#include "app/devices/guided_runs.h"
 
 namespace tactus::devices {
 namespace {

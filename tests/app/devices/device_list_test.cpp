@@ -3,7 +3,6 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 
-
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 
 namespace tactus::devices {

@@ -1,6 +1,6 @@
-#include "app/devices/guided_runs.h"
-
 #include <gtest/gtest.h>
+
+#include "app/devices/guided_runs.h"
 
 #include "tests/app/devices/played_test.h"
 

@@ -1,8 +1,7 @@
-#include "app/editing/history_versions.h"
-
 #include <gtest/gtest.h>
 
 #include "app/editing/edit.h"
+#include "app/editing/history_versions.h"
 
 #include "tests/app/editing/sample_models.h"
 

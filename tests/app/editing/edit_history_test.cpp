@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/editing/rule_edits.h"
 #include "app/editing/edit.h"
+#include "app/editing/rule_edits.h"
 #include "app/editing/term_edits.h"
 
 #include "tests/app/editing/sample_models.h"

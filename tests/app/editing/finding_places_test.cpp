@@ -5,8 +5,8 @@
 #include <map>
 #include <set>
 
-#include "app/editing/step_fixes.h"
 #include "app/editing/lint_fixes.h"
+#include "app/editing/step_fixes.h"
 #include "core/analysis/lint.h"
 #include "core/base/random.h"
 #include "elicitation/rules/rule_lint.h"

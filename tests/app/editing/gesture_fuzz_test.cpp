@@ -2,11 +2,11 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "app/editing/edit.h"
 #include "app/editing/edit_history.h"
-#include "app/editing/step_fixes.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
-#include "app/editing/edit.h"
+#include "app/editing/step_fixes.h"
 #include "app/editing/term_edits.h"
 #include "core/base/random.h"
 #include "core/fuzzy/validate.h"

@@ -1,7 +1,7 @@
-#include "app/editing/edit_history.h"
-
 #include <gtest/gtest.h>
 #include <string>
+
+#include "app/editing/edit_history.h"
 
 #include "tests/app/editing/sample_models.h"
 

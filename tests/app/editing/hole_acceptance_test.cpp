@@ -1,11 +1,10 @@
-#include "app/editing/step_fixes.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <span>
 
-#include "app/editing/lint_fixes.h"
 #include "app/editing/edit.h"
+#include "app/editing/lint_fixes.h"
+#include "app/editing/step_fixes.h"
 
 #include "tests/app/editing/sample_models.h"
 

@@ -1,6 +1,6 @@
-#include "app/editing/term_edits.h"
-
 #include <gtest/gtest.h>
+
+#include "app/editing/term_edits.h"
 
 #include "tests/app/editing/sample_models.h"
 

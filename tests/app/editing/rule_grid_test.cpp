@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/editing/edit.h"
 #include "app/editing/edit_history.h"
 #include "app/editing/rule_edits.h"
-#include "app/editing/edit.h"
 #include "app/session/study_source.h"
 #include "core/base/random.h"
 #include "elicitation/model/model_builder.h"

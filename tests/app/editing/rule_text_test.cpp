@@ -1,8 +1,7 @@
-#include "app/editing/rule_grid.h"
-
 #include <gtest/gtest.h>
 
 #include "app/editing/rule_edits.h"
+#include "app/editing/rule_grid.h"
 
 #include "tests/app/editing/sample_models.h"
 

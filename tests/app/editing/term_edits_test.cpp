@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "tests/app/editing/sample_models.h"
 
 namespace tactus::editing {

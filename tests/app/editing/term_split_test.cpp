@@ -1,8 +1,7 @@
-#include "app/editing/term_edits.h"
-
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "app/editing/term_edits.h"
 
 #include "tests/app/editing/sample_models.h"
 

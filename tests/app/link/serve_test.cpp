@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#include "core/base/files/file.h"
 #include "core/base/files/checksums.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/model_io/model_file.h"
 

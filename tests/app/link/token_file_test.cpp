@@ -1,10 +1,10 @@
-#include "app/link/link_sockets.h"
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <set>
 #include <sys/stat.h>
+
+#include "app/link/link_sockets.h"
 
 #include "tests/support/temp_folder.h"
 

@@ -1,8 +1,7 @@
-#include "app/report/study_report.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/report/study_report.h"
 #include "app/session/study_source.h"
 #include "core/base/text.h"
 #include "questionnaires/published_rules.h"

@@ -1,6 +1,6 @@
-#include "app/report/html.h"
-
 #include <gtest/gtest.h>
+
+#include "app/report/html.h"
 
 namespace tactus::report {
 namespace {

@@ -1,6 +1,6 @@
-#include "app/report/svg_plot.h"
-
 #include <gtest/gtest.h>
+
+#include "app/report/svg_plot.h"
 
 namespace tactus::report {
 namespace {

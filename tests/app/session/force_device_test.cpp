@@ -1,8 +1,8 @@
-#include "app/session/judged_forces.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "app/session/judged_forces.h"
 
 namespace tactus::session {
 namespace {

@@ -10,8 +10,8 @@
 #include <unistd.h>
 #include <vector>
 
-#include "app/session/simulated_study.h"
 #include "app/session/simulated_nurse.h"
+#include "app/session/simulated_study.h"
 #include "core/base/check.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"

@@ -1,9 +1,8 @@
-#include "app/session/session_state.h"
-
 #include <gtest/gtest.h>
 #include <optional>
 #include <utility>
 
+#include "app/session/session_state.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 

@@ -1,12 +1,11 @@
 // What the paper says of its nurses holds for the simulated ones, whatever the seed.
-#include "app/session/simulated_study.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <tuple>
 
+#include "app/session/simulated_study.h"
 #include "questionnaires/form_file.h"
 #include "questionnaires/published_rules.h"
 

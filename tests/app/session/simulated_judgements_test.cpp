@@ -1,9 +1,8 @@
-#include "app/session/simulated_nurse.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 
+#include "app/session/simulated_nurse.h"
 #include "experiments/published_tables.h"
 
 namespace tactus::session {

@@ -4,17 +4,17 @@
 #include <gtest/gtest.h>
 #include <map>
 
-#include "app/session/study_source.h"
 #include "app/session/simulated_strokes.h"
+#include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "core/base/random.h"
 #include "core/store/entries.h"
-#include "core/store/study_records.h"
 #include "core/store/merge.h"
-#include "core/store/persons.h"
 #include "core/store/person_codes.h"
+#include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
+#include "core/store/study_records.h"
 #include "core/store/withdrawal.h"
 #include "experiments/speed_from_positions.h"
 

@@ -1,6 +1,6 @@
-#include "app/simulation/scenario.h"
-
 #include <gtest/gtest.h>
+
+#include "app/simulation/scenario.h"
 
 namespace tactus::simulation {
 namespace {

@@ -1,10 +1,9 @@
-#include "core/analysis/lint.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "core/analysis/lint.h"
 #include "core/base/random.h"
 
 #include "tests/support/ngt_model.h"

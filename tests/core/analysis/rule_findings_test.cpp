@@ -1,11 +1,10 @@
-#include "core/analysis/rule_table.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "core/analysis/rule_table.h"
 #include "core/base/random.h"
 #include "core/fuzzy/compiled_model.h"
 

@@ -1,8 +1,7 @@
-#include "core/analysis/rule_table.h"
-
 #include <gtest/gtest.h>
 
 #include "core/analysis/directions.h"
+#include "core/analysis/rule_table.h"
 
 #include "tests/support/ngt_model.h"
 

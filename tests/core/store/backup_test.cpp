@@ -1,9 +1,8 @@
-#include "core/store/copies.h"
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "core/store/copies.h"
 #include "core/store/entries.h"
 #include "core/store/study_info.h"
 

@@ -1,11 +1,10 @@
-#include "core/store/study_records.h"
-
 #include <gtest/gtest.h>
 
 #include "core/store/merge.h"
-#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
+#include "core/store/record_tables.h"
 #include "core/store/study_info.h"
+#include "core/store/study_records.h"
 
 #include "tests/core/store/sample_records.h"
 #include "tests/support/temp_folder.h"

@@ -5,8 +5,8 @@
 
 #include "core/store/merge.h"
 #include "core/store/persons.h"
-#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
+#include "core/store/record_tables.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"

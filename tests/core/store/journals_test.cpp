@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-#include "core/store/copies.h"
 #include "core/store/batch.h"
+#include "core/store/copies.h"
 #include "core/store/entries.h"
 #include "core/store/merge.h"
 #include "core/store/model_versions.h"
-#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
+#include "core/store/record_tables.h"
 #include "core/store/study_info.h"
 
 #include "tests/core/store/faulty_disk.h"

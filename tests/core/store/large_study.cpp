@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "core/base/text.h"
-#include "core/store/copies.h"
 #include "core/store/batch.h"
+#include "core/store/copies.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"

@@ -7,8 +7,8 @@
 #include "core/base/random.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
-#include "core/store/persons.h"
 #include "core/store/person_codes.h"
+#include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/withdrawal.h"
 

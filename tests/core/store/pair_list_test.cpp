@@ -1,6 +1,6 @@
-#include "core/store/query.h"
-
 #include <gtest/gtest.h>
+
+#include "core/store/query.h"
 
 namespace tactus::store {
 namespace {

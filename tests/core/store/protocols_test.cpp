@@ -1,13 +1,12 @@
-#include "core/store/study_records.h"
-
 #include <gtest/gtest.h>
 
 #include "core/store/merge.h"
 #include "core/store/persons.h"
-#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
+#include "core/store/record_tables.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
+#include "core/store/study_records.h"
 
 #include "tests/core/store/plain_sql.h"
 #include "tests/core/store/sample_records.h"

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/store/record_tables.h"
 #include "core/store/record_import.h"
+#include "core/store/record_tables.h"
 
 #include "tests/core/store/plain_sql.h"
 #include "tests/core/store/sample_records.h"

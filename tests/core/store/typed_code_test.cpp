@@ -1,7 +1,6 @@
-#include "core/store/person_codes.h"
-
 #include <gtest/gtest.h>
 
+#include "core/store/person_codes.h"
 #include "core/store/persons.h"
 
 #include "tests/core/store/sample_records.h"

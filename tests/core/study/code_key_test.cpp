@@ -1,6 +1,6 @@
-#include "core/study/record_id.h"
-
 #include <gtest/gtest.h>
+
+#include "core/study/record_id.h"
 
 namespace tactus::study {
 namespace {

@@ -1,6 +1,6 @@
-#include "elicitation/agreement/krippendorff_alpha.h"
-
 #include <gtest/gtest.h>
+
+#include "elicitation/agreement/krippendorff_alpha.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -1,7 +1,7 @@
-#include "elicitation/agreement/agreement.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "elicitation/agreement/agreement.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -1,8 +1,7 @@
-#include "elicitation/depth/depth_measurement.h"
-
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "elicitation/depth/depth_measurement.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {

@@ -1,5 +1,3 @@
-#include "elicitation/force/force_terms_from.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -7,6 +5,7 @@
 
 #include "core/base/random.h"
 #include "core/fuzzy/membership.h"
+#include "elicitation/force/force_terms_from.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/force/judged_letters.h"

@@ -1,6 +1,6 @@
-#include "elicitation/force/force_end.h"
-
 #include <gtest/gtest.h>
+
+#include "elicitation/force/force_end.h"
 
 namespace tactus::elicitation {
 namespace {

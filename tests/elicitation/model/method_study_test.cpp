@@ -1,3 +1,5 @@
+#include "elicitation/model/method_study.h"
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -6,7 +8,6 @@
 #include <tuple>
 
 #include "app/session/study_source.h"
-#include "elicitation/model/method_study.h"
 #include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/four_people.h"

@@ -1,6 +1,6 @@
-#include "elicitation/model/record_influence.h"
-
 #include <gtest/gtest.h>
+
+#include "elicitation/model/record_influence.h"
 
 #include "tests/elicitation/small_study.h"
 

@@ -1,7 +1,7 @@
-#include "elicitation/rules/expert_rules.h"
-
 #include <gtest/gtest.h>
 #include <tuple>
+
+#include "elicitation/rules/expert_rules.h"
 
 namespace tactus::elicitation {
 namespace {

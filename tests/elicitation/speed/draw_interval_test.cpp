@@ -1,10 +1,9 @@
-#include "elicitation/speed/stroke_bootstrap.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 
+#include "elicitation/speed/stroke_bootstrap.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -1,6 +1,6 @@
-#include "elicitation/speed/level_diagnostics.h"
-
 #include <gtest/gtest.h>
+
+#include "elicitation/speed/level_diagnostics.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -1,7 +1,7 @@
-#include "elicitation/speed/level_diagnostics.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "elicitation/speed/level_diagnostics.h"
 
 #include "tests/elicitation/golden_speeds.h"
 

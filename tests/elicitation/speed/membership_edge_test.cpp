@@ -1,11 +1,10 @@
-#include "elicitation/speed/speed_terms.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "core/base/random.h"
 #include "elicitation/clustering/fcm.h"
+#include "elicitation/speed/speed_terms.h"
 
 namespace tactus::elicitation {
 namespace {

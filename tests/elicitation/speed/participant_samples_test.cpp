@@ -1,7 +1,6 @@
-#include "elicitation/speed/participant_speeds.h"
-
 #include <gtest/gtest.h>
 
+#include "elicitation/speed/participant_speeds.h"
 #include "elicitation/speed/speed_terms.h"
 
 namespace tactus::elicitation {

@@ -1,8 +1,7 @@
-#include "app/workbench/anatomy/anatomy.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "app/workbench/anatomy/anatomy.h"
 
 namespace tactus::workbench::anatomy {
 namespace {

@@ -1,10 +1,10 @@
-#include "app/workbench/base/theme.h"
-
 #include <QApplication>
 #include <QLabel>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
+
+#include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,9 +1,9 @@
-#include "app/workbench/base/worker.h"
-
 #include <QTest>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <semaphore>
+
+#include "app/workbench/base/worker.h"
 
 #include "tests/gui/patience.h"
 

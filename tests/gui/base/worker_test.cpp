@@ -7,7 +7,6 @@
 #include <semaphore>
 #include <vector>
 
-
 #include "tests/gui/patience.h"
 
 namespace tactus::workbench {

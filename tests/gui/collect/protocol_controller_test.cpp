@@ -6,8 +6,8 @@
 
 #include "app/session/session.h"
 #include "core/store/persons.h"
-#include "core/store/study_records.h"
 #include "core/store/research_key.h"
+#include "core/store/study_records.h"
 
 #include "tests/gui/sample_study.h"
 

@@ -1,6 +1,6 @@
-#include "app/workbench/feel/procedure.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/feel/procedure.h"
 
 #include "tests/gui/sample_models.h"
 

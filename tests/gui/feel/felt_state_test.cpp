@@ -1,8 +1,7 @@
-#include "app/workbench/feel/placement.h"
-
 #include <gtest/gtest.h>
 
 #include "app/editing/rule_edits.h"
+#include "app/workbench/feel/placement.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"

@@ -1,8 +1,7 @@
-#include "app/workbench/feel/feel_panel.h"
-
 #include <QSettings>
 #include <gtest/gtest.h>
 
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/workbench.h"

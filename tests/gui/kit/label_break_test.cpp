@@ -1,7 +1,7 @@
-#include "app/workbench/kit/labels.h"
-
 #include <QApplication>
 #include <gtest/gtest.h>
+
+#include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/workbench/kit/notes.h"
-
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <gtest/gtest.h>
+
+#include "app/workbench/kit/notes.h"
 
 namespace tactus::workbench {
 namespace {

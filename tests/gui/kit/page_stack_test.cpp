@@ -1,10 +1,10 @@
-#include "app/workbench/kit/layout.h"
-
 #include <QCoreApplication>
 #include <QLabel>
 #include <QTest>
 #include <QVBoxLayout>
 #include <gtest/gtest.h>
+
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/workbench/kit/buttons.h"
-
 #include <QApplication>
 #include <QLabel>
 #include <gtest/gtest.h>
+
+#include "app/workbench/kit/buttons.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,6 +1,4 @@
 // Stage Agree in the window: where its labs lead.
-#include "app/workbench/collect_parts.h"
-
 #include <QFile>
 #include <QSettings>
 #include <QSignalSpy>
@@ -8,6 +6,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/workbench/collect_parts.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/workbench.h"
 

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
 

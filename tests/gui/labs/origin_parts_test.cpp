@@ -1,12 +1,11 @@
 // From a number in the window to the records behind it, and to the lab that shows them.
-#include "app/workbench/collect_parts.h"
-
 #include <QSettings>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/workbench/collect_parts.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"

@@ -1,7 +1,7 @@
 // Where a number comes from, with Table 2's four participants.
-#include "app/workbench/labs/origins/origin_finder.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/labs/origins/origin_finder.h"
 
 #include "tests/elicitation/four_people.h"
 

@@ -1,6 +1,6 @@
-#include "app/workbench/model/places.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/model/places.h"
 
 #include "tests/support/ngt_model.h"
 

@@ -7,8 +7,8 @@
 #include <QLabel>
 #include <gtest/gtest.h>
 
-#include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/button.h"
+#include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/sample_screens.h"
 

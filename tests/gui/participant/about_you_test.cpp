@@ -1,6 +1,6 @@
-#include "app/workbench/participant/questions.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/participant/questions.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,7 +1,7 @@
-#include "app/workbench/participant/participant_controller.h"
-
 #include <gtest/gtest.h>
 #include <vector>
+
+#include "app/workbench/participant/participant_controller.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,6 +1,6 @@
-#include "app/workbench/participant/participant_course.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/participant/participant_course.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,7 +1,7 @@
-#include "app/workbench/participant/participant_course.h"
-
 #include <QSignalSpy>
 #include <gtest/gtest.h>
+
+#include "app/workbench/participant/participant_course.h"
 
 #include "tests/gui/stepped_feel.h"
 

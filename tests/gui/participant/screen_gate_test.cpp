@@ -1,6 +1,6 @@
-#include "app/workbench/participant/participant_controller.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/participant/participant_controller.h"
 
 namespace tactus::workbench {
 namespace {

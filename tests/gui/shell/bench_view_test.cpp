@@ -1,5 +1,3 @@
-#include "app/workbench/shell/main_window.h"
-
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -9,9 +7,10 @@
 #include <map>
 
 #include "app/workbench/base/refresh.h"
+#include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/stage_button.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_panel.h"

@@ -1,9 +1,9 @@
-#include "app/workbench/shell/main_window.h"
-
 #include <QAction>
 #include <QMenu>
 #include <QMenuBar>
 #include <gtest/gtest.h>
+
+#include "app/workbench/shell/main_window.h"
 
 namespace tactus::workbench {
 namespace {

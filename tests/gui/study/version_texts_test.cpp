@@ -1,8 +1,7 @@
-#include "app/workbench/study/study_models.h"
-
 #include <QSignalSpy>
 #include <gtest/gtest.h>
 
+#include "app/workbench/study/study_models.h"
 #include "core/store/model_versions.h"
 
 #include "tests/gui/patience.h"

@@ -14,9 +14,11 @@ class QToolButton;
 
 namespace tactus::workbench {
 
-// The sign in the strip while the live link serves: address and number of clients. A click asks for its panel.
-
 class LinkController;
+class MessageBanner;
+class WrappedLabel;
+
+// The sign in the strip while the live link serves: address and number of clients. A click asks for its panel.
 
 /// Hidden while nothing is served.
 class LinkSign : public QToolButton {
@@ -44,8 +46,6 @@ class LinkSign : public QToolButton {
 
 // The live link in stage Deliver: whether the model is served, to whom, and the way to its panel.
 
-class LinkController;
-
 class LinkRow : public QWidget {
   Q_OBJECT
 
@@ -66,18 +66,12 @@ class LinkRow : public QWidget {
 
 // How the state of the live link reads on the screen.
 
-class LinkController;
-
 /// `Serving 127.0.0.1:45123 · 2 connected`; empty while nothing is served.
 QString servingText(const LinkController& link);
 /// The same for a narrow place: `Serving · 2`.
 QString shortServingText(const LinkController& link);
 /// Who is connected: `2 connected`, `none connected`, `the last left at 14:32`.
 QString connectedText(const LinkController& link);
-
-class LinkController;
-class MessageBanner;
-class WrappedLabel;
 
 /// Not modal: the model is edited while it is served.
 class LinkDialog : public QDialog {

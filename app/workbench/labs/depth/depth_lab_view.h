@@ -21,11 +21,13 @@ class QLabel;
 
 namespace tactus::workbench {
 
+class DepthCanvas;
+class DepthLab;
+class TermLabels;
+
 // The terms that follow from a depth measurement, as a picture and as numbers, and whether the study's model has them.
 
 // The terms of the depth that follow from the boundaries (paper, Fig. 3c).
-
-class TermLabels;
 
 class DepthTermPlot : public QWidget, public PlotSource {
   Q_OBJECT
@@ -42,9 +44,6 @@ class DepthTermPlot : public QWidget, public PlotSource {
   QCustomPlot* plot_;
   TermLabels* labels_;
 };
-
-class DepthLab;
-class DepthTermPlot;
 
 class DepthTermPage : public QWidget {
   Q_OBJECT
@@ -81,9 +80,6 @@ struct ExampleImage {
   std::vector<elicitation::ImagePoint> path;
 };
 ExampleImage exampleImage();
-
-class DepthCanvas;
-class DepthLab;
 
 class DepthLabView : public QWidget {
   Q_OBJECT

@@ -16,9 +16,9 @@ class QRadioButton;
 
 namespace tactus::workbench {
 
-// The words of the force from one method, drawn over the shares of the answers that they come from (Fig. 3e).
-
 class VertexPick;
+
+// The words of the force from one method, drawn over the shares of the answers that they come from (Fig. 3e).
 
 class ForceTermsPlot : public QWidget, public PlotSource {
   Q_OBJECT
@@ -51,8 +51,6 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   QString axis_text_;
   QString axis_unit_;
 };
-
-class ForceTermsPlot;
 
 class ForceTermsView : public QWidget {
   Q_OBJECT

@@ -15,9 +15,10 @@ class QTableView;
 
 namespace tactus::workbench {
 
-// Draws the cells of the judgements: each judgement is its word in its color; a corrected one has a corner.
-
+class ElidedLabel;
 class JudgementGrid;
+
+// Draws the cells of the judgements: each judgement is its word in its color; a corrected one has a corner.
 
 class JudgementDelegate : public QStyledItemDelegate {
   Q_OBJECT
@@ -31,9 +32,6 @@ class JudgementDelegate : public QStyledItemDelegate {
  private:
   const JudgementGrid& grid_;
 };
-
-class ElidedLabel;
-class JudgementGrid;
 
 class JudgementView : public QWidget {
   Q_OBJECT

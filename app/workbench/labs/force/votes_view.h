@@ -13,9 +13,10 @@ class QTableView;
 
 namespace tactus::workbench {
 
-// Draws the cells of Table 2: votes as bars in the colors of the words, the winner's framed; the winner as its word.
-
+class ElidedLabel;
 class VoteTable;
+
+// Draws the cells of Table 2: votes as bars in the colors of the words, the winner's framed; the winner as its word.
 
 class VoteDelegate : public QStyledItemDelegate {
   Q_OBJECT
@@ -31,9 +32,6 @@ class VoteDelegate : public QStyledItemDelegate {
 
   const VoteTable& votes_;
 };
-
-class ElidedLabel;
-class VoteTable;
 
 class VotesView : public QWidget {
   Q_OBJECT

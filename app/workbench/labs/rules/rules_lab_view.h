@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/workbench/labs/frame/lab_table_model.h"
-#include "app/workbench/labs/rules/rules_lab.h"
 #include "app/workbench/labs/rules/expert_grids.h"
+#include "app/workbench/labs/rules/rules_lab.h"
 
 class QLabel;
 class QTabWidget;

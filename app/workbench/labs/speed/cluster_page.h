@@ -17,10 +17,12 @@ class QLabel;
 
 namespace tactus::workbench {
 
+class ElidedLabel;
+class SpeedLab;
+class SpeedTermPlot;
+
 // The clusters of one participant (paper, Fig. 7): a histogram of the samples, the membership in each cluster, the
 // centers with their 95 % intervals. The report draws the same.
-
-class ElidedLabel;
 
 class ClusterPlot : public QWidget {
   Q_OBJECT
@@ -44,11 +46,6 @@ class ClusterPlot : public QWidget {
   QLabel* warnings_;
   QCustomPlot* plot_;
 };
-
-class ClusterPlot;
-class ElidedLabel;
-class SpeedLab;
-class SpeedTermPlot;
 
 class ClusterPage : public QWidget, public PlotSource {
   Q_OBJECT

@@ -19,12 +19,14 @@ class QVBoxLayout;
 
 namespace tactus::workbench {
 
-// The recordings of strokes with their marks: one level of the participants on the page, or all levels of one.
-
 class Corrections;
 class LabModel;
+class SettingRow;
 class SpeedLab;
+class SpeedTermPlot;
 class TraceRow;
+
+// The recordings of strokes with their marks: one level of the participants on the page, or all levels of one.
 
 class StrokePage : public Card {
   Q_OBJECT
@@ -72,9 +74,6 @@ class StrokePage : public Card {
 
 // The settings of the speed lab: clusters, fuzziness, membership at the ramps' ends, trimming, centers, averaging.
 
-class SettingRow;
-class SpeedLab;
-
 class SpeedSettingsPanel : public Card {
   Q_OBJECT
 
@@ -94,12 +93,6 @@ class SpeedSettingsPanel : public Card {
   QComboBox* averaging_;
   QLabel* note_;
 };
-
-class Corrections;
-class LabModel;
-class SpeedLab;
-class SpeedTermPlot;
-class StrokePage;
 
 class SpeedLabView : public QWidget {
   Q_OBJECT

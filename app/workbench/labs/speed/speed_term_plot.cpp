@@ -5,9 +5,9 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_labels.h"
-#include "app/workbench/plot/plot_marks.h"
 
 namespace tactus::workbench {
 namespace {

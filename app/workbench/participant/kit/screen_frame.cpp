@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/button.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
 namespace {

@@ -1,8 +1,8 @@
 // The device check: one thing to do with the handle, and a traffic light.
 #pragma once
 
-#include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/kit/pictures.h"
+#include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {

@@ -3,8 +3,8 @@
 #include <QGridLayout>
 #include <QKeyEvent>
 
-#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/button.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
 namespace {

@@ -3,8 +3,8 @@
 #include <QPainter>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/button.h"
+#include "app/workbench/participant/kit/look.h"
 
 namespace tactus::workbench::nurse {
 namespace {

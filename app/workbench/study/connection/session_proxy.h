@@ -16,8 +16,8 @@
 
 #include "app/session/session.h"
 #include "app/session/stroke_capture.h"
-#include "app/workbench/study/connection/study_contents.h"
 #include "app/workbench/study/connection/study_connection.h"
+#include "app/workbench/study/connection/study_contents.h"
 
 namespace tactus::workbench {
 

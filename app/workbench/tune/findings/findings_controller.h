@@ -136,8 +136,6 @@ QString groupTitle(const ShownFinding& shown, std::size_t count);
 std::vector<FindingRow> findingRows(const std::vector<ShownFinding>& all, std::vector<std::size_t> passing,
                                     FindingOrder order, const QSet<QString>& unfolded);
 
-class FindingsController;
-
 class FindingsModel : public QAbstractListModel {
   Q_OBJECT
 

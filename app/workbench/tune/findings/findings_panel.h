@@ -17,10 +17,12 @@ class QToolButton;
 
 namespace tactus::workbench {
 
-// The chosen finding in full, its place, and one button for each fix.
-
+class ElidedLabel;
+class FindingDelegate;
 class FindingsController;
 class RowStop;
+
+// The chosen finding in full, its place, and one button for each fix.
 
 class FixCard : public QFrame {
   Q_OBJECT
@@ -45,10 +47,6 @@ class FixCard : public QFrame {
   std::unique_ptr<RowStop> places_stop_;  ///< the buttons that lead to a place or a rule
   std::unique_ptr<RowStop> fixes_stop_;
 };
-
-class ElidedLabel;
-class FindingDelegate;
-class FindingsController;
 
 class FindingsPanel : public Card {
   Q_OBJECT

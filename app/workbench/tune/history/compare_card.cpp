@@ -11,8 +11,8 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/buttons.h"
-#include "app/workbench/model/shown_impact.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_impact.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/compare_strip.h"
 

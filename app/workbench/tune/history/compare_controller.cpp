@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editing/edit_impact.h"
 #include "app/editing/edit.h"
+#include "app/editing/edit_impact.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"

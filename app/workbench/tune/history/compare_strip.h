@@ -11,9 +11,11 @@ class QToolButton;
 
 namespace tactus::workbench {
 
-// Offers the work that a crash left behind: restore, discard, or later.
-
+class CompareController;
+class ElidedLabel;
 class RecoveryController;
+
+// Offers the work that a crash left behind: restore, discard, or later.
 
 class RecoveryStrip : public Card {
   Q_OBJECT
@@ -36,7 +38,6 @@ class RecoveryStrip : public Card {
 
 // The switch between A and B. One button is pressed during a comparison, none otherwise.
 
-class CompareController;
 enum class CompareSide;
 
 class CompareSwitch : public QWidget {
@@ -53,9 +54,6 @@ class CompareSwitch : public QWidget {
   QToolButton* a_;
   QToolButton* b_;
 };
-
-class CompareController;
-class ElidedLabel;
 
 class CompareStrip : public Card {
   Q_OBJECT

@@ -10,8 +10,8 @@
 
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
-#include "core/base/files/file.h"
 #include "core/base/files/checksums.h"
+#include "core/base/files/file.h"
 #include "core/store/batch.h"
 #include "core/store/model_versions.h"
 #include "core/store/study_info.h"

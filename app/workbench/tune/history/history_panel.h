@@ -16,9 +16,14 @@ class QToolButton;
 
 namespace tactus::workbench {
 
-// Paints a row of the history: its place in the tree, the change, the effect on the force, and its badges.
-
+class AuthorName;
+class CompareController;
+class EditController;
 class HistoryModel;
+class Refresh;
+class SceneController;
+
+// Paints a row of the history: its place in the tree, the change, the effect on the force, and its badges.
 
 class HistoryDelegate : public QStyledItemDelegate {
   Q_OBJECT
@@ -35,13 +40,6 @@ class HistoryDelegate : public QStyledItemDelegate {
 
   const HistoryModel& model_;
 };
-
-class AuthorName;
-class CompareController;
-class EditController;
-class HistoryModel;
-class Refresh;
-class SceneController;
 
 class HistoryPanel : public Card {
   Q_OBJECT

@@ -18,6 +18,12 @@ class QTabBar;
 
 namespace tactus::workbench {
 
+class ElidedLabel;
+class NumberBox;
+class Refresh;
+class RuleController;
+class RuleGrids;
+
 // The force words as buttons with their colors and keys: a legend of the grids, and a way to answer with the mouse.
 
 /// A button with a force word on its color, and the key for the same word.
@@ -43,8 +49,6 @@ class WordButton : public QAbstractButton {
   bool marked_ = false;
 };
 
-class WordButton;
-
 class WordBar : public QWidget {
   Q_OBJECT
 
@@ -68,11 +72,6 @@ class WordBar : public QWidget {
 };
 
 // The bar of the selected cell: its conditions in words, the possible answers, the weight and the enabled state.
-
-class ElidedLabel;
-class NumberBox;
-class RuleController;
-class WordBar;
 
 class RuleCellBar : public QWidget {
   Q_OBJECT
@@ -98,12 +97,6 @@ class RuleCellBar : public QWidget {
 
 // The grids with the bar of the selected cell and a line that explains the keys.
 
-class ElidedLabel;
-class Refresh;
-class RuleCellBar;
-class RuleController;
-class RuleGrids;
-
 class RuleGridPane : public QWidget {
   Q_OBJECT
 
@@ -121,9 +114,6 @@ class RuleGridPane : public QWidget {
   ElidedLabel* hint_;
   Refresh* refresh_;
 };
-
-class Refresh;
-class RuleController;
 
 class RuleEditor : public Card {
   Q_OBJECT

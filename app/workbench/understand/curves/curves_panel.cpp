@@ -15,6 +15,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 
 #include "app/figures/force_curves.h"
@@ -77,8 +78,7 @@ void ReferenceBar::build() {
     remove->setAutoRaise(true);
     remove->setToolTip(tr("Take %1 away").arg(reference.name));
     remove->setAccessibleName(remove->toolTip());
-    for (QWidget* part :
-         {static_cast<QWidget*>(name), static_cast<QWidget*>(difference), static_cast<QWidget*>(remove)})
+    for (QWidget* const part : std::initializer_list<QWidget*>{name, difference, remove})
       part->setFont(theme::smallFont());
     grid->addWidget(name, row, 0);
     grid->addWidget(difference, row, 1);

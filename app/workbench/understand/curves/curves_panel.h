@@ -18,11 +18,19 @@ class QToolButton;
 
 namespace tactus::workbench {
 
+class CurveLegend;
+class CurvePlot;
+class ElidedLabel;
+class GhostController;
+class LegendChip;
+class PlotMenu;
+class ReadingModel;
+class ReferenceController;
+class Refresh;
+class SceneController;
+
 // The bar below the curves: the difference between the model and each reference curve, and a button to remove the
 // curve.
-
-class ReferenceController;
-class SceneController;
 
 class ReferenceBar : public QWidget {
   Q_OBJECT
@@ -46,13 +54,11 @@ class ReferenceBar : public QWidget {
   QWidget* rows_ = nullptr;
   QComboBox* against_;
   QList<QLabel*> names_;
-  QList<class ElidedLabel*> texts_;
+  QList<ElidedLabel*> texts_;
 };
 
 // The menu of the settings and families of the paper's figures. The button shows the figure whose family of curves is
 // visible.
-
-class SceneController;
 
 /// Hidden if the model does not have the inputs of the figures.
 class FigureButton : public QPushButton {
@@ -67,18 +73,6 @@ class FigureButton : public QPushButton {
 
   SceneController& scene_;
 };
-
-class CurveLegend;
-class CurvePlot;
-class ElidedLabel;
-class GhostController;
-class LegendChip;
-class PlotMenu;
-class ReadingModel;
-class ReferenceBar;
-class ReferenceController;
-class Refresh;
-class SceneController;
 
 class CurvesPanel : public Card {
   Q_OBJECT

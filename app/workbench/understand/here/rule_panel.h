@@ -19,10 +19,16 @@ class QToolButton;
 
 namespace tactus::workbench {
 
+class ElidedLabel;
+class PlotMenu;
+class ReadingCursor;
+class Refresh;
+class RuleFlow;
+class SceneController;
+class Selection;
+
 // How the forces of the experts lead to the mean: one line per expert with the set of its rules, the centroid of the
 // set, and the expert's share in the mean.
-
-class SceneController;
 
 /// Shows the explanation of the scene; it copies nothing, so that hundreds of experts cost only what is in sight.
 class ExpertFlow : public QWidget {
@@ -56,8 +62,6 @@ class ExpertFlow : public QWidget {
 
 // The output sets of the rules, their aggregation, and its centroid, which is the force.
 
-class ReadingCursor;
-
 class OutputSetsPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
@@ -84,15 +88,6 @@ class OutputSetsPlot : public QWidget, public PlotSource {
   fuzzy::Variable output_;
   ReadingCursor* cursor_;
 };
-
-class ElidedLabel;
-class ExpertFlow;
-class OutputSetsPlot;
-class PlotMenu;
-class Refresh;
-class RuleFlow;
-class SceneController;
-class Selection;
 
 class RulePanel : public Card {
   Q_OBJECT

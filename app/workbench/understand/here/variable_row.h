@@ -24,6 +24,12 @@ class QSlider;
 
 namespace tactus::workbench {
 
+class ElidedLabel;
+class NumberBox;
+class SceneController;
+class TermLabels;
+class ValueMarker;
+
 // Small pictures of fuzzy sets without axes: one term, filled to a height, or any set.
 
 /// Paints into one rectangle over the universe of a variable, heights 0 to 1.
@@ -57,9 +63,6 @@ class SetSketch {
 
 // A small plot of one variable's membership functions: filled shapes with their names, and a marker at the current
 // value.
-
-class TermLabels;
-class ValueMarker;
 
 class MembershipPlot : public QWidget, public PlotSource {
   Q_OBJECT
@@ -102,11 +105,6 @@ class MembershipPlot : public QWidget, public PlotSource {
 
 // One input: its membership functions, its value as a marker, a slider and a number, and the terms of the value.
 
-class ElidedLabel;
-class MembershipPlot;
-class NumberBox;
-class SceneController;
-
 class InputCard : public Card {
   Q_OBJECT
 
@@ -135,10 +133,6 @@ class InputCard : public Card {
 
 // The output: its membership functions and the mean force at the reading place.
 
-class ElidedLabel;
-class MembershipPlot;
-class SceneController;
-
 class OutputCard : public Card {
   Q_OBJECT
 
@@ -157,8 +151,6 @@ class OutputCard : public Card {
   MembershipPlot* plot_;
   ElidedLabel* terms_;
 };
-
-class SceneController;
 
 class VariableRow : public QScrollArea {
   Q_OBJECT

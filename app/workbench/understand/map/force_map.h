@@ -21,6 +21,9 @@
 
 namespace tactus::workbench {
 
+class SceneController;
+struct FigurePreset;
+
 // Force over two inputs while the other inputs stay fixed: the numbers behind the color map and the surface, and the
 // request to compute them, which any thread can serve.
 
@@ -67,9 +70,6 @@ class MapRequest {
   std::optional<std::size_t> expert_;
   std::optional<fuzzy::Scene> scene_;  ///< of the mean
 };
-
-class SceneController;
-struct FigurePreset;
 
 /// Computes the map of a scene once for all views. As fine a map as a slice of a frame has time for is computed at
 /// once, so that an edit shows it in its frame; finer ones, of models with many experts, on another thread, and they
@@ -165,9 +165,6 @@ std::vector<std::vector<QLineF>> contourLines(const ForceMap& map, std::span<con
 std::vector<double> contourLevels(double min_n, double max_n);
 
 // A force map as a table, for every panel that shows it.
-
-class ForceMapController;
-class SceneController;
 
 /// The finest map of the current scene, computed now: one row for every point, x first; the force is empty if no rule
 /// fires. The caption names the axes and the expert. A model with two inputs or more must be open.

@@ -15,6 +15,11 @@ class QMouseEvent;
 
 namespace tactus::workbench {
 
+class AxisZoom;
+class LandmarkMarks;
+class ShownRanges;
+class TermLabels;
+
 // The force over two inputs as a color map with contours. A cross marks the operating point; a click moves it.
 
 /// The marks over a color map: contour lines, and the cross at the operating point. Needs QCustomPlot: only plotting
@@ -67,13 +72,6 @@ class MapCross : public QCPLayerable {
   QFont font_;
 };
 
-class AxisZoom;
-class ContourMarks;
-class LandmarkMarks;
-class MapCross;
-class ShownRanges;
-class TermLabels;
-
 class ForceMapPlot : public QWidget, public MapView {
   Q_OBJECT
 
@@ -114,8 +112,6 @@ class ForceMapPlot : public QWidget, public MapView {
   fuzzy::Variable y_;
   fuzzy::Variable output_;
 };
-
-class ForceMapPlot;
 
 class MapPanel : public MapViewPanel {
   Q_OBJECT

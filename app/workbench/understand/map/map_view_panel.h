@@ -20,6 +20,11 @@ class QVBoxLayout;
 
 namespace tactus::workbench {
 
+class ForceMapController;
+class PlotMenu;
+class Refresh;
+class SceneController;
+
 // The color of a force for map, surface and their scales. It is the color ramp of the output's terms.
 
 /// Color of a force at `share` of the way from the lowest to the highest force of the universe. Values beyond the ends
@@ -42,9 +47,6 @@ class MapView : public PlotSource {
 };
 
 // The boxes in the header of a map or surface panel: the expert (or mean) and the two inputs.
-
-class ForceMapController;
-class SceneController;
 
 /// All instances of one controller show the same choice. A visible instance counts its panel as a viewer of the map.
 class MapChoice : public QWidget {
@@ -71,12 +73,6 @@ class MapChoice : public QWidget {
   QComboBox* y_input_;
   bool counted_ = false;
 };
-
-class ForceMapController;
-class MapView;
-class PlotMenu;
-class Refresh;
-class SceneController;
 
 class MapViewPanel : public Card {
   Q_OBJECT

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/plot/landmarks.h"
 #include "app/workbench/plot/label_layout.h"
+#include "app/workbench/plot/landmarks.h"
 
 namespace tactus::workbench {
 namespace {

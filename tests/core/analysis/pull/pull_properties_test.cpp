@@ -3,8 +3,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/analysis/term_conversion.h"
 #include "core/analysis/pull/pull.h"
+#include "core/analysis/term_conversion.h"
 #include "core/base/random.h"
 
 #include "tests/core/analysis/ngt_numbers.h"

@@ -1,8 +1,8 @@
-#include "core/haptics/device/device.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "core/haptics/device/device.h"
 
 namespace tactus::haptics {
 namespace {

@@ -1,7 +1,7 @@
-#include "core/haptics/device/calibration_file.h"
-
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "core/haptics/device/calibration_file.h"
 
 #include "tests/core/haptics/device/sample_calibration.h"
 

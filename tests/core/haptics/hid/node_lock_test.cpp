@@ -1,5 +1,3 @@
-#include "core/haptics/hid/hidapi_transport.h"
-
 #include <csignal>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -11,6 +9,7 @@
 
 #include "core/base/files/file.h"
 #include "core/haptics/hid/hid_devices.h"
+#include "core/haptics/hid/hidapi_transport.h"
 
 #include "tests/support/temp_folder.h"
 

@@ -1,6 +1,6 @@
-#include "core/haptics/hid/hid_pid_device.h"
-
 #include <gtest/gtest.h>
+
+#include "core/haptics/hid/hid_pid_device.h"
 
 #include "tests/core/haptics/loop_numbers.h"
 #include "tests/support/fake_pid_device.h"

@@ -1,9 +1,9 @@
-#include "core/haptics/hid/pid_layout.h"
-
 #include <array>
 #include <gtest/gtest.h>
 #include <limits>
 #include <vector>
+
+#include "core/haptics/hid/pid_layout.h"
 
 namespace tactus::haptics {
 namespace {

@@ -1,7 +1,7 @@
-#include "core/haptics/openhaptics/openhaptics_device.h"
-
 #include <cstdlib>
 #include <gtest/gtest.h>
+
+#include "core/haptics/openhaptics/openhaptics_device.h"
 
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
 

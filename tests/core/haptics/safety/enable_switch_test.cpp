@@ -1,6 +1,6 @@
-#include "core/haptics/safety/safety.h"
-
 #include <gtest/gtest.h>
+
+#include "core/haptics/safety/safety.h"
 
 namespace tactus::haptics {
 namespace {

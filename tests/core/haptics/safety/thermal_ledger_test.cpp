@@ -1,11 +1,10 @@
 // The budget of the motors continues where the previous servo left it.
-#include "core/haptics/safety/thermal_budget.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
 #include <vector>
 
+#include "core/haptics/safety/thermal_budget.h"
 #include "core/haptics/servo/servo.h"
 
 #include "tests/core/haptics/loop_numbers.h"

@@ -1,12 +1,11 @@
 // The rest before a force: by hand, and against the budget of a servo tick by tick.
-#include "core/haptics/safety/thermal_budget.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/haptics/safety/thermal_budget.h"
 
 #include "tests/core/haptics/loop_numbers.h"
 #include "tests/core/haptics/safety/thermal_rating.h"

@@ -1,10 +1,9 @@
-#include "core/haptics/safety/safety.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <vector>
 
 #include "core/base/random.h"
+#include "core/haptics/safety/safety.h"
 
 #include "tests/core/haptics/loop_numbers.h"
 

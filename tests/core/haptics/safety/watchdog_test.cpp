@@ -1,7 +1,7 @@
-#include "core/haptics/safety/safety.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "core/haptics/safety/safety.h"
 
 namespace tactus::haptics {
 namespace {

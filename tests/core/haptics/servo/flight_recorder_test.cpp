@@ -1,10 +1,10 @@
-#include "core/haptics/servo/servo.h"
-
 #include <atomic>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <optional>
 #include <thread>
+
+#include "core/haptics/servo/servo.h"
 
 namespace tactus::haptics {
 namespace {

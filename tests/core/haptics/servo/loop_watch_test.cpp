@@ -1,6 +1,6 @@
-#include "core/haptics/servo/loop_statistics.h"
-
 #include <gtest/gtest.h>
+
+#include "core/haptics/servo/loop_statistics.h"
 
 namespace tactus::haptics {
 namespace {

@@ -1,11 +1,11 @@
-#include "core/haptics/servo/servo.h"
-
 #include <array>
 #include <atomic>
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <thread>
 #include <vector>
+
+#include "core/haptics/servo/servo.h"
 
 namespace tactus::haptics {
 namespace {

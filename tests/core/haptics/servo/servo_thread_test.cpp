@@ -1,6 +1,4 @@
 // The servo on a real thread. Nothing here depends on how fast the machine is: the tests wait until something is so.
-#include "core/haptics/servo/servo.h"
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,6 +8,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "core/haptics/servo/servo.h"
 
 #include "tests/core/haptics/scripted_device.h"
 #include "tests/support/ngt_model.h"

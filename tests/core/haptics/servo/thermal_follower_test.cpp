@@ -1,6 +1,6 @@
-#include "core/haptics/servo/loop_statistics.h"
-
 #include <gtest/gtest.h>
+
+#include "core/haptics/servo/loop_statistics.h"
 
 #include "tests/core/haptics/safety/safety_loop.h"
 

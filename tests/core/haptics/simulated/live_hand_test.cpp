@@ -1,8 +1,8 @@
-#include "core/haptics/simulated/virtual_device.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::haptics {
 namespace {

@@ -1,7 +1,7 @@
-#include "core/haptics/simulated/virtual_device.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::haptics {
 namespace {

@@ -1,9 +1,9 @@
-#include "core/haptics/sources/force_source.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "core/haptics/sources/force_source.h"
 
 #include "tests/core/haptics/loop_numbers.h"
 

@@ -1,6 +1,6 @@
-#include "app/workbench/tune/findings/findings_controller.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {
 namespace {

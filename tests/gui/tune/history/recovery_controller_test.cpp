@@ -7,8 +7,8 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/editing/membership_edits.h"
 #include "app/editing/edit.h"
+#include "app/editing/membership_edits.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"

@@ -1,6 +1,6 @@
-#include "app/workbench/tune/rules/rule_rows.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/tune/rules/rule_rows.h"
 
 namespace tactus::workbench {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/editing/edit.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/number_box.h"
 #include "app/workbench/tune/rules/rule_form.h"
 #include "app/workbench/tune/rules/rule_list_pane.h"
 

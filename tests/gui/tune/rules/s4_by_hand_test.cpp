@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/editing/rule_edits.h"
 #include "app/editing/edit.h"
+#include "app/editing/rule_edits.h"
 #include "app/figures/force_curves.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/model/ghost_controller.h"

@@ -1,6 +1,6 @@
-#include "app/workbench/tune/terms/term_grip.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/tune/terms/term_grip.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,6 +1,6 @@
-#include "app/workbench/understand/curves/force_spread.h"
-
 #include <gtest/gtest.h>
+
+#include "app/workbench/understand/curves/force_spread.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/workbench/understand/curves/reference_controller.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "app/workbench/understand/curves/reference_controller.h"
 
 #include "tests/gui/sample_models.h"
 

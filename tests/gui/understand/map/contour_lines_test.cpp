@@ -1,7 +1,7 @@
-#include "app/workbench/understand/map/force_map.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "app/workbench/understand/map/force_map.h"
 
 namespace tactus::workbench {
 namespace {

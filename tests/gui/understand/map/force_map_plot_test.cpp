@@ -1,10 +1,9 @@
-#include "app/workbench/understand/map/map_panel.h"
-
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 #include <qcustomplot.h>
 
 #include "app/workbench/model/shown_ranges.h"
+#include "app/workbench/understand/map/map_panel.h"
 
 namespace tactus::workbench {
 namespace {

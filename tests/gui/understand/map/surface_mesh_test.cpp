@@ -5,7 +5,6 @@
 #include <random>
 #include <vector>
 
-
 #include "tests/gui/understand/map/sample_maps.h"
 
 namespace tactus::workbench {

@@ -1,5 +1,3 @@
-#include "app/workbench/understand/map/surface_panel.h"
-
 #include <QApplication>
 #include <QImage>
 #include <QPainter>
@@ -10,6 +8,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/understand/map/map_view_panel.h"
+#include "app/workbench/understand/map/surface_panel.h"
 
 #include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"

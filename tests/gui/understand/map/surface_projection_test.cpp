@@ -1,7 +1,7 @@
-#include "app/workbench/understand/map/surface_mesh.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "app/workbench/understand/map/surface_mesh.h"
 
 namespace tactus::workbench {
 namespace {
