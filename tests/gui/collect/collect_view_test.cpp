@@ -212,16 +212,39 @@ TEST_F(CollectViewTest, WithoutATextOfTheStudyNoPersonSitsDownAndTheProtocolIsOn
   EXPECT_TRUE(bench.collect_parts.view().protocolPage().isVisible());
 }
 
+/// A person, and what a session needs of a protocol.
+void readyForASession(store::StudyFile& file, study::RecordIds& ids) {
+  ASSERT_TRUE(store::append(file, study::Person{ids.next(), "amber-crow", false}));
+  session::StudyProtocol protocol;
+  protocol.consent_version = "1";
+  protocol.consent = {{"en", "A study of a test."}};
+  protocol.contact = "Nobody";
+  session::SessionTools tools{[] { return study::Moment{}; }, study::RecordIds()};
+  ASSERT_TRUE(session::setProtocol(file, protocol, "Test", "", tools));
+}
+
+TEST_F(CollectViewTest, AStudyClosedWhileTheDeviceIsLookedForHoldsNothingBack) {
+  openStudy(readyForASession);
+  const QString other = folder.path(QStringLiteral("other.tactus"));
+  tests::makeStudyFile(other, readyForASession);
+  SessionRun& run = bench.collect_parts.run();
+  for (const bool opens_another : {false, true}) {
+    ASSERT_TRUE(comesTrue([this] { return collect().overview().rows.size() == 1 && collect().isCurrent(); }));
+    run.start(QStringLiteral("amber-crow"));
+    EXPECT_TRUE(run.isRunning());
+    opens_another ? bench.study.open(other) : bench.study.close();
+    ASSERT_TRUE(comesTrue([&] { return !run.isRunning(); }));
+    EXPECT_EQ(run.takePart(), nullptr) << "no session begins in a study that it was not asked for";
+    EXPECT_TRUE(window.banner().message().contains(QStringLiteral("No session has begun")))
+        << window.banner().message().toStdString();
+    if (!opens_another) bench.files.open(path);
+  }
+  ASSERT_TRUE(comesTrue([&] { return bench.study.path() == other && !bench.study.isOpening(); }));
+  EXPECT_TRUE(bench.study.takesOrders());
+}
+
 TEST_F(CollectViewTest, ASessionTakesTheParticipantsScreensAndComesBack) {
-  openStudy([](store::StudyFile& file, study::RecordIds& ids) {
-    ASSERT_TRUE(store::append(file, study::Person{ids.next(), "amber-crow", false}));
-    session::StudyProtocol protocol;
-    protocol.consent_version = "1";
-    protocol.consent = {{"en", "A study of a test."}};
-    protocol.contact = "Nobody";
-    session::SessionTools tools{[] { return study::Moment{}; }, study::RecordIds()};
-    ASSERT_TRUE(session::setProtocol(file, protocol, "Test", "", tools));
-  });
+  openStudy(readyForASession);
   ASSERT_TRUE(comesTrue([this] { return collect().overview().rows.size() == 1; }));
   home().select(collect().overview().rows.front().person);
   SessionRun& run = bench.collect_parts.run();

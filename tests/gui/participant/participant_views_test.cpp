@@ -2,6 +2,8 @@
 #include "app/workbench/participant/participant_views.h"
 
 #include <QAbstractButton>
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 #include <gtest/gtest.h>
@@ -128,6 +130,20 @@ TEST_F(ParticipantViewsTest, QuestionsAreAnsweredByMouseAndByKeys) {
   ASSERT_EQ(answers.size(), 2U);
   EXPECT_EQ(answers[0].value, "large");
   EXPECT_EQ(answers[1].status, study::Answer::Status::kCantTell);
+}
+
+TEST_F(ParticipantViewsTest, AKeyHeldInAnotherWindowIsNotHers) {
+  comeToTheQuestions();
+  QWidget monitor;  // the researcher's; not shown, because that would take the focus from her window
+  QLineEdit note(&monitor);
+  QKeyEvent held(QEvent::KeyPress, Qt::Key_A, Qt::NoModifier);
+  QCoreApplication::sendEvent(&note, &held);
+  for (const int next : {2, 3}) {
+    click("Large");
+    click("Confirm");
+    EXPECT_EQ(at().question.position, next);
+  }
+  EXPECT_EQ(answersInFile().size(), 2U);
 }
 
 TEST_F(ParticipantViewsTest, ADoubleClickDoesNotAnswerTheNextQuestion) {

@@ -134,6 +134,17 @@ TEST_F(StudyConnectionTest, NothingIsDeliveredToAnAskerThatHasEnded) {
   EXPECT_FALSE(delivered);
 }
 
+TEST_F(StudyConnectionTest, AReadingOfAClosedStudyIsAnswered) {
+  bool was_read = false;
+  bool was_closed = false;
+  closeStudy();
+  study->read(
+      *study, [&](const store::StudyFile&) -> StudyConnection::Deliver { return [&] { was_read = true; }; },
+      [&] { was_closed = true; });
+  EXPECT_TRUE(comesTrue([&] { return was_closed; }));
+  EXPECT_FALSE(was_read);
+}
+
 TEST_F(StudyConnectionTest, WhatHoldsTheFileIsDroppedBeforeItIsClosedOrExchanged) {
   const QString other = folder.path(QStringLiteral("other.tactus"));
   tests::makeStudyFile(other);
