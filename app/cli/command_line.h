@@ -32,6 +32,15 @@ inline CLI::Validator notEmpty() {
       [](const std::string& text) { return text.empty() ? std::string("found an empty text") : std::string(); }, "");
 }
 
+/// A folder to write: neither an empty text nor `-`, because a folder does not go to standard output.
+inline CLI::Validator outputFolder() {
+  return notEmpty() & CLI::Validator(
+                          [](const std::string& text) {
+                            return text == "-" ? std::string("found '-', wanted the name of a folder") : std::string();
+                          },
+                          "");
+}
+
 /// A file to read, for `transform`: `-` is standard input. Refuses an empty text.
 CLI::Validator inputFile();
 

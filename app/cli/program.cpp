@@ -109,7 +109,7 @@ std::vector<std::string> readingIds() {
 void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
              [](CLI::App& command, DemoOptions& o) {
-               command.add_option("DIR", o.folder, "Folder to write into")->required()->check(notEmpty());
+               command.add_option("DIR", o.folder, "Folder to write into")->required()->check(outputFolder());
                command.add_option("--seed", o.seed, "Seed of the simulation, a whole number")
                    ->check(wholeNumberUpTo(session::kLargestSeed))
                    ->default_str(std::to_string(session::kDefaultSeed));

@@ -64,7 +64,7 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                    .add_option("--out", o.out,
                                "Folder to write, new or with an earlier bundle; or a file that ends with .zip")
                    ->required()
-                   ->check(notEmpty());
+                   ->check(outputFolder());
                command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
                    ->check(notEmpty());
                command.add_option("--table-error", o.table_error_n, "The most that the look-up table may be off, in N")
@@ -86,7 +86,7 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--to", o.to, "Format")
                    ->required()
                    ->check(oneOf({"fll", "fcl", "fcl-fuzzylite", "fis", "fml", "c"}));
-               command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+               command.add_option("--out", o.out, "Folder for the files")->required()->check(outputFolder());
                command.add_option("--fix", o.fixed, "INPUT=VALUE: C source with this input fixed; may be repeated");
                addJson(command, o.json);
              });

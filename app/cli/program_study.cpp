@@ -49,7 +49,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
         command
             .add_option("FOLDER,--out", o.folder,
                         "New or empty folder, or an earlier export, which is replaced; no default")
-            ->check(notEmpty());
+            ->check(outputFolder());
         command.parse_complete_callback([&o] {
           if (o.folder.empty()) throw CLI::RequiredError("FOLDER");
         });
@@ -75,7 +75,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                    ->check(notEmpty());
                auto* const to = command.add_option("--to", o.to, "What it is for; no default")
                                     ->check(oneOf({"redcap", "limesurvey", "print"}));
-               command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+               command.add_option("--out", o.out, "Folder for the files")->required()->check(outputFolder());
                command
                    .add_option("--wording", o.wording,
                                "The words of the items: plain, as on the screens, or published, those of the paper; "

@@ -47,6 +47,9 @@ TEST_F(Process, AHyphenIsStandardInputAndOutput) {
   EXPECT_EQ(said(kPoints + ("tactus eval " + model_) + " --in - --out -"), from_file);
   EXPECT_NE(said("cat " + model_ + " | tactus check -").find("reachable force"), std::string::npos);
   EXPECT_NE(said("cat " + model_ + " | tactus diff - " + model_).find("no difference"), std::string::npos);
+  for (const char* command :
+       {"demo -", "bundle m --out -", "convert m --to fll --out -", "study form s --to print --out -"})
+    EXPECT_NE(said(std::string("tactus ") + command).find("wanted the name of a folder"), std::string::npos) << command;
   EXPECT_FALSE(fs::exists("-")) << "no file of that name is made";
 }
 
