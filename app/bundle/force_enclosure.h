@@ -64,7 +64,7 @@ struct ForceRange {
   Range force_n;
   std::array<Range, fuzzy::kMostInputs> slopes{};
   bool smooth = true;  ///< every expert who counts fires everywhere in the box, and nothing jumps
-  bool fires = false;  ///< somebody may
+  bool fires = false;  ///< some expert may
 };
 
 /// The limits of a membership at `x` from above and from below: a vertical edge has two.
