@@ -28,7 +28,7 @@
 namespace tactus::cli {
 namespace {
 
-// A line on the terminal while a command takes long, so that nobody takes it for stuck.
+// A line on the terminal while a command takes long: it shows that the command is still working.
 
 /// From 2 s on, writes `what` and the seconds that have passed to standard error, each second in the same line; the end
 /// clears the line. Does nothing where standard error is no terminal.
