@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::experiments {
@@ -60,9 +61,8 @@ base::Result<ForceProtocol> ForceProtocol::create(const ForceSettings& settings,
   if (auto valid = validate(settings); !valid) return tl::unexpected(valid.error());
   std::vector<SeriesStep> block;
   if (settings.random) {
-    auto drawn = randomBlock(settings, seed);
-    if (!drawn) return tl::unexpected(drawn.error());
-    block = std::move(*drawn);
+    TACTUS_TRY(auto drawn, randomBlock(settings, seed));
+    block = std::move(drawn);
   }
   ForceProtocol protocol(settings, seed, std::move(block));
   for (const auto& record : records) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {
@@ -112,10 +113,9 @@ std::string_view name(WeightPolicy policy) noexcept {
 Result<std::vector<double>> expertWeights(std::span<const study::Participant> experts, const WeightSettings& settings) {
   std::vector<double> weights;
   for (const auto& expert : experts) {
-    const auto weight = weightOf(expert, settings);
-    if (!weight) return tl::unexpected(weight.error());
-    if (!std::isfinite(*weight) || *weight < 0) return refuseWeight(expert, *weight, settings);
-    weights.push_back(*weight);
+    TACTUS_TRY(const auto weight, weightOf(expert, settings));
+    if (!std::isfinite(weight) || weight < 0) return refuseWeight(expert, weight, settings);
+    weights.push_back(weight);
   }
   if (!weights.empty() && *std::max_element(weights.begin(), weights.end()) <= 0) {
     base::Error error{ErrorCode::kData, {}, "weights", "0 for every expert", "at least one weight above 0"};
@@ -166,19 +166,16 @@ std::vector<std::string> weightNotes(std::span<const study::Participant> experts
 }
 
 Result<std::map<std::string, double>> readWeightTable(const base::CsvTable& table) {
-  const auto participant = table.require("participant");
-  if (!participant) return tl::unexpected(participant.error());
-  const auto weight = table.require("weight");
-  if (!weight) return tl::unexpected(weight.error());
+  TACTUS_TRY(const auto participant, table.require("participant"));
+  TACTUS_TRY(const auto weight, table.require("weight"));
   std::map<std::string, double> weights;
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
-    const auto value = table.number(row, *weight);
-    if (!value) return tl::unexpected(value.error());
-    if (*value < 0) return table.refuse(row, *weight, ErrorCode::kValue, "a number of 0 or more");
-    const std::string code(base::trimmed(table.cell(row, *participant)));
-    if (code.empty()) return table.refuse(row, *participant, ErrorCode::kValue, "a participant");
-    if (!weights.emplace(code, *value).second) {
-      return table.refuse(row, *participant, ErrorCode::kData, "each participant once");
+    TACTUS_TRY(const auto value, table.number(row, weight));
+    if (value < 0) return table.refuse(row, weight, ErrorCode::kValue, "a number of 0 or more");
+    const std::string code(base::trimmed(table.cell(row, participant)));
+    if (code.empty()) return table.refuse(row, participant, ErrorCode::kValue, "a participant");
+    if (!weights.emplace(code, value).second) {
+      return table.refuse(row, participant, ErrorCode::kData, "each participant once");
     }
   }
   return weights;
