@@ -46,12 +46,9 @@ bool isAmount(double value) { return std::isfinite(value) && value >= 0; }
 
 std::string_view name(RepeatReason reason) noexcept {
   switch (reason) {
-    case RepeatReason::kNone:
-      return "none";
-    case RepeatReason::kStoodStill:
-      return "stood_still";
-    case RepeatReason::kNotDelivered:
-      return "not_delivered";
+    case RepeatReason::kNone: return "none";
+    case RepeatReason::kStoodStill: return "stood_still";
+    case RepeatReason::kNotDelivered: return "not_delivered";
   }
   return {};
 }

@@ -147,18 +147,10 @@ Progress QuestionnaireRun::progress() const {
       continue;
     }
     switch (last->status) {
-      case Status::kAnswered:
-        ++progress.answered;
-        break;
-      case Status::kSkipped:
-        ++progress.skipped;
-        break;
-      case Status::kCantTell:
-        ++progress.cant_tell;
-        break;
-      case Status::kCleared:
-        ++progress.cleared;
-        break;
+      case Status::kAnswered: ++progress.answered; break;
+      case Status::kSkipped: ++progress.skipped; break;
+      case Status::kCantTell: ++progress.cant_tell; break;
+      case Status::kCleared: ++progress.cleared; break;
     }
   }
   return progress;

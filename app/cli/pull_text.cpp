@@ -240,24 +240,20 @@ std::string blockerText(const fuzzy::ForceModel& model, const analysis::Pull& pu
   const fuzzy::Variable& variable = analysis::variableAt(model, blocker.variable);
   const std::string term = labelOf(findTerm(variable.terms, blocker.term), blocker.term);
   switch (blocker.kind) {
-    case PullBlocker::Kind::kNoRule:
-      return "no rule fires here";
+    case PullBlocker::Kind::kNoRule: return "no rule fires here";
     case PullBlocker::Kind::kLock:
       return base::oneLine(variable.id) + " is locked, and without the lock one edit is enough";
     case PullBlocker::Kind::kCentroid:
       return "the centroid of " + term + ": no word alone goes " +
              (pull.target_n < blocker.limit_n ? "below " : "above ") + formatFixed(blocker.limit_n, 3) + " N";
-    case PullBlocker::Kind::kOrder:
-      return "beyond the nearest edit " + term + " would have no core";
+    case PullBlocker::Kind::kOrder: return "beyond the nearest edit " + term + " would have no core";
     case PullBlocker::Kind::kRamp:
       return "beyond the nearest edit the transition above " + term + " would have no width";
     case PullBlocker::Kind::kUniverse:
       return "the nearest edit ends where the universe of " + base::oneLine(variable.id) + " ends";
-    case PullBlocker::Kind::kTurn:
-      return "the force turns back at the nearest edit";
+    case PullBlocker::Kind::kTurn: return "the force turns back at the nearest edit";
     case PullBlocker::Kind::kPin:
-    case PullBlocker::Kind::kRules:
-      break;
+    case PullBlocker::Kind::kRules: break;
   }
   return "one rule is not enough, the words of the other rules hold the force";
 }

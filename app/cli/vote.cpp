@@ -76,23 +76,12 @@ Result<Count> countFile(const VoteOptions& options, const std::vector<std::strin
 std::string why(const VoteStep& step) {
   std::string text;
   switch (step.reason) {
-    case elicitation::VoteReason::kMajority:
-      text = "half of the votes or more";
-      break;
-    case elicitation::VoteReason::kTieHigher:
-      text = "two have half of the votes each: the higher";
-      break;
-    case elicitation::VoteReason::kNextLevel:
-      text = "no half: one above the last force's own term";
-      break;
-    case elicitation::VoteReason::kClamped:
-      text = "no half: one above, kept within the terms voted for";
-      break;
-    case elicitation::VoteReason::kFirstMedian:
-      text = "no half, no force decided before: the lower median";
-      break;
-    case elicitation::VoteReason::kNoVotes:
-      return "no participant chose a term";
+    case elicitation::VoteReason::kMajority: text = "half of the votes or more"; break;
+    case elicitation::VoteReason::kTieHigher: text = "two have half of the votes each: the higher"; break;
+    case elicitation::VoteReason::kNextLevel: text = "no half: one above the last force's own term"; break;
+    case elicitation::VoteReason::kClamped: text = "no half: one above, kept within the terms voted for"; break;
+    case elicitation::VoteReason::kFirstMedian: text = "no half, no force decided before: the lower median"; break;
+    case elicitation::VoteReason::kNoVotes: return "no participant chose a term";
   }
   if (elicitation::isUnsaid(step)) {
     text += "; nobody said it";

@@ -86,12 +86,9 @@ std::string moreOrLess(double change) { return change < 0 ? "less" : "more"; }
 
 std::string whatOf(const Counterfactual& one) {
   switch (one.kind) {
-    case Counterfactual::Kind::kTerm:
-      return "term " + one.term;
-    case Counterfactual::Kind::kNoticeable:
-      return "one just-noticeable difference";
-    case Counterfactual::Kind::kLargestWord:
-      break;
+    case Counterfactual::Kind::kTerm: return "term " + one.term;
+    case Counterfactual::Kind::kNoticeable: return "one just-noticeable difference";
+    case Counterfactual::Kind::kLargestWord: break;
   }
   if (one.delta == 0) return "largest share: " + one.term + " and " + one.instead + " tie";
   return "largest share: " + one.instead + " instead of " + one.term;

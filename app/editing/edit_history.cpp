@@ -183,20 +183,13 @@ using fuzzy::ForceModel;
 
 std::string_view name(EventKind kind) noexcept {
   switch (kind) {
-    case EventKind::kOpened:
-      return "opened";
-    case EventKind::kEdit:
-      return "edit";
-    case EventKind::kUndo:
-      return "undo";
-    case EventKind::kRedo:
-      return "redo";
-    case EventKind::kReturn:
-      return "return";
-    case EventKind::kSnapshot:
-      return "snapshot";
-    case EventKind::kSignOff:
-      return "sign-off";
+    case EventKind::kOpened: return "opened";
+    case EventKind::kEdit: return "edit";
+    case EventKind::kUndo: return "undo";
+    case EventKind::kRedo: return "redo";
+    case EventKind::kReturn: return "return";
+    case EventKind::kSnapshot: return "snapshot";
+    case EventKind::kSignOff: return "sign-off";
   }
   return "";
 }

@@ -144,20 +144,13 @@ std::string detail(const char* key, std::string_view value) {
 
 std::string_view name(SessionPart part) noexcept {
   switch (part) {
-    case SessionPart::kProfile:
-      return "profile";
-    case SessionPart::kSpeed:
-      return "speed";
-    case SessionPart::kForce:
-      return "force";
-    case SessionPart::kForm:
-      return "form";
-    case SessionPart::kRating:
-      return "rating";
-    case SessionPart::kFinished:
-      return "finished";
-    case SessionPart::kAborted:
-      return "aborted";
+    case SessionPart::kProfile: return "profile";
+    case SessionPart::kSpeed: return "speed";
+    case SessionPart::kForce: return "force";
+    case SessionPart::kForm: return "form";
+    case SessionPart::kRating: return "rating";
+    case SessionPart::kFinished: return "finished";
+    case SessionPart::kAborted: return "aborted";
   }
   return "";
 }
@@ -173,12 +166,9 @@ study::Entry SessionState::entry() {
 
 bool SessionRecords::isDone(Block block) const {
   switch (block) {
-    case Block::kSpeed:
-      return speed->next().finished;
-    case Block::kForce:
-      return force->next().finished;
-    case Block::kForm:
-      return form->isAtEnd() && form->isComplete();
+    case Block::kSpeed: return speed->next().finished;
+    case Block::kForce: return force->next().finished;
+    case Block::kForm: return form->isAtEnd() && form->isComplete();
   }
   return true;
 }
@@ -197,12 +187,9 @@ SessionPart SessionRecords::part() const {
   if (!at) return SessionPart::kFinished;
   if (isDone(*at)) return SessionPart::kRating;
   switch (*at) {
-    case Block::kSpeed:
-      return SessionPart::kSpeed;
-    case Block::kForce:
-      return SessionPart::kForce;
-    case Block::kForm:
-      return SessionPart::kForm;
+    case Block::kSpeed: return SessionPart::kSpeed;
+    case Block::kForce: return SessionPart::kForce;
+    case Block::kForm: return SessionPart::kForm;
   }
   return SessionPart::kFinished;
 }

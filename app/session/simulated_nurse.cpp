@@ -184,20 +184,13 @@ base::Random SimulatedNurse::randomFor(const std::string& step) const {
 
 Result<void> SimulatedNurse::doNext(Session& session) {
   switch (session.part()) {
-    case SessionPart::kProfile:
-      pass_time_(60);
-      return session.tell(traits_.profile);
-    case SessionPart::kSpeed:
-      return doStroke(session);
-    case SessionPart::kForce:
-      return doJudgement(session);
-    case SessionPart::kForm:
-      return doAnswer(session);
-    case SessionPart::kRating:
-      return doRating(session);
+    case SessionPart::kProfile: pass_time_(60); return session.tell(traits_.profile);
+    case SessionPart::kSpeed: return doStroke(session);
+    case SessionPart::kForce: return doJudgement(session);
+    case SessionPart::kForm: return doAnswer(session);
+    case SessionPart::kRating: return doRating(session);
     case SessionPart::kFinished:
-    case SessionPart::kAborted:
-      break;
+    case SessionPart::kAborted: break;
   }
   return fail(ErrorCode::kValue, "session", "its end", "a session that asks for something");
 }

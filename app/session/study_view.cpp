@@ -115,14 +115,10 @@ std::string sessionText(const BlockInSession& one) {
 
 std::string text(const ElicitedBlock& block) {
   switch (block.kind) {
-    case BlockKind::kSpeedLevel:
-      return "the speed " + base::quoted(block.id);
-    case BlockKind::kForceSeries:
-      return "the series " + base::quoted(block.id);
-    case BlockKind::kForm:
-      return "the form " + base::quoted(block.id);
-    case BlockKind::kRules:
-      return "the rules";
+    case BlockKind::kSpeedLevel: return "the speed " + base::quoted(block.id);
+    case BlockKind::kForceSeries: return "the series " + base::quoted(block.id);
+    case BlockKind::kForm: return "the form " + base::quoted(block.id);
+    case BlockKind::kRules: return "the rules";
   }
   return {};
 }
@@ -133,14 +129,10 @@ Result<bool> isComplete(const store::StudyFile& file, const study::SessionRecord
   const auto settings = parseSessionSettings(session.settings);
   if (!settings || session.settings.empty()) return false;
   switch (block.kind) {
-    case BlockKind::kSpeedLevel:
-      return scored >= static_cast<std::size_t>(std::max(settings->speed.strokes, 0));
-    case BlockKind::kForceSeries:
-      return isSeriesDone(file, session, *settings, block.id);
-    case BlockKind::kForm:
-      return isFormDone(file, session, block.id);
-    case BlockKind::kRules:
-      break;
+    case BlockKind::kSpeedLevel: return scored >= static_cast<std::size_t>(std::max(settings->speed.strokes, 0));
+    case BlockKind::kForceSeries: return isSeriesDone(file, session, *settings, block.id);
+    case BlockKind::kForm: return isFormDone(file, session, block.id);
+    case BlockKind::kRules: break;
   }
   return true;
 }

@@ -254,16 +254,11 @@ struct Leg {
 
 HandPlan wayOf(const MotionStep& step, double start_mm) {
   switch (step.kind) {
-    case Kind::kStroke:
-      return haptics::stroke(step.length_mm, step.duration_s);
-    case Kind::kGoTo:
-      return haptics::stroke(step.position_mm - start_mm, step.duration_s);
-    case Kind::kPush:
-      return haptics::push(step.speed_mm_s);
-    case Kind::kSwing:
-      return haptics::swing(step.amplitude_mm, step.frequency_hz);
-    default:
-      return {};
+    case Kind::kStroke: return haptics::stroke(step.length_mm, step.duration_s);
+    case Kind::kGoTo: return haptics::stroke(step.position_mm - start_mm, step.duration_s);
+    case Kind::kPush: return haptics::push(step.speed_mm_s);
+    case Kind::kSwing: return haptics::swing(step.amplitude_mm, step.frequency_hz);
+    default: return {};
   }
 }
 

@@ -208,14 +208,10 @@ class Search {
 
   std::vector<double> startNumber(int start, const FcmEntries& entries, base::Random& random) const {
     switch (start) {
-      case 0:
-        return quantileStart(entries, settings_.clusters);
-      case 1:
-        return bestRunsStart(entries, settings_.clusters);
-      case 2:
-        return equalWidthStart(entries, settings_.clusters);
-      default:
-        break;
+      case 0: return quantileStart(entries, settings_.clusters);
+      case 1: return bestRunsStart(entries, settings_.clusters);
+      case 2: return equalWidthStart(entries, settings_.clusters);
+      default: break;
     }
     std::vector<double> centres = spreadStart(entries, settings_.clusters, random);
     if (settings_.m > kMinimaApartM) {  // a center on a sample would stay there
@@ -352,12 +348,9 @@ Result<FcmResult> fuzzyCMeansOf(std::span<const double> samples, std::span<const
 
 std::string_view name(FcmStop stop) noexcept {
   switch (stop) {
-    case FcmStop::kConverged:
-      return "converged";
-    case FcmStop::kExact:
-      return "exact";
-    case FcmStop::kIterationLimit:
-      return "iteration_limit";
+    case FcmStop::kConverged: return "converged";
+    case FcmStop::kExact: return "exact";
+    case FcmStop::kIterationLimit: return "iteration_limit";
   }
   return "";
 }

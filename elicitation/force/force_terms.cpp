@@ -74,14 +74,10 @@ void addAbove(Cores& cores, const ForceEnd& end, ForceTerms& out) {
 
 std::string_view name(ForceTermsFrom from) noexcept {
   switch (from) {
-    case ForceTermsFrom::kVote:
-      return "vote";
-    case ForceTermsFrom::kFrequency:
-      return "frequency";
-    case ForceTermsFrom::kThresholds:
-      return "thresholds";
-    case ForceTermsFrom::kProbit:
-      return "probit";
+    case ForceTermsFrom::kVote: return "vote";
+    case ForceTermsFrom::kFrequency: return "frequency";
+    case ForceTermsFrom::kThresholds: return "thresholds";
+    case ForceTermsFrom::kProbit: return "probit";
   }
   return "";
 }

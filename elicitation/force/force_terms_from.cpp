@@ -119,14 +119,10 @@ base::Result<ForceTerms> forceTermsFrom(ForceTermsFrom from, const fuzzy::Variab
                                         std::span<const study::ForceJudgement> judgements, std::string_view series,
                                         std::span<const VoteStep> steps, std::optional<double> end_n) {
   switch (from) {
-    case ForceTermsFrom::kVote:
-      return forceTerms(output, steps, end_n);
-    case ForceTermsFrom::kFrequency:
-      return frequencyTerms(output, steps, end_n);
-    case ForceTermsFrom::kThresholds:
-      return thresholdTerms(output, judgements, series, steps, end_n);
-    case ForceTermsFrom::kProbit:
-      return probitTerms(output, judgements, series, steps, end_n);
+    case ForceTermsFrom::kVote: return forceTerms(output, steps, end_n);
+    case ForceTermsFrom::kFrequency: return frequencyTerms(output, steps, end_n);
+    case ForceTermsFrom::kThresholds: return thresholdTerms(output, judgements, series, steps, end_n);
+    case ForceTermsFrom::kProbit: return probitTerms(output, judgements, series, steps, end_n);
   }
   TACTUS_CHECK(false);
 }

@@ -28,14 +28,10 @@ struct Answers {
 
 std::optional<std::size_t> placeOf(const ForceJudgement& judgement, const std::vector<fuzzy::Term>& terms) {
   switch (judgement.kind) {
-    case ForceJudgement::Kind::kNotFelt:
-      return 0;
-    case ForceJudgement::Kind::kBeyondPractice:
-      return terms.size() + 1;
-    case ForceJudgement::Kind::kNoAnswer:
-      return std::nullopt;
-    case ForceJudgement::Kind::kTerm:
-      break;
+    case ForceJudgement::Kind::kNotFelt: return 0;
+    case ForceJudgement::Kind::kBeyondPractice: return terms.size() + 1;
+    case ForceJudgement::Kind::kNoAnswer: return std::nullopt;
+    case ForceJudgement::Kind::kTerm: break;
   }
   const auto found =
       std::find_if(terms.begin(), terms.end(), [&](const fuzzy::Term& term) { return term.id == judgement.term; });

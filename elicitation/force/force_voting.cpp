@@ -183,18 +183,12 @@ Decision decide(const std::vector<int>& votes, std::optional<std::size_t> last) 
 
 std::string_view name(VoteReason reason) noexcept {
   switch (reason) {
-    case VoteReason::kMajority:
-      return "majority";
-    case VoteReason::kTieHigher:
-      return "tie_higher";
-    case VoteReason::kNextLevel:
-      return "next_level";
-    case VoteReason::kClamped:
-      return "clamped";
-    case VoteReason::kFirstMedian:
-      return "first_median";
-    case VoteReason::kNoVotes:
-      return "no_votes";
+    case VoteReason::kMajority: return "majority";
+    case VoteReason::kTieHigher: return "tie_higher";
+    case VoteReason::kNextLevel: return "next_level";
+    case VoteReason::kClamped: return "clamped";
+    case VoteReason::kFirstMedian: return "first_median";
+    case VoteReason::kNoVotes: return "no_votes";
   }
   return "";
 }

@@ -28,8 +28,7 @@ std::string keys(const std::map<std::string, double>& table) {
 Result<double> weightOf(const study::Participant& expert, const WeightSettings& settings) {
   const std::string place = "participant " + expert.code;
   switch (settings.policy) {
-    case WeightPolicy::kEqual:
-      return 1.0;
+    case WeightPolicy::kEqual: return 1.0;
     case WeightPolicy::kYears:
       if (expert.years_experience) return *expert.years_experience;
       return study::atCell(
@@ -96,16 +95,11 @@ std::string percent(double share) {
 
 std::string_view name(WeightPolicy policy) noexcept {
   switch (policy) {
-    case WeightPolicy::kEqual:
-      return "equal";
-    case WeightPolicy::kYears:
-      return "years";
-    case WeightPolicy::kCategory:
-      return "category";
-    case WeightPolicy::kColumn:
-      return "column";
-    case WeightPolicy::kTable:
-      return "file";
+    case WeightPolicy::kEqual: return "equal";
+    case WeightPolicy::kYears: return "years";
+    case WeightPolicy::kCategory: return "category";
+    case WeightPolicy::kColumn: return "column";
+    case WeightPolicy::kTable: return "file";
   }
   return "";
 }

@@ -135,14 +135,10 @@ std::vector<fuzzy::Condition> conditionsFrom(const std::vector<study::ItemCondit
 
 MissingItem::Reason reasonOf(study::Answer::Status status) {
   switch (status) {
-    case study::Answer::Status::kSkipped:
-      return MissingItem::Reason::kSkipped;
-    case study::Answer::Status::kCantTell:
-      return MissingItem::Reason::kCantTell;
-    case study::Answer::Status::kCleared:
-      return MissingItem::Reason::kCleared;
-    case study::Answer::Status::kAnswered:
-      break;
+    case study::Answer::Status::kSkipped: return MissingItem::Reason::kSkipped;
+    case study::Answer::Status::kCantTell: return MissingItem::Reason::kCantTell;
+    case study::Answer::Status::kCleared: return MissingItem::Reason::kCleared;
+    case study::Answer::Status::kAnswered: break;
   }
   return MissingItem::Reason::kNoAnswer;
 }
@@ -151,14 +147,10 @@ MissingItem::Reason reasonOf(study::Answer::Status status) {
 
 std::string_view name(MissingItem::Reason reason) noexcept {
   switch (reason) {
-    case MissingItem::Reason::kNoAnswer:
-      return "no answer";
-    case MissingItem::Reason::kSkipped:
-      return "skipped";
-    case MissingItem::Reason::kCantTell:
-      return "cannot tell";
-    case MissingItem::Reason::kCleared:
-      return "cleared";
+    case MissingItem::Reason::kNoAnswer: return "no answer";
+    case MissingItem::Reason::kSkipped: return "skipped";
+    case MissingItem::Reason::kCantTell: return "cannot tell";
+    case MissingItem::Reason::kCleared: return "cleared";
   }
   return "";
 }

@@ -38,30 +38,21 @@ std::vector<WeightedCast> inAnyOrder(std::vector<WeightedCast> casts) {
 
 std::string_view name(BandKind kind) noexcept {
   switch (kind) {
-    case BandKind::kAgain:
-      return "again";
-    case BandKind::kOthers:
-      return "others";
-    case BandKind::kNext:
-      return "next";
+    case BandKind::kAgain: return "again";
+    case BandKind::kOthers: return "others";
+    case BandKind::kNext: return "next";
   }
   return "";
 }
 
 std::string_view name(Drawn drawn) noexcept {
   switch (drawn) {
-    case Drawn::kPeople:
-      return "people";
-    case Drawn::kWhoMoved:
-      return "who_moved";
-    case Drawn::kWhoJudged:
-      return "who_judged";
-    case Drawn::kWhoAnswered:
-      return "who_answered";
-    case Drawn::kOwnStrokes:
-      return "own_strokes";
-    case Drawn::kOwnJudgements:
-      return "own_judgements";
+    case Drawn::kPeople: return "people";
+    case Drawn::kWhoMoved: return "who_moved";
+    case Drawn::kWhoJudged: return "who_judged";
+    case Drawn::kWhoAnswered: return "who_answered";
+    case Drawn::kOwnStrokes: return "own_strokes";
+    case Drawn::kOwnJudgements: return "own_judgements";
   }
   return "";
 }

@@ -49,16 +49,11 @@ void ParticipantTable::follow() {
 QString ParticipantTable::shown(const ParticipantRow& row, int column) const {
   if (const auto step = stepOf(column)) return stateText(row.at(*step));
   switch (column) {
-    case kCode:
-      return harmless(row.code);
-    case kNext:
-      return nextText(row);
-    case kLastSeen:
-      return lastSeenText(row.last_seen_ms, utcNowMs());
-    case kLanguage:
-      return languageName(row.language);
-    default:
-      return {};
+    case kCode: return harmless(row.code);
+    case kNext: return nextText(row);
+    case kLastSeen: return lastSeenText(row.last_seen_ms, utcNowMs());
+    case kLanguage: return languageName(row.language);
+    default: return {};
   }
 }
 
@@ -66,8 +61,7 @@ QVariant ParticipantTable::data(const QModelIndex& index, int role) const {
   const ParticipantRow& row = participant(index.row());
   const auto step = stepOf(index.column());
   switch (role) {
-    case Qt::DisplayRole:
-      return shown(row, index.column());
+    case Qt::DisplayRole: return shown(row, index.column());
     case Qt::ToolTipRole:
       if (index.column() == kNext && !row.trouble.isEmpty()) return harmless(row.trouble);
       return step ? tr("%1: %2").arg(stepName(*step), spokenState(row.at(*step))) : QString();
@@ -77,8 +71,7 @@ QVariant ParticipantTable::data(const QModelIndex& index, int role) const {
       if (index.column() != kCode) return text;
       return row.simulated ? tr("%1, SIMULATED").arg(text) : row.virtual_device ? tr("%1, VIRTUAL").arg(text) : text;
     }
-    default:
-      return {};
+    default: return {};
   }
 }
 
@@ -86,16 +79,11 @@ QVariant ParticipantTable::headerData(int section, Qt::Orientation orientation, 
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   if (const auto step = stepOf(section)) return stepName(*step);
   switch (section) {
-    case kCode:
-      return tr("Participant");
-    case kNext:
-      return tr("Next step");
-    case kLastSeen:
-      return tr("Last seen");
-    case kLanguage:
-      return tr("Language");
-    default:
-      return {};
+    case kCode: return tr("Participant");
+    case kNext: return tr("Next step");
+    case kLastSeen: return tr("Last seen");
+    case kLanguage: return tr("Language");
+    default: return {};
   }
 }
 

@@ -58,16 +58,11 @@ QVariant DeliveredModel::data(const QModelIndex& index, int role) const {
     return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-    case kFile:
-      return file.path;
-    case kError:
-      return file.error_n ? errorText(*file.error_n) : QString();
-    case kTolerance:
-      return file.error_n ? errorText(file.tolerance_n) : QString();
-    case kCentroid:
-      return file.ok ? centroidText(file.rule) : tr("not as promised");
-    default:
-      return {};
+    case kFile: return file.path;
+    case kError: return file.error_n ? errorText(*file.error_n) : QString();
+    case kTolerance: return file.error_n ? errorText(file.tolerance_n) : QString();
+    case kCentroid: return file.ok ? centroidText(file.rule) : tr("not as promised");
+    default: return {};
   }
 }
 
@@ -78,16 +73,11 @@ QVariant DeliveredModel::headerData(int section, Qt::Orientation orientation, in
   }
   if (role != Qt::DisplayRole) return {};
   switch (section) {
-    case kFile:
-      return tr("File");
-    case kError:
-      return tr("Largest error");
-    case kTolerance:
-      return tr("Tolerance");
-    case kCentroid:
-      return tr("Centroid");
-    default:
-      return {};
+    case kFile: return tr("File");
+    case kError: return tr("Largest error");
+    case kTolerance: return tr("Tolerance");
+    case kCentroid: return tr("Centroid");
+    default: return {};
   }
 }
 

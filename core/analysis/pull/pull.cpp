@@ -48,20 +48,14 @@ PullBlocker atTheEnd(const SearchedGesture& gesture, const std::vector<fuzzy::Te
     return full ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, left);
   };
   switch (gesture.edit.gesture) {
-    case Gesture::kBegin:
-      return at_high ? no_ramp : below(gesture, terms, ramps, place);
-    case Gesture::kEnd:
-      return at_high ? above(gesture, terms, ramps, place) : no_ramp;
-    case Gesture::kShift:
-      return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place);
-    case Gesture::kWidth:
-      return at_high ? wider(place) : no_ramp;
-    case Gesture::kMove:
-      return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place - 1);
+    case Gesture::kBegin: return at_high ? no_ramp : below(gesture, terms, ramps, place);
+    case Gesture::kEnd: return at_high ? above(gesture, terms, ramps, place) : no_ramp;
+    case Gesture::kShift: return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place);
+    case Gesture::kWidth: return at_high ? wider(place) : no_ramp;
+    case Gesture::kMove: return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place - 1);
     case Gesture::kWiden:
       return at_high ? wider(place - 1) : PullBlocker{Kind::kOrder, gesture.edit.list.variable, own, 0};
-    default:
-      return {Kind::kTurn, gesture.edit.list.variable, own, 0};
+    default: return {Kind::kTurn, gesture.edit.list.variable, own, 0};
   }
 }
 

@@ -58,18 +58,11 @@ DecimalCommas::Cell DecimalCommas::kindOf(std::string_view cell) {
 
 void DecimalCommas::add(std::string_view cell) {
   switch (kindOf(cell)) {
-    case Cell::kDecimal:
-      ++decimal_;
-      break;
-    case Cell::kThousands:
-      ++thousands_;
-      break;
-    case Cell::kPoint:
-      ++points_;
-      break;
+    case Cell::kDecimal: ++decimal_; break;
+    case Cell::kThousands: ++thousands_; break;
+    case Cell::kPoint: ++points_; break;
     case Cell::kEither:
-    case Cell::kOther:
-      break;
+    case Cell::kOther: break;
   }
 }
 

@@ -23,16 +23,11 @@ QString policyNewtons(double force_n) { return quantityText(force_n, "N", 3); }
 
 QString policyName(WeightPolicy policy) {
   switch (policy) {
-    case WeightPolicy::kEqual:
-      return PolicyTable::tr("Equal");
-    case WeightPolicy::kYears:
-      return PolicyTable::tr("By years of experience");
-    case WeightPolicy::kCategory:
-      return PolicyTable::tr("By category");
-    case WeightPolicy::kColumn:
-      return PolicyTable::tr("From the profiles");
-    case WeightPolicy::kTable:
-      return PolicyTable::tr("Own weights");
+    case WeightPolicy::kEqual: return PolicyTable::tr("Equal");
+    case WeightPolicy::kYears: return PolicyTable::tr("By years of experience");
+    case WeightPolicy::kCategory: return PolicyTable::tr("By category");
+    case WeightPolicy::kColumn: return PolicyTable::tr("From the profiles");
+    case WeightPolicy::kTable: return PolicyTable::tr("Own weights");
   }
   return {};
 }
@@ -67,14 +62,10 @@ QVariant PolicyTable::cell(int row, int column, int role) const {
       for (const double weight : at.weights) weights << numberText(weight, 2);
       return weights.join(QStringLiteral(" · "));
     }
-    case kLargest:
-      return policyNewtons(at.from_equal.largest_n);
-    case kRms:
-      return policyNewtons(at.from_equal.rms_n);
-    case kWhere:
-      return at.where;
-    default:
-      return {};
+    case kLargest: return policyNewtons(at.from_equal.largest_n);
+    case kRms: return policyNewtons(at.from_equal.rms_n);
+    case kWhere: return at.where;
+    default: return {};
   }
 }
 

@@ -16,22 +16,14 @@ const QString kNone = QStringLiteral("–");
 // The name in JudgementFinding::check, by column.
 const char* checkOf(int column) {
   switch (column) {
-    case CheckTable::kReversals:
-      return "monotonicity";
-    case CheckTable::kHysteresis:
-      return "hysteresis";
-    case CheckTable::kRepeats:
-      return "repeats";
-    case CheckTable::kBlanks:
-      return "blanks";
-    case CheckTable::kThresholds:
-      return "thresholds";
-    case CheckTable::kAnswerTime:
-      return "response_time";
-    case CheckTable::kMotion:
-      return "motion";
-    default:
-      return "";
+    case CheckTable::kReversals: return "monotonicity";
+    case CheckTable::kHysteresis: return "hysteresis";
+    case CheckTable::kRepeats: return "repeats";
+    case CheckTable::kBlanks: return "blanks";
+    case CheckTable::kThresholds: return "thresholds";
+    case CheckTable::kAnswerTime: return "response_time";
+    case CheckTable::kMotion: return "motion";
+    default: return "";
   }
 }
 
@@ -68,24 +60,18 @@ QString thresholds(const study::TermThresholds& found) {
 QString shownCheck(const ParticipantChecks& row, int column) {
   const experiments::JudgementChecks& checks = row.checks;
   switch (column) {
-    case CheckTable::kWho:
-      return harmless(text(row.participant));
-    case CheckTable::kReversals:
-      return reversals(checks);
+    case CheckTable::kWho: return harmless(text(row.participant));
+    case CheckTable::kReversals: return reversals(checks);
     case CheckTable::kHysteresis:
       return checks.hysteresis.index ? CheckTable::tr("%1 words").arg(numberText(*checks.hysteresis.index)) : kNone;
-    case CheckTable::kRepeats:
-      return repeats(checks.repeats);
-    case CheckTable::kBlanks:
-      return share(checks.blanks.false_alarms, checks.blanks.blanks);
-    case CheckTable::kThresholds:
-      return thresholds(checks.thresholds);
+    case CheckTable::kRepeats: return repeats(checks.repeats);
+    case CheckTable::kBlanks: return share(checks.blanks.false_alarms, checks.blanks.blanks);
+    case CheckTable::kThresholds: return thresholds(checks.thresholds);
     case CheckTable::kAnswerTime:
       return checks.response_time.median_s ? quantityText(*checks.response_time.median_s, "s", 1) : kNone;
     case CheckTable::kMotion:
       return checks.motion.median_mm_s ? quantityText(*checks.motion.median_mm_s, "mm/s", 0) : kNone;
-    default:
-      return {};
+    default: return {};
   }
 }
 
@@ -137,14 +123,10 @@ QVariant CheckTable::cell(int row, int column, int role) const {
   const auto finding = std::find_if(findings.begin(), findings.end(),
                                     [column](const auto& one) { return one.check == checkOf(column); });
   switch (role) {
-    case Qt::DisplayRole:
-      return shownCheck(at, column);
-    case Qt::ToolTipRole:
-      return finding == findings.end() ? QVariant() : text(finding->sentence);
-    case kNotableRole:
-      return finding != findings.end() && finding->notable;
-    default:
-      return {};
+    case Qt::DisplayRole: return shownCheck(at, column);
+    case Qt::ToolTipRole: return finding == findings.end() ? QVariant() : text(finding->sentence);
+    case kNotableRole: return finding != findings.end() && finding->notable;
+    default: return {};
   }
 }
 
@@ -186,12 +168,9 @@ QString judgedText(const fuzzy::Variable& words, const session::JudgedWord& word
         if (term.id == word.term) return labelOf(term);
       }
       return harmless(text(word.term));
-    case Judged::kNotFelt:
-      return GridWords::tr("not felt");
-    case Judged::kBeyondPractice:
-      return GridWords::tr("beyond practice");
-    case Judged::kNoAnswer:
-      return GridWords::tr("no answer");
+    case Judged::kNotFelt: return GridWords::tr("not felt");
+    case Judged::kBeyondPractice: return GridWords::tr("beyond practice");
+    case Judged::kNoAnswer: return GridWords::tr("no answer");
   }
   return {};
 }

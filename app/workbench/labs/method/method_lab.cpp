@@ -56,18 +56,12 @@ QVariant VariantTable::cell(int row, int column, int role) const {
   if (column == kValue) return text(one.value);
   if (!one.unavailable.empty()) return column == kWhere ? text(one.unavailable) : QStringLiteral("–");
   switch (column) {
-    case kRms:
-      return quantityText(one.rms_n, "N", 3);
-    case kNoticeable:
-      return numberText(one.rms_noticeable, 2);
-    case kFelt:
-      return feltText(one.noticeable_share);
-    case kLargest:
-      return quantityText(one.largest_n, "N", 3);
-    case kWhere:
-      return at.where;
-    default:
-      return {};
+    case kRms: return quantityText(one.rms_n, "N", 3);
+    case kNoticeable: return numberText(one.rms_noticeable, 2);
+    case kFelt: return feltText(one.noticeable_share);
+    case kLargest: return quantityText(one.largest_n, "N", 3);
+    case kWhere: return at.where;
+    default: return {};
   }
 }
 
@@ -106,20 +100,15 @@ QVariant FactorTable::cell(int row, int column, int role) const {
   if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
   const auto* const worst = factor.worst ? &study_.variants[*factor.worst] : nullptr;
   switch (column) {
-    case kFactor:
-      return text(elicitation::factorTitle(factor.factor));
-    case kNow:
-      return text(factor.unchanged);
+    case kFactor: return text(elicitation::factorTitle(factor.factor));
+    case kNow: return text(factor.unchanged);
     case kSentence:
       if (role == Qt::ToolTipRole) return text(elicitation::factorSentence(study_, factor));
       // A narrow column shall not break between a number and its sign.
       return text(elicitation::factorVerdict(study_, factor)).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
-    case kLargest:
-      return worst == nullptr ? kNotCompared : quantityText(worst->largest_n, "N", 3);
-    case kNoticeable:
-      return worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2);
-    default:
-      return {};
+    case kLargest: return worst == nullptr ? kNotCompared : quantityText(worst->largest_n, "N", 3);
+    case kNoticeable: return worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2);
+    default: return {};
   }
 }
 

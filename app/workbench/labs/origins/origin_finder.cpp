@@ -58,14 +58,10 @@ QVariant OriginTable::cell(int row, int column, int role) const {
   if (role == kOrderRole && column == kRecord) return row;
   if (role != Qt::DisplayRole && role != kOrderRole) return {};
   switch (column) {
-    case kParticipant:
-      return record.participant;
-    case kRecord:
-      return record.what;
-    case kSays:
-      return record.says;
-    default:
-      return movesText(at);
+    case kParticipant: return record.participant;
+    case kRecord: return record.what;
+    case kSays: return record.says;
+    default: return movesText(at);
   }
 }
 
@@ -96,14 +92,10 @@ const fuzzy::Variable* variableOf(const fuzzy::ForceModel& model, const std::str
 
 QString judgementText(const fuzzy::Variable& output, const study::ForceJudgement& one) {
   switch (one.kind) {
-    case study::ForceJudgement::Kind::kTerm:
-      return wordOf(output, one.term);
-    case study::ForceJudgement::Kind::kNotFelt:
-      return OriginText::tr("not felt");
-    case study::ForceJudgement::Kind::kBeyondPractice:
-      return OriginText::tr("beyond practice");
-    case study::ForceJudgement::Kind::kNoAnswer:
-      return OriginText::tr("no answer");
+    case study::ForceJudgement::Kind::kTerm: return wordOf(output, one.term);
+    case study::ForceJudgement::Kind::kNotFelt: return OriginText::tr("not felt");
+    case study::ForceJudgement::Kind::kBeyondPractice: return OriginText::tr("beyond practice");
+    case study::ForceJudgement::Kind::kNoAnswer: return OriginText::tr("no answer");
   }
   return {};
 }
@@ -331,8 +323,7 @@ base::Result<elicitation::RecordInfluence> influenceOf(const OriginRecord& recor
     case Kind::kStroke:
       return elicitation::withoutStroke(built, study.study, settings, record.stroke.participant, record.stroke.level,
                                         record.stroke.stroke);
-    case Kind::kJudgement:
-      return elicitation::withoutJudgement(built, study.study, settings, record.index);
+    case Kind::kJudgement: return elicitation::withoutJudgement(built, study.study, settings, record.index);
     case Kind::kAnswer:
     case Kind::kGivenRule:
       if (record.rule) return elicitation::withoutRule(built, record.rule->expert, record.rule->rule);

@@ -23,26 +23,18 @@ QString measureText(const AgreementRow& row, int column) {
   const elicitation::Agreement& m = row.measures;
   const auto number = [](const elicitation::OrReason<double>& value) { return value ? fixed(*value) : kNoValue; };
   switch (column) {
-    case AgreementTable::kSize:
-      return QStringLiteral("%1 × %2").arg(row.units).arg(row.raters);
-    case AgreementTable::kOrdinal:
-      return number(m.alpha_ordinal);
+    case AgreementTable::kSize: return QStringLiteral("%1 × %2").arg(row.units).arg(row.raters);
+    case AgreementTable::kOrdinal: return number(m.alpha_ordinal);
     case AgreementTable::kInterval:
       return row.interval
                  ? AgreementTable::tr("%1 to %2").arg(fixed(row.interval->low, 2), fixed(row.interval->high, 2))
                  : kNoValue;
-    case AgreementTable::kConsensus:
-      return row.consensus ? fixed(*row.consensus) : kNoValue;
-    case AgreementTable::kIntervalAlpha:
-      return number(m.alpha_interval);
-    case AgreementTable::kNominal:
-      return number(m.alpha_nominal);
-    case AgreementTable::kKendall:
-      return m.kendall_w ? fixed(m.kendall_w->w) : kNoValue;
-    case AgreementTable::kFleiss:
-      return m.fleiss_kappa ? fixed(m.fleiss_kappa->kappa) : kNoValue;
-    default:
-      return {};
+    case AgreementTable::kConsensus: return row.consensus ? fixed(*row.consensus) : kNoValue;
+    case AgreementTable::kIntervalAlpha: return number(m.alpha_interval);
+    case AgreementTable::kNominal: return number(m.alpha_nominal);
+    case AgreementTable::kKendall: return m.kendall_w ? fixed(m.kendall_w->w) : kNoValue;
+    case AgreementTable::kFleiss: return m.fleiss_kappa ? fixed(m.fleiss_kappa->kappa) : kNoValue;
+    default: return {};
   }
 }
 
@@ -50,18 +42,12 @@ QString measureText(const AgreementRow& row, int column) {
 QString reasonText(const AgreementRow& row, int column) {
   const elicitation::Agreement& m = row.measures;
   switch (column) {
-    case AgreementTable::kOrdinal:
-      return reasonOf(m.alpha_ordinal);
-    case AgreementTable::kIntervalAlpha:
-      return reasonOf(m.alpha_interval);
-    case AgreementTable::kNominal:
-      return reasonOf(m.alpha_nominal);
-    case AgreementTable::kKendall:
-      return reasonOf(m.kendall_w);
-    case AgreementTable::kFleiss:
-      return reasonOf(m.fleiss_kappa);
-    default:
-      return {};
+    case AgreementTable::kOrdinal: return reasonOf(m.alpha_ordinal);
+    case AgreementTable::kIntervalAlpha: return reasonOf(m.alpha_interval);
+    case AgreementTable::kNominal: return reasonOf(m.alpha_nominal);
+    case AgreementTable::kKendall: return reasonOf(m.kendall_w);
+    case AgreementTable::kFleiss: return reasonOf(m.fleiss_kappa);
+    default: return {};
   }
 }
 
@@ -136,20 +122,13 @@ QVariant UsabilityTable::cell(int row, int column, int role) const {
   if (role == Qt::ToolTipRole && column == kStatement) return at.statement;
   if (role != Qt::DisplayRole) return {};
   switch (column) {
-    case kStatement:
-      return at.statement;
-    case kCount:
-      return QString::number(at.here.n);
-    case kHere:
-      return meanText(at.here);
-    case kHereRange:
-      return spanText(at.here);
-    case kPublished:
-      return meanText(at.published);
-    case kPublishedRange:
-      return spanText(at.published);
-    default:
-      return {};
+    case kStatement: return at.statement;
+    case kCount: return QString::number(at.here.n);
+    case kHere: return meanText(at.here);
+    case kHereRange: return spanText(at.here);
+    case kPublished: return meanText(at.published);
+    case kPublishedRange: return spanText(at.published);
+    default: return {};
   }
 }
 

@@ -100,20 +100,15 @@ QString CellTable::withoutText(std::size_t row) const {
 QVariant CellTable::orderOf(std::size_t row, int column) const {
   const Row& at = rows_[row];
   switch (column) {
-    case kWord:
-      return at.term ? static_cast<int>(*at.term) : -1;
-    case kFelt:
-      return at.felt_n.value_or(-1);
-    case kFromMean:
-      return at.felt_n && mean_n_ ? std::abs(*at.felt_n - *mean_n_) : -1;
+    case kWord: return at.term ? static_cast<int>(*at.term) : -1;
+    case kFelt: return at.felt_n.value_or(-1);
+    case kFromMean: return at.felt_n && mean_n_ ? std::abs(*at.felt_n - *mean_n_) : -1;
     case kWithout: {
       const auto moved = lab_.influenceOf(row);
       return moved ? moved->difference.largest_n : -1;
     }
-    case kSource:
-      return at.source;
-    default:
-      return static_cast<int>(row);
+    case kSource: return at.source;
+    default: return static_cast<int>(row);
   }
 }
 
@@ -132,18 +127,12 @@ QVariant CellTable::cell(int row, int column, int role) const {
   }
   if (role != Qt::DisplayRole) return {};
   switch (column) {
-    case kExpert:
-      return at.expert;
-    case kWord:
-      return at.word;
-    case kFelt:
-      return at.felt_n ? quantityText(*at.felt_n, unit, 3) : kNothing;
-    case kFromMean:
-      return at.felt_n && mean_n_ ? signedText(*at.felt_n - *mean_n_, unit) : kNothing;
-    case kWithout:
-      return withoutText(expert);
-    default:
-      return at.source;
+    case kExpert: return at.expert;
+    case kWord: return at.word;
+    case kFelt: return at.felt_n ? quantityText(*at.felt_n, unit, 3) : kNothing;
+    case kFromMean: return at.felt_n && mean_n_ ? signedText(*at.felt_n - *mean_n_, unit) : kNothing;
+    case kWithout: return withoutText(expert);
+    default: return at.source;
   }
 }
 
@@ -227,15 +216,12 @@ QVariant FindingTable::cell(int row, int column, int role) const {
   if (role == Qt::ForegroundRole && column == kKind) return theme::ink();
   if (role != Qt::DisplayRole) return {};
   switch (column) {
-    case kKind:
-      return at.group == 0 ? QString() : QStringLiteral("%1 (%2)").arg(kindText(finding.kind)).arg(at.group);
+    case kKind: return at.group == 0 ? QString() : QStringLiteral("%1 (%2)").arg(kindText(finding.kind)).arg(at.group);
     case kNewtons:
       if (!finding.newtons) return QStringLiteral("–");
       return (finding.at_least ? QStringLiteral("≥ ") : QString()) + quantityText(*finding.newtons, unit_, 3);
-    case kExperts:
-      return worded.who;
-    default:
-      return worded.sentence;
+    case kExperts: return worded.who;
+    default: return worded.sentence;
   }
 }
 

@@ -98,10 +98,8 @@ QString SpeedTable::measureText(const SpeedSubject& subject, int measure) const 
   const elicitation::LevelDiagnostics& found = subject.speeds.diagnostics;
   const bool compared = !found.confusion.counts.empty();
   switch (measure) {
-    case kAccuracy:
-      return compared ? fixed(found.confusion.accuracy, 2) : QStringLiteral("–");
-    case kRand:
-      return compared ? fixed(found.confusion.adjusted_rand_index, 2) : QStringLiteral("–");
+    case kAccuracy: return compared ? fixed(found.confusion.accuracy, 2) : QStringLiteral("–");
+    case kRand: return compared ? fixed(found.confusion.adjusted_rand_index, 2) : QStringLiteral("–");
     case kSeparation: {
       QStringList all;
       for (const auto& one : found.separations) all << fixed(one, 2);
@@ -110,12 +108,9 @@ QString SpeedTable::measureText(const SpeedSubject& subject, int measure) const 
     case kTrend:
       if (!found.trend) return QStringLiteral("–");
       return found.trend->p < 0.001 ? QStringLiteral("< 0.001") : fixed(found.trend->p, 3);
-    case kSilhouette:
-      return fixed(subject.speeds.validity.fuzzy_silhouette, 2);
-    case kXieBeni:
-      return fixed(subject.speeds.validity.xie_beni, 3);
-    default:
-      return found.warnings.empty() ? QStringLiteral("–") : tr("▲ %1").arg(found.warnings.size());
+    case kSilhouette: return fixed(subject.speeds.validity.fuzzy_silhouette, 2);
+    case kXieBeni: return fixed(subject.speeds.validity.xie_beni, 3);
+    default: return found.warnings.empty() ? QStringLiteral("–") : tr("▲ %1").arg(found.warnings.size());
   }
 }
 

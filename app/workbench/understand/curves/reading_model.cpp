@@ -81,12 +81,9 @@ QVariant ReadingModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DecorationRole:
       return row == kMeanRow ? theme::mean() : theme::expert(numbers_[static_cast<std::size_t>(row) - 1]);
-    case Qt::CheckStateRole:
-      return shown_[static_cast<std::size_t>(row)] ? Qt::Checked : Qt::Unchecked;
-    case Qt::FontRole:
-      return row == kMeanRow ? theme::headingFont() : QVariant();
-    default:
-      return {};
+    case Qt::CheckStateRole: return shown_[static_cast<std::size_t>(row)] ? Qt::Checked : Qt::Unchecked;
+    case Qt::FontRole: return row == kMeanRow ? theme::headingFont() : QVariant();
+    default: return {};
   }
 }
 
