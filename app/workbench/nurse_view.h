@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/workbench/collect/monitor_controller.h"
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench {
 

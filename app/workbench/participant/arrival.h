@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/session/session_settings.h"
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/base/error.h"

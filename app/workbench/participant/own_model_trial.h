@@ -12,7 +12,7 @@
 
 #include "app/session/session_notes.h"
 #include "app/workbench/device/device_session.h"
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/base/error.h"
 #include "core/haptics/sources/servo_scene.h"

@@ -4,8 +4,7 @@
 #include <random>
 #include <utility>
 
-#include "app/workbench/base/display_text.h"
-#include "app/workbench/participant/questions.h"
+#include "app/workbench/participant/participant_steps.h"
 
 namespace tactus::workbench {
 
@@ -105,7 +104,8 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       proxy_(study, nullptr, now_),
       arrival_(study, proxy_, plan_),
       trial_(device),
-      own_(std::make_unique<OwnModelTrial>(study, device)) {
+      own_(std::make_unique<OwnModelTrial>(study, device)),
+      steps_(Steps::all(*this)) {
   connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
   connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);
   connect(&arrival_, &Arrival::changed, this, &ParticipantController::look);
@@ -130,6 +130,67 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
 }
 
 ParticipantController::~ParticipantController() = default;
+
+ParticipantController::Step& ParticipantController::step() const {
+  // The practice of a part is done as the part is.
+  const bool practice = state_.screen == Screen::kPractice;
+  return *steps_.at(practice ? (state_.feels_force ? Screen::kForce : Screen::kSpeed) : state_.screen);
+}
+
+void ParticipantController::look() {
+  state_.screen = correcting_ ? Screen::kForce : screenOf(at(), passed_);
+  state_.code = arrival_.code();
+  state_.welcome = arrival_.welcome();
+  state_.welcome.minutes = minutesOf(plan_);
+  state_.paused = at() != nullptr && at()->paused && !paused_by_her_;
+  if (at() != nullptr) state_.feels_force = correcting_ || at()->part == session::SessionPart::kForce;
+  if (std::string now_asked = asked(); now_asked != asked_) {
+    asked_ = std::move(now_asked);
+    ++state_.serial;
+    gate_.close();
+    onAsked();
+  }
+  state_.saving = proxy_.isSlow();
+  // Her own model is stored beside the session, before she feels it.
+  const bool own_waits = state_.screen == Screen::kOwnModel && !study_.failure().isEmpty();
+  state_.failed = own_waits || !proxy_.failure().isEmpty();
+  state_.simulated = plan_.simulated || (device_.device() && device_.device()->simulated);
+  state_.device = deviceStep();
+  if (at() != nullptr) {
+    state_.part = static_cast<int>(at()->blocks_done) + 1;
+    state_.parts = static_cast<int>(at()->settings->blocks.size());
+  }
+  state_.can_go_on = true;
+  state_.can_go_back = false;
+  step().show(state_);
+  // While an answer is being stored nothing else is answered.
+  if (proxy_.isMovingOn() || state_.paused) state_.can_go_on = state_.can_go_back = false;
+  emit changed();
+}
+
+// Everything that makes another question of it. Not the stages of one force: the hand goes through them by itself.
+std::string ParticipantController::asked() const {
+  std::string out = std::to_string(static_cast<int>(state_.screen)) + '/' +
+                    std::to_string(static_cast<int>(state_.overlay)) + (state_.paused ? "/paused" : "");
+  if (at() != nullptr) out += '/' + std::to_string(at()->step);
+  if (correcting_) out += "/correcting";
+  return out + '/' + step().question();
+}
+
+DeviceStep ParticipantController::deviceStep() const {
+  using State = DeviceSession::State;
+  if (device_lost_) return DeviceStep::kLost;
+  if (device_.user() != this) return DeviceStep::kWait;
+  switch (device_.state()) {
+    case State::kTripped: return DeviceStep::kWrong;
+    case State::kRearming: return DeviceStep::kRelease;
+    case State::kRunning: return check_.step();
+    case State::kStopped: return DeviceStep::kLost;
+    case State::kOpening:
+    case State::kStopping: break;
+  }
+  return DeviceStep::kWait;
+}
 
 void ParticipantController::painted(quint64 serial) {
   if (serial == state_.serial) gate_.painted(now_().monotonic_ns);
@@ -193,93 +254,20 @@ void ParticipantController::decline() {
 
 void ParticipantController::next() {
   if (!takesInput() || !state_.can_go_on) return;
-  switch (state_.screen) {
-    case Screen::kWelcome:
-      if (arrival_.hasSession()) {
-        resumes_ = true;
-        arrival_.resume();
-      } else {
-        passed_.code = true;
-      }
-      break;
-    case Screen::kConsent: beginSession(); break;
-    case Screen::kAboutYou:
-      if (about_.isLast()) {
-        proxy_.tell(at()->step, about_.profile(), about_.experience());
-      } else {
-        about_.next();
-      }
-      break;
-    case Screen::kDeviceCheck:
-      if (state_.device == DeviceStep::kReady) {
-        passed_.device = true;
-      } else {
-        startDevice();
-      }
-      break;
-    case Screen::kPractice:
-    case Screen::kForce: correcting_ ? correct() : judge(); break;
-    case Screen::kSpeed: break;  // the hand does
-    case Screen::kRest: endRest(); break;
-    case Screen::kGlossary: passed_.glossary = true; break;
-    case Screen::kQuestion: answerQuestion(); break;
-    case Screen::kScale: answerScale(); break;
-    case Screen::kRating: rate(); break;
-    case Screen::kReview: review(); break;
-    case Screen::kOwnModel: goOnOwnModel(); break;
-    case Screen::kThanks:
-    case Screen::kStopped: startAgain(); break;
-  }
+  step().next();
+  if (std::exchange(ended_, false)) startAgain();
   look();
 }
 
 void ParticipantController::back() {
   if (!takesInput() || !state_.can_go_back) return;
-  switch (state_.screen) {
-    case Screen::kWelcome: arrival_.forget(); break;
-    case Screen::kConsent: passed_.code = false; break;
-    case Screen::kAboutYou: about_.back(); break;
-    case Screen::kForce:
-    case Screen::kRest: correcting_ = !correcting_; break;
-    case Screen::kRating:
-      if (!rating_.isFirst()) {
-        rating_.back();
-      } else if (passed_.sealing) {
-        passed_.sealing = false;
-      } else {
-        correcting_ = true;
-      }
-      break;
-    case Screen::kScale: proxy_.back(at()->step); break;
-    case Screen::kQuestion:
-      from_review_ = false;
-      proxy_.back(at()->step);
-      break;
-    default: break;
-  }
+  step().back();
   look();
 }
 
 void ParticipantController::choose(const QString& id) {
   if (!takesInput()) return;
-  switch (state_.screen) {
-    case Screen::kAboutYou: about_.choose(id); break;
-    case Screen::kForce:
-      if ((correcting_ || trial_.phase() == ForceTrial::Phase::kFelt) && answerOf(id)) chosen_ = id;
-      break;
-    case Screen::kRating: rating_.choose(id); break;
-    case Screen::kScale:
-      if (scalePoints(id)) chosen_ = id;
-      break;
-    case Screen::kQuestion:
-      if (form_ && replyOf(*form_, id)) chosen_ = id;
-      break;
-    case Screen::kOwnModel:
-      if (id == QLatin1String("lighter") || id == QLatin1String("right") || id == QLatin1String("heavier"))
-        chosen_ = id;
-      break;
-    default: break;
-  }
+  step().choose(id);
   look();
 }
 
@@ -315,7 +303,7 @@ void ParticipantController::mark() {
 
 void ParticipantController::forceOff() {
   giveNoForce();
-  capture_.close();
+  step().close();
   if (state_.overlay != ForceOffOverlay::kNone || state_.screen == Screen::kStopped) return;
   state_.overlay = ForceOffOverlay::kForceOff;
   if (at() != nullptr && !at()->paused && at()->part != session::SessionPart::kAborted) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <random>
@@ -18,9 +19,9 @@
 #include "app/session/stroke_capture.h"
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/own_model_trial.h"
 #include "app/workbench/participant/participant_course.h"
-#include "app/workbench/participant/participant_state.h"
 #include "app/workbench/participant/questions.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"
@@ -208,43 +209,31 @@ class ParticipantController : public QObject {
   void refused(const QString& sentence);
 
  private:
-  // participant_screens.cpp: what is shown.
+  class Step;    // participant_steps.h: what one screen shows, takes and stores
+  struct Steps;  // all of them
+
+  Step& step() const;
+  /// Brings the state up to date, and asks anew where something else is asked.
   void look();
   std::string asked() const;
-  void fill();
-  void fillSpeed();
-  void fillForce();
-  void fillQuestion();
-  void fillScale();
   DeviceStep deviceStep() const;
 
-  // participant_steps.cpp: what happens by itself, and what an answer stores.
+  // participant_events.cpp: what happens by itself, and what the steps share.
   void onAsked();
   void onProxy();
   void onRefused(const QString& sentence);
   void onDevice();
   void onSampled(std::span<const haptics::Sample> samples);
-  void captureStroke(std::span<const haptics::Sample> samples);
   void startDevice();
   void stopDevice();
-  void pressedOnDevice(ButtonPress press);
-  void beginSession();
   void meetSession();
   void goOnByItself();
   std::vector<experiments::ForceAnswerOption> forceAnswers() const;
   std::optional<experiments::ForceAnswerOption> answerOf(const QString& id) const;
   std::optional<session::AnswerInput> answerInput() const;
   double responseS() const;
-  void judge();
-  void correct();
-  void answerQuestion();
-  void answerScale();
-  void rate();
-  void endRest();
-  void review();
   void followOwnModel();
   void feelOwnModel();
-  void goOnOwnModel();
   void leaveFor(StopReason reason);
   void finishLeaving();
   void startAgain();
@@ -276,15 +265,11 @@ class ParticipantController : public QObject {
   QString consent_text_;      ///< likewise
   bool resumes_ = false;      ///< an earlier session is being continued
   bool met_ = false;          ///< the session was seen
-  AboutYou about_;
   DeviceCheck check_;
   bool device_lost_ = false;
   bool restarts_ = false;      ///< the device is started again as soon as it has stopped
   std::uint32_t buttons_ = 0;  ///< of the last sample
   DeviceButton button_;
-  SpeedCapture capture_;
-  SpeedState::Note capture_note_ = SpeedState::Note::kStart;
-  bool at_start_ = false;  ///< the handle is where an insertion begins
   ForceTrial trial_;
   bool correcting_ = false;  ///< the force before is asked for once more, without a force
   std::optional<study::Form> form_;
@@ -293,7 +278,9 @@ class ParticipantController : public QObject {
   LitWord lit_;
   bool from_review_ = false;
   BlockRating rating_;
+  bool ended_ = false;  ///< she is done; the next participant may sit down
   std::unique_ptr<OwnModelTrial> own_;
+  std::map<ParticipantScreen, std::unique_ptr<Step>> steps_;
 };
 
 }  // namespace tactus::workbench

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/workbench/device/device_session.h"
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/study/connection/study_contents.h"
 #include "core/haptics/servo/sample.h"
 #include "core/haptics/servo/stimulus_delivery.h"

@@ -1,343 +1,248 @@
-// What ParticipantController does by itself: when another screen opens, an answer is stored, the hand moves.
-#include <utility>
+// The steps of the nurse's course without the device: arrival, questions, answers, rests, the end.
+#include "app/workbench/participant/participant_steps.h"
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/consent_text.h"
-#include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/questions.h"
 
 namespace tactus::workbench {
-namespace {
 
-using Screen = ParticipantScreen;
+class ParticipantController::Steps::Welcome final : public Step {
+ public:
+  using Step::Step;
 
-constexpr std::uint32_t kSecondButton = 2;  // of a stylus; the first one holds the tube
-
-}  // namespace
-
-void ParticipantController::onAsked() {
-  chosen_.clear();
-  lit_.reset();
-  button_.reset();
-  capture_.close();
-  const bool over = state_.overlay != ForceOffOverlay::kNone || state_.paused;
-  const bool feels = at() != nullptr && at()->part == session::SessionPart::kForce && !correcting_;
-  if (!over && feels && (state_.screen == Screen::kForce || state_.screen == Screen::kPractice)) {
-    trial_.begin(*at()->force);
-    return;
+  std::string question() const override { return std::to_string(static_cast<int>(course_.state_.welcome.step)); }
+  void show(ParticipantState& state) override { state.can_go_on = state.can_go_back = course_.arrival_.isKnown(); }
+  void next() override {
+    if (course_.arrival_.hasSession()) {
+      course_.resumes_ = true;
+      course_.arrival_.resume();
+    } else {
+      course_.passed_.code = true;
+    }
   }
-  giveNoForce();
-  if (state_.screen != Screen::kRating && !correcting_) rating_.begin();
-  if (over) return;
-  const bool opens = device_.user() == this && device_.state() == DeviceSession::State::kOpening;
-  if (correcting_) {
-    chosen_ = wordOf(*at()->judged);
-    return;
+  void back() override { course_.arrival_.forget(); }
+};
+
+class ParticipantController::Steps::Consent final : public Step {
+ public:
+  using Step::Step;
+
+  void show(ParticipantState& state) override {
+    const bool usability = course_.arrival_.isForUsability();
+    state.consent = {course_.plan_.consent_version, consentParagraphs(course_.plan_, language(), usability), usability};
+    state.can_go_back = true;
   }
-  if (usesDevice(state_.screen) && !hasDevice() && !opens && !device_lost_) startDevice();
-  if (state_.screen == Screen::kDeviceCheck) check_.begin();
-  if (state_.screen == Screen::kQuestion) chosen_ = wordOf(at()->page->reply);
-  if (state_.screen == Screen::kScale && at()->page && at()->page->reply) {
-    chosen_ = QString::fromStdString(at()->page->reply->value);
+  /// Agrees.
+  void next() override {
+    const QString& id = course_.state_.language;
+    course_.consent_language_ = id;
+    course_.consent_text_ = consentText(course_.state_.consent.paragraphs, language());
+    course_.arrival_.begin(id, course_.plan_.seed ? *course_.plan_.seed : course_.chance_(),
+                           course_.plan_.device.toStdString());
   }
-  if (state_.screen == Screen::kReview) from_review_ = false;
-  if (state_.screen == Screen::kThanks || state_.screen == Screen::kStopped) stopDevice();
-  if (state_.screen == Screen::kOwnModel) feelOwnModel();
-}
+  void back() override { course_.passed_.code = false; }
 
-void ParticipantController::onProxy() {
-  if (leaving_) {
-    finishLeaving();
-  } else if (at() != nullptr) {
-    if (!std::exchange(met_, true)) meetSession();
-    // An answer brings the next rest nearer once it is stored.
-    if (!proxy_.isMovingOn()) passed_.replies += std::exchange(replies_, 0);
-    if (at()->profile) state_.left_handed = at()->profile->handedness == "left";
-    if (!at()->judged) correcting_ = false;
-    goOnByItself();
-    const bool goes_on = state_.overlay == ForceOffOverlay::kNone && !at()->paused && !proxy_.isSaving();
-    if (goes_on) paused_by_her_ = false;
+ private:
+  nurse::Language language() const {
+    return nurse::languageWithId(course_.state_.language).value_or(nurse::Language::kEnglish);
   }
-  look();
-}
+};
 
-// The first snapshot of a new or resumed session.
-void ParticipantController::meetSession() {
-  passed_.blocks = at()->blocks_done;
-  form_ = formWithConditions(at()->settings->form);
-  if (const QString language = std::exchange(consent_language_, {}); !language.isEmpty()) {
-    proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString(),
-                                      std::exchange(consent_text_, {}).toStdString()));
+class ParticipantController::Steps::AboutHer final : public Step {
+ public:
+  using Step::Step;
+
+  std::string question() const override { return std::to_string(static_cast<int>(about_.state().question)); }
+  void show(ParticipantState& state) override {
+    state.about = about_.state();
+    state.can_go_on = about_.isAnswered();
+    state.can_go_back = !about_.isFirst();
   }
-  // She sat down again: the interrupted part is resumed.
-  if (std::exchange(resumes_, false) && at()->paused) {
-    paused_by_her_ = true;
-    proxy_.unpause();
+  void choose(const QString& id) override { about_.choose(id); }
+  void next() override {
+    if (about_.isLast()) {
+      course_.proxy_.tell(course_.at()->step, about_.profile(), about_.experience());
+    } else {
+      about_.next();
+    }
   }
-}
+  void back() override { about_.back(); }
 
-// A teacher is asked nothing but the statements.
-void ParticipantController::goOnByItself() {
-  if (!isUsability(*at()) || proxy_.isMovingOn() || at()->paused) return;
-  if (at()->part == session::SessionPart::kProfile) proxy_.tell(at()->step, {});
-  if (at()->part == session::SessionPart::kRating && proxy_.closeBlock(at()->step)) {
-    proxy_.note({session::kAnswersSealed, {}});
+ private:
+  AboutYou about_;
+};
+
+class ParticipantController::Steps::Rest final : public Step {
+ public:
+  using Step::Step;
+
+  void show(ParticipantState& state) override { state.can_go_back = course_.at()->judged.has_value(); }
+  void next() override {
+    course_.passed_.rests.insert(restBefore(*course_.at(), course_.passed_));
+    course_.passed_.replies = 0;
+    course_.proxy_.note({session::kRested, {}});
   }
-}
+  void back() override { course_.correcting_ = !course_.correcting_; }
+};
 
-void ParticipantController::onRefused(const QString& sentence) {
-  emit refused(sentence);
-  asked_.clear();  // the same is asked once more
-  look();
-}
+class ParticipantController::Steps::Glossary final : public Step {
+ public:
+  using Step::Step;
 
-void ParticipantController::onDevice() {
-  const bool runs = hasDevice() && device_.state() == DeviceSession::State::kRunning;
-  if (runs) device_lost_ = false;
-  const bool stopped = device_.user() == this && device_.state() == DeviceSession::State::kStopped;
-  if (stopped && std::exchange(restarts_, false)) {
-    device_.start(plan_.device, {}, this);
-    return;
+  void next() override { course_.passed_.glossary = true; }
+};
+
+class ParticipantController::Steps::Question final : public Step {
+ public:
+  using Step::Step;
+
+  void ask() override { course_.chosen_ = wordOf(page().reply); }
+  void show(ParticipantState& state) override {
+    if (course_.form_) state.question = questionState(*course_.form_, page(), course_.chosen_);
+    state.question.from_review = course_.from_review_;
+    state.can_go_on = !course_.chosen_.isEmpty();
+    state.can_go_back = page().position > 1;
   }
-  if (!runs && std::exchange(passed_.device, false) && at() != nullptr && usesDevice(state_.screen)) {
-    proxy_.note(session::deviceLost(device_.trip() ? device_.trip()->sentence.toStdString() : std::string()));
+  void choose(const QString& id) override {
+    if (course_.form_ && replyOf(*course_.form_, id)) course_.chosen_ = id;
   }
-  look();
-}
-
-// A device that has tripped is opened anew: it may be another cable.
-void ParticipantController::startDevice() {
-  device_lost_ = false;
-  restarts_ = hasDevice();
-  if (restarts_) {
-    device_.stop();
-  } else {
-    device_.start(plan_.device, {}, this);
+  void next() override {
+    const SessionStep step = course_.at()->step;
+    const bool answered = page().reply.has_value();
+    if (answered && wordOf(page().reply) == course_.chosen_) {
+      course_.from_review_ ? course_.proxy_.goOn(step) : course_.proxy_.forward(step);
+      return;
+    }
+    const auto reply = *replyOf(*course_.form_, course_.chosen_);
+    if (course_.proxy_.reply(step, reply, course_.responseS(), course_.answerInput()) && !answered) ++course_.replies_;
   }
-}
-
-void ParticipantController::stopDevice() {
-  if (device_.user() == this) device_.stop();
-}
-
-void ParticipantController::giveNoForce() {
-  trial_.cancel();
-  if (hasDevice()) device_.setForce({});
-}
-
-void ParticipantController::onSampled(std::span<const haptics::Sample> samples) {
-  if (!hasDevice()) return;
-  for (const haptics::Sample& sample : samples) {
-    const std::uint32_t pressed = sample.buttons & ~std::exchange(buttons_, sample.buttons);
-    if ((pressed & kSecondButton) != 0) forceOff();
-    if (const auto press = button_.add(sample)) pressedOnDevice(*press);
+  void back() override {
+    course_.from_review_ = false;
+    course_.proxy_.back(course_.at()->step);
   }
-  if (state_.overlay != ForceOffOverlay::kNone || state_.paused) return;
-  if (state_.screen == Screen::kDeviceCheck) {
-    if (check_.add(samples)) look();
-  } else if (state_.screen == Screen::kSpeed || (state_.screen == Screen::kPractice && !state_.feels_force)) {
-    captureStroke(samples);
-  } else if (state_.screen == Screen::kOwnModel) {
-    own_->look(samples);
-  } else if (trial_.phase() != ForceTrial::Phase::kNone && gate_.isSettled(now_().monotonic_ns)) {
-    if (trial_.add(samples)) look();
+
+ private:
+  const ItemPage& page() const { return *course_.at()->page; }
+};
+
+class ParticipantController::Steps::Review final : public Step {
+ public:
+  using Step::Step;
+
+  void ask() override { course_.from_review_ = false; }
+  void show(ParticipantState& state) override {
+    if (course_.form_) state.review = reviewState(*course_.form_, course_.at()->replies);
+    state.review.sealed = isSealed();
   }
-}
-
-void ParticipantController::pressedOnDevice(ButtonPress press) {
-  const auto before = std::exchange(means_, session::InputMeans::kDeviceButton);
-  if (state_.screen == Screen::kOwnModel) {
-    if (press == ButtonPress::kTap) mark();
-  } else if (press == ButtonPress::kTap) {
-    lightNext();
-  } else {
-    answerLit();
+  void next() override {
+    if (isSealed()) {
+      course_.passed_.sealed = true;
+    } else {
+      course_.passed_.sealing = true;
+    }
   }
-  means_ = before;
-}
 
-void ParticipantController::captureStroke(std::span<const haptics::Sample> samples) {
-  const session::SessionSettings& settings = *at()->settings;
-  const bool was_at_start = std::exchange(at_start_, samples.back().position_mm <= settings.force.start_zone_mm);
-  if (!capture_.isOpen() && at_start_ && !proxy_.isMovingOn() && gate_.isSettled(now_().monotonic_ns)) {
-    capture_.open(settings.speed.stroke);
-    capture_note_ = SpeedState::Note::kStart;
-    look();
-    return;
+ private:
+  bool isSealed() const { return course_.at()->part == session::SessionPart::kFinished; }
+};
+
+class ParticipantController::Steps::Rating final : public Step {
+ public:
+  using Step::Step;
+
+  std::string question() const override { return rating().isFirst() ? "effort" : "comfort"; }
+  void show(ParticipantState& state) override {
+    state.scale = rating().state();
+    state.can_go_on = rating().isAnswered();
+    state.can_go_back = !rating().isFirst() || course_.passed_.sealing || course_.at()->judged;
   }
-  if (auto stroke = capture_.add(samples)) {
-    capture_note_ = noteOf(stroke->stroke.verdict);
-    proxy_.addStroke(at()->step, std::move(*stroke));
-    look();
-  } else if (at_start_ != was_at_start) {
-    look();
+  void choose(const QString& id) override { rating().choose(id); }
+  void next() override {
+    const SessionSnapshot& at = *course_.at();
+    const bool first = rating().isFirst();
+    const bool all = rating().next();
+    if (first && rating().effort()) {
+      course_.proxy_.note(session::effortRated(std::string(name(*at.block)), *rating().effort()));
+    }
+    if (!all) return;
+    const bool stored = rating().effort() && rating().comfort()
+                            ? course_.proxy_.rate(at.step, *rating().effort(), *rating().comfort())
+                            : course_.proxy_.closeBlock(at.step);
+    if (stored && course_.passed_.sealing) course_.proxy_.note({session::kAnswersSealed, {}});
   }
-}
-
-void ParticipantController::beginSession() {
-  consent_language_ = state_.language;
-  consent_text_ = consentText(state_.consent.paragraphs,
-                              nurse::languageWithId(state_.language).value_or(nurse::Language::kEnglish));
-  arrival_.begin(state_.language, plan_.seed ? *plan_.seed : chance_(), plan_.device.toStdString());
-}
-
-std::vector<experiments::ForceAnswerOption> ParticipantController::forceAnswers() const {
-  if (!correcting_) return at()->force->question.answers;
-  using Kind = study::ForceJudgement::Kind;
-  std::vector<experiments::ForceAnswerOption> out;
-  for (const std::string& term : at()->settings->force.terms) out.push_back({Kind::kTerm, term, false});
-  out.push_back({Kind::kNotFelt, "not_felt", true});
-  out.push_back({Kind::kBeyondPractice, "beyond_practice", true});
-  return out;
-}
-
-std::optional<experiments::ForceAnswerOption> ParticipantController::answerOf(const QString& id) const {
-  for (const experiments::ForceAnswerOption& option : forceAnswers()) {
-    if (id == QString::fromStdString(option.id)) return option;
+  void back() override {
+    if (!rating().isFirst()) {
+      rating().back();
+    } else if (course_.passed_.sealing) {
+      course_.passed_.sealing = false;
+    } else {
+      course_.correcting_ = true;
+    }
   }
-  return std::nullopt;
-}
 
-// With the button of the device: the word that it lit first, and the presses.
-std::optional<session::AnswerInput> ParticipantController::answerInput() const {
-  if (lit_.presses() > 0 && chosen_ == lit_.id()) {
-    return session::AnswerInput{session::InputMeans::kDeviceButton, lit_.firstWord(), lit_.presses()};
+ private:
+  BlockRating& rating() const { return course_.rating_; }
+};
+
+class ParticipantController::Steps::Scale final : public Step {
+ public:
+  using Step::Step;
+
+  void ask() override {
+    if (page() && page()->reply) course_.chosen_ = QString::fromStdString(page()->reply->value);
   }
-  return means_ ? std::optional(session::AnswerInput{*means_, {}, 0}) : std::nullopt;
-}
-
-double ParticipantController::responseS() const {
-  return static_cast<double>(now_().monotonic_ns - gate_.paintedNs()) * 1e-9;
-}
-
-void ParticipantController::judge() {
-  experiments::ForceAnswer answer = trial_.measured();
-  std::optional<session::AnswerInput> input;
-  if (const auto option = answerOf(chosen_)) {
-    answer.kind = option->kind;
-    if (option->kind == study::ForceJudgement::Kind::kTerm) answer.term = option->id;
-    input = answerInput();
+  void show(ParticipantState& state) override {
+    state.can_go_on = !course_.chosen_.isEmpty();
+    if (!page()) return;  // the last answer ends it
+    state.scale = {QStringLiteral("u.%1").arg(page()->item), static_cast<int>(page()->position),
+                   static_cast<int>(page()->count), course_.chosen_, false};
+    state.can_go_on = state.can_go_on && course_.at()->part == session::SessionPart::kForm;
+    state.can_go_back = page()->position > 1;
   }
-  trial_.cancel();
-  proxy_.judge(at()->step, answer, std::move(input));
-}
-
-void ParticipantController::correct() {
-  if (chosen_ != wordOf(*at()->judged)) proxy_.correctJudgement(at()->step, *answerOf(chosen_), answerInput());
-  correcting_ = false;
-}
-
-void ParticipantController::answerQuestion() {
-  const SessionStep step = at()->step;
-  const bool answered = at()->page->reply.has_value();
-  if (answered && wordOf(at()->page->reply) == chosen_) {
-    from_review_ ? proxy_.goOn(step) : proxy_.forward(step);
-    return;
+  void choose(const QString& id) override {
+    if (scalePoints(id)) course_.chosen_ = id;
   }
-  if (proxy_.reply(step, *replyOf(*form_, chosen_), responseS(), answerInput()) && !answered) ++replies_;
-}
-
-void ParticipantController::answerScale() {
-  const auto& before = at()->page->reply;
-  if (before && QString::fromStdString(before->value) == chosen_) {
-    proxy_.forward(at()->step);
-  } else {
-    proxy_.reply(at()->step, {study::Answer::Status::kAnswered, chosen_.toStdString()}, responseS(), answerInput());
+  void next() override {
+    const auto& before = page()->reply;
+    if (before && QString::fromStdString(before->value) == course_.chosen_) {
+      course_.proxy_.forward(course_.at()->step);
+    } else {
+      course_.proxy_.reply(course_.at()->step, {study::Answer::Status::kAnswered, course_.chosen_.toStdString()},
+                           course_.responseS(), course_.answerInput());
+    }
   }
-}
+  void back() override { course_.proxy_.back(course_.at()->step); }
 
-void ParticipantController::rate() {
-  const bool first = rating_.isFirst();
-  const bool all = rating_.next();
-  if (first && rating_.effort()) {
-    proxy_.note(session::effortRated(std::string(name(*at()->block)), *rating_.effort()));
-  }
-  if (!all) return;
-  const bool stored = rating_.effort() && rating_.comfort()
-                          ? proxy_.rate(at()->step, *rating_.effort(), *rating_.comfort())
-                          : proxy_.closeBlock(at()->step);
-  if (stored && passed_.sealing) proxy_.note({session::kAnswersSealed, {}});
-}
+ private:
+  const std::optional<ItemPage>& page() const { return course_.at()->page; }
+};
 
-void ParticipantController::endRest() {
-  passed_.rests.insert(restBefore(*at(), passed_));
-  passed_.replies = 0;
-  proxy_.note({session::kRested, {}});
-}
+/// Thanks, or stopped: the device rests, and the next participant may sit down.
+class ParticipantController::Steps::End final : public Step {
+ public:
+  using Step::Step;
 
-void ParticipantController::review() {
-  if (at()->part == session::SessionPart::kFinished) {
-    passed_.sealed = true;
-  } else {
-    passed_.sealing = true;
-  }
-}
+  void ask() override { course_.stopDevice(); }
+  void show(ParticipantState& state) override { state.thanks.curve = course_.own_->curve(); }
+  void next() override { course_.ended_ = true; }
+};
 
-void ParticipantController::followOwnModel() {
-  connect(own_.get(), &OwnModelTrial::changed, this, [this] {
-    feelOwnModel();
-    look();
-  });
-}
-
-void ParticipantController::feelOwnModel() {
-  const bool here = state_.screen == Screen::kOwnModel && state_.overlay == ForceOffOverlay::kNone;
-  if (here && !own_->isThere()) own_->prepare(arrival_.person()->code);
-  if (here && own_->isThere() && hasDevice()) own_->feel();
-}
-
-void ParticipantController::goOnOwnModel() {
-  if (own_->isThere()) proxy_.note(own_->say(chosen_));
-  passed_.own_model = !own_->isThere() || own_->isDone();
-}
-
-void ParticipantController::leaveFor(StopReason reason) {
-  state_.overlay = ForceOffOverlay::kLeaving;
-  leaving_ = reason;
-  stopDevice();
-  finishLeaving();
-  look();
-}
-
-// The last answer is stored first.
-void ParticipantController::finishLeaving() {
-  if (!leaving_ || proxy_.isSaving()) return;
-  const StopReason reason = *std::exchange(leaving_, std::nullopt);
-  const bool in_study = at() != nullptr || !arrival_.isNewcomer();
-  proxy_.leave();
-  const auto leave = [this, reason] {
-    state_.overlay = ForceOffOverlay::kNone;
-    state_.stop = reason;
-    passed_.stopped = true;
-    paused_by_her_ = false;
-    look();
-  };
-  if (reason != StopReason::kWithdrawn || !in_study || !arrival_.isKnown()) {
-    leave();
-    return;
-  }
-  study_.withdraw(arrival_.person()->id, leave, [this](const QString& sentence) {
-    state_.overlay = ForceOffOverlay::kForceOff;
-    onRefused(sentence);
-  });
-}
-
-void ParticipantController::startAgain() {
-  proxy_.leave();
-  passed_ = {};
-  met_ = correcting_ = false;
-  replies_ = 0;
-  about_ = {};
-  form_.reset();
-  own_ = std::make_unique<OwnModelTrial>(study_, device_);
-  followOwnModel();
-  capture_note_ = SpeedState::Note::kStart;
-  const ParticipantState before = std::exchange(state_, {});
-  state_.serial = before.serial;
-  state_.languages = before.languages;
-  state_.language = before.language;
-  state_.text_percent = before.text_percent;
-  arrival_.forget();
+ParticipantController::Steps::All ParticipantController::Steps::all(ParticipantController& course) {
+  All steps;
+  steps[ParticipantScreen::kWelcome] = std::make_unique<Welcome>(course);
+  steps[ParticipantScreen::kConsent] = std::make_unique<Consent>(course);
+  steps[ParticipantScreen::kAboutYou] = std::make_unique<AboutHer>(course);
+  steps[ParticipantScreen::kRest] = std::make_unique<Rest>(course);
+  steps[ParticipantScreen::kGlossary] = std::make_unique<Glossary>(course);
+  steps[ParticipantScreen::kQuestion] = std::make_unique<Question>(course);
+  steps[ParticipantScreen::kReview] = std::make_unique<Review>(course);
+  steps[ParticipantScreen::kRating] = std::make_unique<Rating>(course);
+  steps[ParticipantScreen::kScale] = std::make_unique<Scale>(course);
+  steps[ParticipantScreen::kThanks] = std::make_unique<End>(course);
+  steps[ParticipantScreen::kStopped] = std::make_unique<End>(course);
+  addDevice(course, steps);
+  return steps;
 }
 
 }  // namespace tactus::workbench

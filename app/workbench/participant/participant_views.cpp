@@ -5,9 +5,6 @@
 #include <QInputDevice>
 #include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPainter>
-#include <QPrinter>
-#include <QPrinterInfo>
 #include <QTimer>
 #include <QWidget>
 #include <QWindow>
@@ -15,51 +12,49 @@
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
+#include "app/workbench/participant/screens/about_you_screen.h"
 #include "app/workbench/participant/screens/closing_screens.h"
-#include "app/workbench/participant/screens/force_curve.h"
+#include "app/workbench/participant/screens/consent_screen.h"
+#include "app/workbench/participant/screens/device_check_screen.h"
+#include "app/workbench/participant/screens/force_screen.h"
 #include "app/workbench/participant/screens/glossary_screen.h"
+#include "app/workbench/participant/screens/own_model_screen.h"
 #include "app/workbench/participant/screens/panels.h"
-#include "app/workbench/participant/shown_state.h"
+#include "app/workbench/participant/screens/question_screen.h"
+#include "app/workbench/participant/screens/review_screen.h"
+#include "app/workbench/participant/screens/scale_screen.h"
+#include "app/workbench/participant/screens/stroke_screen.h"
+#include "app/workbench/participant/screens/welcome_screen.h"
 
 namespace tactus::workbench {
 
-// Prints the force–depth curve of one participant on the default printer, without a dialog.
-
-bool canPrint();
-/// A page with the curve; nothing without a printer.
-void printCurve(const nurse::ForceCurve& curve);
-
 namespace {
 
-constexpr double kHeightShare = 0.6;  // of the width of the page
-constexpr double kTextShare = 0.018;
+/// The screen of the course whose widget shows `state`: the practice is done on the screens that it is for.
+ParticipantScreen shownAs(const ParticipantState& state) {
+  if (state.screen != ParticipantScreen::kPractice) return state.screen;
+  return state.feels_force ? ParticipantScreen::kForce : ParticipantScreen::kSpeed;
+}
+
+/// What covers the screen: the id of its sentence, or empty.
+QString coverOf(const ParticipantState& state) {
+  switch (state.overlay) {
+    case ForceOffOverlay::kForceOff:
+    case ForceOffOverlay::kCalled: return QStringLiteral("off.done");
+    case ForceOffOverlay::kWithdraw: return QStringLiteral("off.withdraw");
+    case ForceOffOverlay::kLeaving: return QStringLiteral("nav.wait");
+    case ForceOffOverlay::kNone: break;
+  }
+  if (state.failed) return QStringLiteral("err.save");
+  return state.paused ? QStringLiteral("err.paused") : QString();
+}
 
 }  // namespace
-
-bool canPrint() { return !QPrinterInfo::defaultPrinterName().isEmpty(); }
-
-void printCurve(const nurse::ForceCurve& curve) {
-  if (!canPrint()) return;
-  QPrinter printer(QPrinterInfo::defaultPrinter(), QPrinter::HighResolution);
-  printer.setPageOrientation(QPageLayout::Landscape);
-  QPainter painter;
-  if (!painter.begin(&printer)) return;
-  const QRectF page(QPointF(), printer.pageRect(QPrinter::DevicePixel).size());
-  QFont font = curve.font();
-  font.setPixelSize(static_cast<int>(page.width() * kTextShare));
-  painter.setFont(font);
-  curve.draw(painter, QRectF(0, 0, page.width(), page.width() * kHeightShare));
-}
 
 ParticipantViews::ParticipantViews(ParticipantController& course, nurse::Look& look, ParticipantWindow& window)
     : course_(course), look_(look), window_(window) {
   qApp->installEventFilter(this);
   connect(&course_, &ParticipantController::changed, this, &ParticipantViews::show);
-  connect(&course_, &ParticipantController::handMoved, this, [this](double position_mm) {
-    if (auto* strokes = qobject_cast<nurse::StrokeScreen*>(shown_)) strokes->setDepth(position_mm);
-    if (auto* own = qobject_cast<nurse::OwnModelScreen*>(shown_))
-      own->setDepth(course_.state().own.from_mm + position_mm);
-  });
   show();
 }
 
@@ -67,167 +62,82 @@ void ParticipantViews::show() {
   const ParticipantState& state = course_.state();
   if (const auto language = nurse::languageWithId(state.language)) look_.setLanguage(*language);
   look_.setTextPercent(state.text_percent);
-  switch (state.screen) {
-    case ParticipantScreen::kWelcome: showWelcome(); break;
-    case ParticipantScreen::kConsent: showConsent(); break;
-    case ParticipantScreen::kAboutYou: showAboutYou(); break;
-    case ParticipantScreen::kDeviceCheck: showDeviceCheck(); break;
-    case ParticipantScreen::kPractice: state.feels_force ? showForce() : showStrokes(); break;
-    case ParticipantScreen::kSpeed: showStrokes(); break;
-    case ParticipantScreen::kForce: showForce(); break;
-    case ParticipantScreen::kRest: showRest(); break;
-    case ParticipantScreen::kGlossary: showGlossary(); break;
-    case ParticipantScreen::kQuestion: showQuestion(); break;
-    case ParticipantScreen::kRating:
-    case ParticipantScreen::kScale: showScale(); break;
-    case ParticipantScreen::kReview: showReview(); break;
-    case ParticipantScreen::kOwnModel: showOwnModel(); break;
-    case ParticipantScreen::kThanks: showThanks(); break;
-    case ParticipantScreen::kStopped: showStopped(); break;
+  if (shown_ == nullptr || shows_ != shownAs(state)) {
+    shows_ = shownAs(state);
+    shown_ = made(state);
+    connect(shown_, &nurse::ScreenFrame::picked, &course_, &ParticipantController::choose);
+    connect(shown_, &nurse::ScreenFrame::back, &course_, &ParticipantController::back);
+    window_.setScreen(shown_);
   }
-  if (state.screen != ParticipantScreen::kWelcome) {
-    entering_code_ = false;
-    shown_->setMayGoBack(state.can_go_back);
-  }
+  shown_->setState(state);
   showOverlay();
   if (state.serial != painted_) window_.update();
 }
 
-template <class Screen>
-Screen* ParticipantViews::screen(const std::function<void(Screen&)>& made) {
-  if (auto* same = qobject_cast<Screen*>(shown_)) return same;
-  auto* fresh = new Screen(look_);
-  // Screens of several pages say `left` where others say `back`.
-  if constexpr (requires { &Screen::left; }) {
-    connect(fresh, &Screen::left, &course_, &ParticipantController::back);
-  } else {
-    connect(fresh, &nurse::ScreenFrame::back, &course_, &ParticipantController::back);
+nurse::ScreenFrame* ParticipantViews::made(const ParticipantState& state) {
+  using Screen = ParticipantScreen;
+  // Back and the cards go to the course from every screen; the primary button too, but at the end.
+  const auto goesOn = [this](auto* screen) {
+    connect(screen, &nurse::ScreenFrame::primary, &course_, &ParticipantController::next);
+    return screen;
+  };
+  const auto ends = [this](auto* screen) {
+    connect(screen, &nurse::ScreenFrame::primary, this, &ParticipantViews::end);
+    return screen;
+  };
+  switch (shownAs(state)) {
+    case Screen::kWelcome: {
+      auto* welcome = goesOn(new nurse::WelcomeScreen(look_));
+      connect(welcome, &nurse::WelcomeScreen::languagePicked, &course_, &ParticipantController::setLanguage);
+      connect(welcome, &nurse::WelcomeScreen::textSizePicked, &course_, &ParticipantController::setTextPercent);
+      connect(welcome, &nurse::WelcomeScreen::newHere, &course_, &ParticipantController::newHere);
+      connect(welcome, &nurse::WelcomeScreen::teacherHere, &course_, &ParticipantController::teacherHere);
+      connect(welcome, &nurse::WelcomeScreen::codeEntered, &course_, &ParticipantController::enterCode);
+      return welcome;
+    }
+    case Screen::kConsent: {
+      auto* consent = goesOn(new nurse::ConsentScreen(look_));
+      connect(consent, &nurse::ConsentScreen::declined, &course_, &ParticipantController::decline);
+      return consent;
+    }
+    case Screen::kAboutYou: return goesOn(new nurse::AboutYouScreen(look_));
+    case Screen::kDeviceCheck: return goesOn(new nurse::DeviceCheckScreen(look_));
+    case Screen::kPractice:
+    case Screen::kSpeed: {
+      auto* strokes = goesOn(new nurse::StrokeScreen(look_));
+      connect(&course_, &ParticipantController::handMoved, strokes, &nurse::StrokeScreen::setDepth);
+      return strokes;
+    }
+    case Screen::kForce: {
+      auto* force = goesOn(new nurse::ForceScreen(look_));
+      connect(force, &nurse::ForceScreen::feelAgain, &course_, &ParticipantController::feelAgain);
+      return force;
+    }
+    case Screen::kRest: return goesOn(new nurse::RestScreen(look_));
+    case Screen::kGlossary: return goesOn(new nurse::GlossaryScreen(look_));
+    case Screen::kQuestion: return goesOn(new nurse::QuestionScreen(look_));
+    case Screen::kRating:
+    case Screen::kScale: return goesOn(new nurse::ScaleScreen(look_));
+    case Screen::kReview: {
+      auto* review = goesOn(new nurse::ReviewScreen(look_));
+      review->setPage(review_page_);
+      connect(review, &nurse::ReviewScreen::cellPicked, this, [this, review](int item) {
+        review_page_ = review->page();
+        course_.changeItem(item);
+      });
+      return review;
+    }
+    case Screen::kOwnModel: {
+      auto* own = goesOn(new nurse::OwnModelScreen(look_));
+      connect(own, &nurse::OwnModelScreen::marked, &course_, &ParticipantController::mark);
+      connect(&course_, &ParticipantController::handMoved, own,
+              [this, own](double position_mm) { own->setDepth(course_.state().own.from_mm + position_mm); });
+      return own;
+    }
+    case Screen::kThanks: return ends(new nurse::ThanksScreen(look_));
+    case Screen::kStopped: break;
   }
-  if constexpr (requires { &Screen::picked; })
-    connect(fresh, &Screen::picked, &course_, &ParticipantController::choose);
-  made(*fresh);
-  shown_ = fresh;
-  window_.setScreen(fresh);
-  return fresh;
-}
-
-void ParticipantViews::showWelcome() {
-  auto* welcome = screen<nurse::WelcomeScreen>([this](nurse::WelcomeScreen& made) {
-    connect(&made, &nurse::WelcomeScreen::languagePicked, &course_,
-            [this](nurse::Language language) { course_.setLanguage(nurse::idOf(language)); });
-    connect(&made, &nurse::WelcomeScreen::textSizePicked, &course_, &ParticipantController::setTextPercent);
-    connect(&made, &nurse::WelcomeScreen::newHere, &course_, &ParticipantController::newHere);
-    connect(&made, &nurse::WelcomeScreen::teacherHere, &course_, &ParticipantController::teacherHere);
-    connect(&made, &nurse::WelcomeScreen::codeEntered, &course_, &ParticipantController::enterCode);
-    connect(&made, &nurse::WelcomeScreen::goOn, &course_, &ParticipantController::next);
-    const auto enter = [this](bool entering) {
-      entering_code_ = entering;
-      show();
-    };
-    connect(&made, &nurse::WelcomeScreen::haveCode, this, [enter] { enter(true); });
-    connect(&made, &nurse::ScreenFrame::back, this, [enter] { enter(false); });
-  });
-  welcome->setState(shownWelcome(course_.state(), entering_code_));
-}
-
-void ParticipantViews::showConsent() {
-  auto* consent = screen<nurse::ConsentScreen>([this](nurse::ConsentScreen& made) {
-    connect(&made, &nurse::ConsentScreen::agreed, &course_, &ParticipantController::next);
-    connect(&made, &nurse::ConsentScreen::declined, &course_, &ParticipantController::decline);
-  });
-  consent->setState(shownConsent(course_.state()));
-}
-
-void ParticipantViews::showAboutYou() {
-  auto* about = screen<nurse::AboutYouScreen>([this](nurse::AboutYouScreen& made) {
-    connect(&made, &nurse::AboutYouScreen::confirmed, &course_, &ParticipantController::next);
-  });
-  about->setState(shownAboutYou(course_.state()));
-}
-
-void ParticipantViews::showDeviceCheck() {
-  auto* check = screen<nurse::DeviceCheckScreen>([this](nurse::DeviceCheckScreen& made) { goOnWith(made); });
-  check->setState(shownDeviceCheck(course_.state()));
-}
-
-void ParticipantViews::showStrokes() {
-  auto* strokes = screen<nurse::StrokeScreen>([this](nurse::StrokeScreen& made) { goOnWith(made); });
-  strokes->setState(shownStrokes(course_.state()));
-}
-
-void ParticipantViews::showForce() {
-  auto* force = screen<nurse::ForceScreen>([this](nurse::ForceScreen& made) {
-    connect(&made, &nurse::ForceScreen::confirmed, &course_, &ParticipantController::next);
-    connect(&made, &nurse::ForceScreen::feelAgain, &course_, &ParticipantController::feelAgain);
-  });
-  force->setState(shownForce(course_.state()));
-}
-
-void ParticipantViews::showRest() {
-  screen<nurse::RestScreen>([this](nurse::RestScreen& made) {
-    goOnWith(made);
-  })->setSimulated(course_.state().simulated);
-}
-
-void ParticipantViews::showGlossary() {
-  auto* glossary = screen<nurse::GlossaryScreen>([this](nurse::GlossaryScreen& made) {
-    connect(&made, &nurse::GlossaryScreen::finished, &course_, &ParticipantController::next);
-  });
-  glossary->setSimulated(course_.state().simulated);
-}
-
-void ParticipantViews::showQuestion() {
-  auto* question = screen<nurse::QuestionScreen>([this](nurse::QuestionScreen& made) {
-    connect(&made, &nurse::QuestionScreen::confirmed, &course_, &ParticipantController::next);
-  });
-  question->setState(shownQuestion(course_.state()));
-}
-
-void ParticipantViews::showReview() {
-  auto* review = screen<nurse::ReviewScreen>([this](nurse::ReviewScreen& made) {
-    made.setPage(review_page_);
-    connect(&made, &nurse::ReviewScreen::seal, &course_, &ParticipantController::next);
-    connect(&made, &nurse::ReviewScreen::goOn, &course_, &ParticipantController::next);
-    connect(&made, &nurse::ReviewScreen::cellPicked, this, [this, shown = &made](int item) {
-      review_page_ = shown->page();
-      course_.changeItem(item);
-    });
-  });
-  review->setState(shownReview(course_.state()));
-}
-
-void ParticipantViews::showScale() {
-  auto* scale = screen<nurse::ScaleScreen>([this](nurse::ScaleScreen& made) {
-    connect(&made, &nurse::ScaleScreen::confirmed, &course_, &ParticipantController::next);
-  });
-  scale->setState(shownScale(course_.state()));
-}
-
-void ParticipantViews::showOwnModel() {
-  auto* own = screen<nurse::OwnModelScreen>([this](nurse::OwnModelScreen& made) {
-    connect(&made, &nurse::OwnModelScreen::marked, &course_, &ParticipantController::mark);
-    connect(&made, &nurse::OwnModelScreen::confirmed, &course_, &ParticipantController::next);
-  });
-  own->setState(shownOwnModel(course_.state()));
-}
-
-void ParticipantViews::showThanks() {
-  auto* thanks = screen<nurse::ThanksScreen>([this](nurse::ThanksScreen& made) {
-    connect(&made, &nurse::ThanksScreen::print, this, [shown = &made] { printCurve(shown->curve()); });
-    connect(&made, &nurse::ThanksScreen::done, this, &ParticipantViews::end);
-  });
-  thanks->setState({course_.state().thanks.curve, canPrint(), course_.state().simulated});
-}
-
-void ParticipantViews::showStopped() {
-  auto* stopped = screen<nurse::StoppedScreen>([this](nurse::StoppedScreen& made) {
-    connect(&made, &nurse::ScreenFrame::primary, this, &ParticipantViews::end);
-  });
-  stopped->setState(shownStopped(course_.state()));
-}
-
-void ParticipantViews::goOnWith(nurse::ScreenFrame& made) {
-  connect(&made, &nurse::ScreenFrame::primary, &course_, &ParticipantController::next);
+  return ends(new nurse::StoppedScreen(look_));
 }
 
 void ParticipantViews::end() {
@@ -237,7 +147,7 @@ void ParticipantViews::end() {
 }
 
 void ParticipantViews::showOverlay() {
-  const QString cover = shownCover(course_.state());
+  const QString cover = coverOf(course_.state());
   if (cover == cover_) return;
   cover_ = cover;
   if (cover.isEmpty()) {

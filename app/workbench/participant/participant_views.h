@@ -6,9 +6,9 @@
 #include <QPointer>
 #include <QSet>
 #include <cstdint>
-#include <functional>
+#include <optional>
 
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 class QWidget;
 
@@ -40,24 +40,8 @@ class ParticipantViews : public QObject {
  private:
   void show();
   void showOverlay();
-  /// The screen of this kind; a new one is given to `made` and shown.
-  template <class Screen>
-  Screen* screen(const std::function<void(Screen&)>& made);
-  void showWelcome();
-  void showConsent();
-  void showAboutYou();
-  void showDeviceCheck();
-  void showStrokes();
-  void showForce();
-  void showRest();
-  void showGlossary();
-  void showQuestion();
-  void showReview();
-  void showScale();
-  void showOwnModel();
-  void showThanks();
-  void showStopped();
-  void goOnWith(nurse::ScreenFrame& made);
+  /// Makes the screen that shows `state`, and connects what is its own.
+  nurse::ScreenFrame* made(const ParticipantState& state);
   void end();
   void frameWasPainted();
   bool isHers(const QObject& watched) const;
@@ -68,7 +52,7 @@ class ParticipantViews : public QObject {
   nurse::Look& look_;
   ParticipantWindow& window_;
   QPointer<nurse::ScreenFrame> shown_;
-  bool entering_code_ = false;  ///< at the welcome
+  std::optional<ParticipantScreen> shows_;  ///< the screen of the course that made `shown_`
   int review_page_ = 0;
   std::uint64_t painted_ = 0;  ///< the last serial whose first frame was painted
   bool frame_pending_ = false;

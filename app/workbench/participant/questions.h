@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/session/session_notes.h"
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/study/connection/study_contents.h"
 #include "core/study/records.h"
 #include "core/study/session_records.h"

@@ -15,7 +15,7 @@
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_recording.h"
 #include "app/workbench/participant/kit/look.h"
-#include "app/workbench/participant/participant_state.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "core/base/random.h"
 #include "core/haptics/servo/sample.h"
 

@@ -135,13 +135,13 @@ TEST_F(NurseKit, CardsSayTheirWordTheirPlaceAndWhetherTheyAreChosen) {
 
 TEST_F(NurseKit, TheChoiceStaysWhenTheLanguageChanges) {
   QuestionScreen screen(look);
-  QuestionState state;
-  state.condition = QStringLiteral("speed");
-  state.term = QStringLiteral("fast");
-  state.region = QStringLiteral("oropharynx");
-  state.chosen = QStringLiteral("small");
+  ParticipantState state;
+  state.question.condition = QStringLiteral("speed");
+  state.question.term = QStringLiteral("fast");
+  state.question.region = QStringLiteral("oropharynx");
+  state.question.chosen = QStringLiteral("small");
   screen.setState(state);
-  QSignalSpy picks(&screen, &QuestionScreen::picked);
+  QSignalSpy picks(&screen, &ScreenFrame::picked);
   look.setLanguage(Language::kTraditionalChinese);
   EXPECT_EQ(screen.findChild<Choices*>()->chosen(), "small");
   EXPECT_EQ(picks.count(), 0);
@@ -149,12 +149,12 @@ TEST_F(NurseKit, TheChoiceStaysWhenTheLanguageChanges) {
 
 TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
   ForceScreen screen(look);
-  ForceState state;
-  state.step = JudgingPhase::kAnswer;
+  ParticipantState state;
+  state.force.phase = ForceState::Phase::kAnswer;
   screen.setState(state);
   screen.show();
-  QSignalSpy picks(&screen, &ForceScreen::picked);
-  QSignalSpy confirms(&screen, &ForceScreen::confirmed);
+  QSignalSpy picks(&screen, &ScreenFrame::picked);
+  QSignalSpy confirms(&screen, &ScreenFrame::primary);
   QTest::keyClick(&screen, Qt::Key_1);
   QTest::keyClick(&screen, Qt::Key_5, Qt::KeypadModifier);
   QTest::keyClick(&screen, Qt::Key_0);
@@ -166,11 +166,11 @@ TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
   EXPECT_EQ(picks[3][0], "beyond_practice");
   QTest::keyClick(&screen, Qt::Key_Return);
   EXPECT_EQ(confirms.count(), 0) << "nothing is chosen";
-  state.chosen = QStringLiteral("small");
+  state.force.chosen = QStringLiteral("small");
   screen.setState(state);
   QTest::keyClick(&screen, Qt::Key_Return);
   EXPECT_EQ(confirms.count(), 1);
-  state.step = JudgingPhase::kFeel;
+  state.force.phase = ForceState::Phase::kFeel;
   screen.setState(state);
   QTest::keyClick(&screen, Qt::Key_2);
   QTest::keyClick(&screen, Qt::Key_Return);
@@ -179,8 +179,8 @@ TEST_F(NurseKit, KeysOfBothRowsAnswerInTheOrderOfTheCards) {
 }
 
 /// The pixels of the answers of `screen` in `state`, on a screen that nobody has touched.
-template <class Screen, class State>
-QImage untouched(const Look& look, const State& state) {
+template <class Screen>
+QImage untouched(const Look& look, const ParticipantState& state) {
   Screen screen(look);
   screen.resize(1280, 720);
   screen.setState(state);
@@ -203,15 +203,16 @@ AnswerCard* cardOf(QWidget& screen, const char* id) {
 }
 
 /// What the controller does: the answer is shown, and confirming brings the next question, without one.
-template <class Screen, class State>
+template <class Screen>
 class AnsweredScreen {
  public:
-  AnsweredScreen(const Look& look, const State& first, const State& next) : screen(look), now_(first) {
-    QObject::connect(&screen, &Screen::picked, &screen, [this](const QString& id) {
-      now_.chosen = id;
+  AnsweredScreen(const Look& look, const ParticipantState& first, const ParticipantState& next)
+      : screen(look), now_(first) {
+    QObject::connect(&screen, &ScreenFrame::picked, &screen, [this](const QString& id) {
+      now_.question.chosen = now_.scale.chosen = now_.about.chosen = id;
       screen.setState(now_);
     });
-    QObject::connect(&screen, &Screen::confirmed, &screen, [this, next] {
+    QObject::connect(&screen, &ScreenFrame::primary, &screen, [this, next] {
       now_ = next;
       screen.setState(now_);
     });
@@ -225,47 +226,48 @@ class AnsweredScreen {
   Screen screen;
 
  private:
-  State now_;
+  ParticipantState now_;
 };
 
-QuestionState item(int number) {
-  QuestionState state;
+ParticipantState item(int number) {
+  ParticipantState state;
   state.part = state.parts = 3;
-  state.number = number;
-  state.count = 45;
-  state.condition = QStringLiteral("lubrication");
-  state.term = QStringLiteral("poor");
-  state.region = QStringLiteral("oropharynx");
+  state.question.position = number;
+  state.question.count = 45;
+  state.question.condition = QStringLiteral("lubrication");
+  state.question.term = QStringLiteral("poor");
+  state.question.region = QStringLiteral("oropharynx");
   return state;
 }
 
 TEST_F(NurseKit, AfterAnAnswerByMouseNoCardOfTheNextQuestionStandsOut) {
-  AnsweredScreen<QuestionScreen, QuestionState> question(look, item(7), item(8));
+  AnsweredScreen<QuestionScreen> question(look, item(7), item(8));
   QTest::mouseClick(cardOf(question.screen, "large"), Qt::LeftButton);
   EXPECT_NE(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(7)))) << "the choice is seen";
   QTest::mouseClick(buttonOf(question.screen, QStringLiteral("Confirm")), Qt::LeftButton);
   EXPECT_EQ(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(8))));
 
-  ScaleState effort;
-  effort.title = effort.sentence = plain(QStringLiteral("Effort"));
-  ScaleState comfort = effort;
-  comfort.sentence = plain(QStringLiteral("Comfort"));
-  AnsweredScreen<ScaleScreen, ScaleState> scale(look, effort, comfort);
+  ParticipantState first;
+  first.screen = ParticipantScreen::kScale;
+  first.scale.sentence = QStringLiteral("u.1");
+  ParticipantState second = first;
+  second.scale.sentence = QStringLiteral("u.2");
+  AnsweredScreen<ScaleScreen> scale(look, first, second);
   QTest::mouseClick(cardOf(scale.screen, "6"), Qt::LeftButton);
   QTest::mouseClick(buttonOf(scale.screen, QStringLiteral("Confirm")), Qt::LeftButton);
-  EXPECT_EQ(scale.screen.grab().toImage(), (untouched<ScaleScreen>(look, comfort)));
+  EXPECT_EQ(scale.screen.grab().toImage(), (untouched<ScaleScreen>(look, second)));
 
-  AboutYouState years;
-  AboutYouState hand;
-  hand.question = AboutQuestion::kHand;
-  AnsweredScreen<AboutYouScreen, AboutYouState> about(look, years, hand);
+  ParticipantState years;
+  ParticipantState hand;
+  hand.about.question = AboutYouState::Question::kHand;
+  AnsweredScreen<AboutYouScreen> about(look, years, hand);
   QTest::mouseClick(cardOf(about.screen, "years_2"), Qt::LeftButton);
   QTest::mouseClick(buttonOf(about.screen, QStringLiteral("Next")), Qt::LeftButton);
   EXPECT_EQ(about.screen.grab().toImage(), (untouched<AboutYouScreen>(look, hand)));
 }
 
 TEST_F(NurseKit, WhoMovesByKeysSeesTheRingAndTheNextQuestionBeginsWithoutIt) {
-  AnsweredScreen<QuestionScreen, QuestionState> question(look, item(7), item(8));
+  AnsweredScreen<QuestionScreen> question(look, item(7), item(8));
   AnswerCard* const card = cardOf(question.screen, "very_small");
   for (int presses = 0; !card->hasFocus() && presses < 10; ++presses) {
     QTest::keyClick(question.screen.window()->focusWidget(), Qt::Key_Tab);

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "app/workbench/participant/kit/button.h"
+#include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -44,8 +46,12 @@ ScreenFrame::ScreenFrame(const Look& look, QWidget* parent)
   hint_->hide();
   simulated_->setWordWrap(false);
   simulated_->hide();
-  connect(back_, &QAbstractButton::clicked, this, &ScreenFrame::back);
-  connect(primary_, &QAbstractButton::clicked, this, &ScreenFrame::primary);
+  connect(back_, &QAbstractButton::clicked, this, [this] {
+    if (!turnPage(-1)) emit back();
+  });
+  connect(primary_, &QAbstractButton::clicked, this, [this] {
+    if (!turnPage(1)) emit primary();
+  });
   connect(&look, &Look::changed, this, &ScreenFrame::arrange);
 }
 
@@ -59,10 +65,20 @@ void ScreenFrame::setFreeHandLeft(bool left) {
   arrange();
 }
 
-void ScreenFrame::setMayGoBack(bool may) {
-  back_->setVisible(may);
+void ScreenFrame::setState(const ParticipantState& state) {
+  setSimulated(state.simulated);
+  may_go_back_ = state.can_go_back;
+  showBack();
+}
+
+void ScreenFrame::showBack() {
+  back_->setVisible(may_go_back_ || hasPageBefore());
   arrange();
 }
+
+bool ScreenFrame::turnPage(int /*by*/) { return false; }
+
+QString ScreenFrame::idOfKey(int /*key*/) const { return {}; }
 
 void ScreenFrame::setTitle(const Phrase& title) {
   title_->setPhrase(title);
@@ -86,9 +102,10 @@ void ScreenFrame::setMain(QWidget* main, QWidget* side, double share) {
   arrange();
 }
 
-void ScreenFrame::setAnswers(QWidget* answers) {
-  answers_ = answers;
-  answers->setParent(this);
+void ScreenFrame::setAnswers(Choices* cards, QWidget* around) {
+  answers_ = around != nullptr ? around : cards;
+  answers_->setParent(this);
+  connect(cards, &Choices::picked, this, &ScreenFrame::picked);
   arrange();
 }
 
@@ -201,6 +218,7 @@ void ScreenFrame::paintEvent(QPaintEvent* /*event*/) {
 
 void ScreenFrame::keyPressEvent(QKeyEvent* event) {
   if (event->isAutoRepeat()) return;
+  if (const QString id = idOfKey(event->key()); !id.isEmpty()) return emit picked(id);
   switch (event->key()) {
     case Qt::Key_Return:
     case Qt::Key_Enter:

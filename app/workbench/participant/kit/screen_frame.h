@@ -14,7 +14,13 @@
 #include "app/workbench/participant/kit/button.h"
 #include "app/workbench/participant/kit/label.h"
 
-namespace tactus::workbench::nurse {
+namespace tactus::workbench {
+
+struct ParticipantState;
+
+namespace nurse {
+
+class Choices;
 
 /// The size of the corner at the top right, at all sizes of text and in all languages.
 QSize forceOffCorner(const Look& look);
@@ -27,16 +33,15 @@ class ScreenFrame : public QWidget {
  public:
   explicit ScreenFrame(const Look& look, QWidget* parent = nullptr);
 
-  /// The data are simulated: SIMULATED stands beside the title.
-  void setSimulated(bool simulated);
-  /// The primary button stands at the hand that does not hold the device.
-  void setFreeHandLeft(bool left);
-  /// Back is there, or not. Screens of several pages keep it for their own.
-  virtual void setMayGoBack(bool may);
+  /// Shows the state of the course. Simulated data say so beside the title, and Back is there where it leads to
+  /// something.
+  virtual void setState(const ParticipantState& state);
 
  signals:
-  void back();
-  void primary();
+  void back();     ///< beyond the first page
+  void primary();  ///< on the last page
+  /// A card, or its key: one of the ids that the state offers.
+  void picked(const QString& id);
 
  protected:
   const Look& look() const { return look_; }
@@ -45,20 +50,33 @@ class ScreenFrame : public QWidget {
   void setHint(const Phrase& hint);
   /// `share` of the width for `side`, which begins below the corner.
   void setMain(QWidget* main, QWidget* side = nullptr, double share = 0.34);
-  void setAnswers(QWidget* answers);
-  Button& backButton() { return *back_; }
+  /// The primary button stands at the hand that does not hold the device.
+  void setFreeHandLeft(bool left);
+  /// `cards` answer the screen: a click emits `picked`. `around`: what they stand in, if not alone.
+  void setAnswers(Choices* cards, QWidget* around = nullptr);
+  /// The card that the key `key` (Qt::Key) stands for; empty: none, or keys answer nothing now.
+  virtual QString idOfKey(int key) const;
+  /// Of a screen with several pages: turns to the next (1) or the previous one (-1). False: there is none.
+  virtual bool turnPage(int by);
+  /// Back stands on later pages of a screen whatever the course says.
+  virtual bool hasPageBefore() const { return false; }
+  /// After a turn.
+  void showBack();
+
   Button& primaryButton() { return *primary_; }
   void addExtra(Button* button);
 
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
-  /// Enter or Space: the primary button; Backspace: Back. A held key repeats nothing.
+  /// Enter or Space: the primary button; Backspace: Back; the keys of the cards. A held key repeats nothing.
   void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
   void arrange();
+
+  void setSimulated(bool simulated);
 
   const Look& look_;
   Label* title_;
@@ -72,6 +90,8 @@ class ScreenFrame : public QWidget {
   double share_ = 0;
   std::vector<Button*> extras_;
   bool free_hand_left_ = false;
+  bool may_go_back_ = true;
 };
 
-}  // namespace tactus::workbench::nurse
+}  // namespace nurse
+}  // namespace tactus::workbench

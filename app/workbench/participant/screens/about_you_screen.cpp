@@ -1,6 +1,9 @@
 #include "app/workbench/participant/screens/about_you_screen.h"
 
 namespace tactus::workbench::nurse {
+
+using AboutQuestion = AboutYouState::Question;
+
 namespace {
 
 QString questionId(AboutQuestion question) {
@@ -49,18 +52,16 @@ AboutYouScreen::AboutYouScreen(const Look& look, QWidget* parent)
   setMain(texts_);
   setAnswers(choices_);
   primaryButton().reserve(phrase(QStringLiteral("err.answer")));
-  connect(choices_, &Choices::picked, this, &AboutYouScreen::picked);
-  connect(this, &ScreenFrame::primary, this, [this] { emit confirmed(state_.question); });
   setState({});
 }
 
-void AboutYouScreen::setState(const AboutYouState& state) {
-  state_ = state;
-  lead_->setPhrase(phrase(questionId(state.question)));
-  choices_->setAnswers(answersTo(state.question));
-  choices_->choose(state.chosen);
-  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.answer"))) : std::nullopt);
-  setSimulated(state.simulated);
+void AboutYouScreen::setState(const ParticipantState& state) {
+  const AboutYouState& asked = state.about;
+  lead_->setPhrase(phrase(questionId(asked.question)));
+  choices_->setAnswers(answersTo(asked.question));
+  choices_->choose(asked.chosen);
+  primaryButton().waitFor(asked.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.answer"))) : std::nullopt);
+  ScreenFrame::setState(state);
 }
 
 }  // namespace tactus::workbench::nurse

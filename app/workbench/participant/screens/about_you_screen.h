@@ -2,21 +2,14 @@
 #pragma once
 
 #include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
 
-enum class AboutQuestion { kYears, kHand, kGloves, kHaptic, kComfort };
-
-/// The ids of the answers: years_1 to years_4; left, right, both; haptic_0 to haptic_2; yes, no; not_say.
-std::vector<Answer> answersTo(AboutQuestion question);
-
-struct AboutYouState {
-  AboutQuestion question = AboutQuestion::kYears;
-  QString chosen;
-  bool simulated = false;
-};
+/// The cards of a question, with the ids of AboutYouState::chosen.
+std::vector<Answer> answersTo(AboutYouState::Question question);
 
 class AboutYouScreen : public ScreenFrame {
   Q_OBJECT
@@ -24,14 +17,9 @@ class AboutYouScreen : public ScreenFrame {
  public:
   explicit AboutYouScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const AboutYouState& state);
-
- signals:
-  void picked(const QString& answer);
-  void confirmed(tactus::workbench::nurse::AboutQuestion question);
+  void setState(const ParticipantState& state) override;
 
  private:
-  AboutYouState state_;
   TextBlock* texts_;
   Label* lead_;
   Choices* choices_;

@@ -1,14 +1,51 @@
 #include "app/workbench/participant/screens/closing_screens.h"
 
+#include <QPainter>
+#include <QPrinter>
+#include <QPrinterInfo>
 #include <QVBoxLayout>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/pictures.h"
 
 namespace tactus::workbench::nurse {
 
-ThanksScreen::ThanksScreen(const Look& look, QWidget* parent)
-    : ScreenFrame(look, parent),
+namespace {
+
+constexpr double kHeightShare = 0.6;  // of the width of the page
+constexpr double kTextShare = 0.018;
+
+/// On the default printer, without a dialog: a page with the curve.
+void print(const ForceCurve& curve) {
+  if (!canPrint()) return;
+  QPrinter printer(QPrinterInfo::defaultPrinter(), QPrinter::HighResolution);
+  printer.setPageOrientation(QPageLayout::Landscape);
+  QPainter painter;
+  if (!painter.begin(&printer)) return;
+  const QRectF page(QPointF(), printer.pageRect(QPrinter::DevicePixel).size());
+  QFont font = curve.font();
+  font.setPixelSize(static_cast<int>(page.width() * kTextShare));
+  painter.setFont(font);
+  curve.draw(painter, QRectF(0, 0, page.width(), page.width() * kHeightShare));
+}
+
+Phrase sentenceOf(const ParticipantState& state) {
+  switch (state.stop) {
+    case StopReason::kForToday: return phrase(QStringLiteral("off.stop_kept"), {state.code});
+    case StopReason::kWithdrawn: return phrase(QStringLiteral("off.deleted"));
+    case StopReason::kNoConsent: break;
+  }
+  return phrase(QStringLiteral("con.declined"));
+}
+
+}  // namespace
+
+bool canPrint() { return !QPrinterInfo::defaultPrinterName().isEmpty(); }
+
+ThanksScreen::ThanksScreen(const Look& look, bool may_print)
+    : ScreenFrame(look),
+      may_print_(may_print),
       curve_title_(new Label(look, TextRole::kTitle, phrase(QStringLiteral("thx.curve")))),
       curve_(new ForceCurve(look)),
       print_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("thx.print")), this)) {
@@ -21,55 +58,35 @@ ThanksScreen::ThanksScreen(const Look& look, QWidget* parent)
   setHint(phrase(QStringLiteral("thx.line")));
   setMain(main);
   addExtra(print_);
-  backButton().hide();
   primaryButton().setPhrase(phrase(QStringLiteral("thx.done")));
-  connect(print_, &QAbstractButton::clicked, this, &ThanksScreen::print);
-  connect(this, &ScreenFrame::primary, this, &ThanksScreen::done);
+  connect(print_, &QAbstractButton::clicked, this, [this] { print(*curve_); });
   setState({});
 }
 
-void ThanksScreen::setState(const ThanksState& state) {
-  curve_->setCurve(state.curve);
-  curve_->setVisible(!state.curve.empty());
-  curve_title_->setVisible(!state.curve.empty());
-  print_->setVisible(state.may_print && !state.curve.empty());
-  setSimulated(state.simulated);
+void ThanksScreen::setState(const ParticipantState& state) {
+  const bool drawn = !state.thanks.curve.empty();
+  curve_->setCurve(state.thanks.curve);
+  curve_->setVisible(drawn);
+  curve_title_->setVisible(drawn);
+  print_->setVisible(may_print_ && drawn);
+  ScreenFrame::setState(state);
 }
-
-namespace {
-
-Phrase sentenceOf(const StoppedState& state) {
-  switch (state.reason) {
-    case StopReason::kForToday: return phrase(QStringLiteral("off.stop_kept"), {state.code});
-    case StopReason::kWithdrawn: return phrase(QStringLiteral("off.deleted"));
-    case StopReason::kNoConsent: return phrase(QStringLiteral("con.declined"));
-    case StopReason::kPaused: return phrase(QStringLiteral("err.paused"));
-    case StopReason::kNotSaved: return phrase(QStringLiteral("err.save"));
-    case StopReason::kDeviceLost: break;
-  }
-  return phrase(QStringLiteral("dev.lost"));
-}
-
-}  // namespace
 
 StoppedScreen::StoppedScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
       lead_(texts_->add(TextRole::kLead, plain(QStringLiteral(" ")))) {
   texts_->center();
+  setTitle(phrase(QStringLiteral("thx.title")));
   setMain(texts_);
-  backButton().hide();
   primaryButton().setPhrase(phrase(QStringLiteral("nav.continue")));
   setState({});
 }
 
-void StoppedScreen::setState(const StoppedState& state) {
-  const bool over = state.reason == StopReason::kForToday || state.reason == StopReason::kWithdrawn ||
-                    state.reason == StopReason::kNoConsent;
-  setTitle(over ? phrase(QStringLiteral("thx.title")) : Phrase{});
+void StoppedScreen::setState(const ParticipantState& state) {
   lead_->setPhrase(sentenceOf(state));
-  primaryButton().setVisible(state.may_go_on);
-  setSimulated(state.simulated);
+  primaryButton().setVisible(state.can_go_on);
+  ScreenFrame::setState(state);
 }
 
 namespace {
@@ -88,8 +105,8 @@ RestScreen::RestScreen(const Look& look, QWidget* parent)
   texts_->center();
   setTitle(phrase(QStringLiteral("nav.rest")));
   setMain(texts_);
-  backButton().hide();
   primaryButton().setPhrase(phrase(QStringLiteral("nav.continue")));
+  setState({});
 }
 
 }  // namespace tactus::workbench::nurse

@@ -7,49 +7,33 @@
 
 namespace tactus::workbench::nurse {
 
-/// Thank you, with her own force along the way of the tube, to print. No comparison with others.
-struct ThanksState {
-  std::vector<QPointF> curve;  ///< depth mm, share of the largest force; empty: no curve yet
-  bool may_print = true;
-  bool simulated = false;
-};
+/// A printer is there for the curve.
+bool canPrint();
 
+/// Thank you, with her own force along the way of the tube, to print. No comparison with others.
 class ThanksScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
-  explicit ThanksScreen(const Look& look, QWidget* parent = nullptr);
+  explicit ThanksScreen(const Look& look, bool may_print = canPrint());
 
-  void setState(const ThanksState& state);
-  const ForceCurve& curve() const { return *curve_; }
-
- signals:
-  void print();
-  void done();
+  void setState(const ParticipantState& state) override;
 
  private:
+  const bool may_print_;
   Label* curve_title_;
   ForceCurve* curve_;
   Button* print_;
 };
 
-/// The end before the end: stopped for today, withdrawn, or no consent; also what keeps her from going on.
-enum class StopReason { kForToday, kWithdrawn, kNoConsent, kPaused, kNotSaved, kDeviceLost };
-
-struct StoppedState {
-  StopReason reason = StopReason::kForToday;
-  QString code;
-  bool may_go_on = false;
-  bool simulated = false;
-};
-
+/// The end before the end: stopped for today, withdrawn, or no consent.
 class StoppedScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit StoppedScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const StoppedState& state);
+  void setState(const ParticipantState& state) override;
 
  private:
   TextBlock* texts_;

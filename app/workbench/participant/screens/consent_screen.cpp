@@ -1,5 +1,7 @@
 #include "app/workbench/participant/screens/consent_screen.h"
 
+#include "app/workbench/participant/kit/participant_state.h"
+
 namespace tactus::workbench::nurse {
 
 ConsentScreen::ConsentScreen(const Look& look, QWidget* parent)
@@ -12,37 +14,25 @@ ConsentScreen::ConsentScreen(const Look& look, QWidget* parent)
   addExtra(decline);
   connect(decline, &QAbstractButton::clicked, this, &ConsentScreen::declined);
   connect(text_, &PagedText::paged, this, &ConsentScreen::showPage);
-  connect(this, &ScreenFrame::back, this, [this] {
-    if (text_->page() == 0) {
-      emit left();
-    } else {
-      text_->setPage(text_->page() - 1);
-    }
-  });
-  connect(this, &ScreenFrame::primary, this, [this] {
-    if (text_->page() + 1 >= text_->pages()) {
-      emit agreed();
-    } else {
-      text_->setPage(text_->page() + 1);
-    }
-  });
   setState({});
 }
 
-void ConsentScreen::setState(const ConsentState& state) {
-  text_->setParagraphs(state.paragraphs);
-  setSimulated(state.simulated);
+void ConsentScreen::setState(const ParticipantState& state) {
+  text_->setParagraphs(state.consent.paragraphs);
+  ScreenFrame::setState(state);
+}
+
+bool ConsentScreen::turnPage(int by) {
+  const int page = text_->page() + by;
+  if (page < 0 || page >= text_->pages()) return false;
+  text_->setPage(page);
+  return true;
 }
 
 void ConsentScreen::showPage() {
   const bool last = text_->page() + 1 >= text_->pages();
-  setMayGoBack(may_leave_);
+  showBack();
   primaryButton().setPhrase(phrase(last ? QStringLiteral("con.agree") : QStringLiteral("nav.next")));
-}
-
-void ConsentScreen::setMayGoBack(bool may) {
-  may_leave_ = may;
-  ScreenFrame::setMayGoBack(may || text_->page() > 0);
 }
 
 }  // namespace tactus::workbench::nurse

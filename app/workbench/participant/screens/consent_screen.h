@@ -6,31 +6,25 @@
 
 namespace tactus::workbench::nurse {
 
-struct ConsentState {
-  std::vector<Phrase> paragraphs;
-  bool simulated = false;
-};
-
 class ConsentScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit ConsentScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const ConsentState& state);
-
-  void setMayGoBack(bool may) override;
+  void setState(const ParticipantState& state) override;
 
  signals:
-  void agreed();
   void declined();
-  void left();  ///< Back from the first page
+
+ protected:
+  bool turnPage(int by) override;
+  bool hasPageBefore() const override { return text_->page() > 0; }
 
  private:
   void showPage();
 
   PagedText* text_;
-  bool may_leave_ = true;  ///< Back from the first page
 };
 
 }  // namespace tactus::workbench::nurse

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -13,9 +14,7 @@ QString sentenceOf(DeviceStep step) {
     case DeviceStep::kHold: return QStringLiteral("dev.hold");
     case DeviceStep::kStill: return QStringLiteral("dev.still");
     case DeviceStep::kPush: return QStringLiteral("dev.push");
-    case DeviceStep::kPress: return QStringLiteral("dev.press");
     case DeviceStep::kRelease: return QStringLiteral("dev.release");
-    case DeviceStep::kWarm: return QStringLiteral("dev.warm");
     case DeviceStep::kReady: return QStringLiteral("dev.ready");
     case DeviceStep::kWrong: return QStringLiteral("dev.wrong");
     case DeviceStep::kLost: break;
@@ -45,16 +44,16 @@ DeviceCheckScreen::DeviceCheckScreen(const Look& look, QWidget* parent)
   setState({});
 }
 
-void DeviceCheckScreen::setState(const DeviceCheckState& state) {
-  const bool ready = state.step == DeviceStep::kReady;
-  const Phrase sentence = phrase(sentenceOf(state.step));
-  lead_->setPhrase(sentence);
-  virtual_->setVisible(state.virtual_device);
-  light_->setLight(lightOf(state.step));
+void DeviceCheckScreen::setState(const ParticipantState& state) {
+  const bool ready = state.device == DeviceStep::kReady;
+  lead_->setPhrase(phrase(sentenceOf(state.device)));
+  // Its forces are drawn, not felt.
+  virtual_->setVisible(state.simulated);
+  light_->setLight(lightOf(state.device));
   light_->setAccessibleName(lead_->text());
-  primaryButton().setVisible(ready || state.may_go_on);
+  primaryButton().setVisible(ready || state.can_go_on);
   primaryButton().setPhrase(phrase(ready ? QStringLiteral("nav.next") : QStringLiteral("nav.repeat")));
-  setSimulated(state.simulated);
+  ScreenFrame::setState(state);
 }
 
 }  // namespace tactus::workbench::nurse

@@ -7,22 +7,13 @@
 
 namespace tactus::workbench::nurse {
 
-enum class DeviceStep { kWait, kHold, kStill, kPush, kPress, kRelease, kWarm, kReady, kWrong, kLost };
-
-struct DeviceCheckState {
-  DeviceStep step = DeviceStep::kWait;
-  bool virtual_device = false;  ///< forces are drawn, not felt
-  bool may_go_on = false;       ///< Next, or once more if something is wrong
-  bool simulated = false;
-};
-
 class DeviceCheckScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit DeviceCheckScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const DeviceCheckState& state);
+  void setState(const ParticipantState& state) override;
 
  private:
   TextBlock* texts_;

@@ -28,60 +28,54 @@ ForceScreen::ForceScreen(const Look& look, QWidget* parent)
   setAnswers(choices_);
   addExtra(feel_again_);
   choices_->setAnswers(forceWords());
-  backButton().hide();
   primaryButton().setPhrase(phrase(QStringLiteral("nav.confirm")));
   primaryButton().reserve(phrase(QStringLiteral("err.choose")));
-  connect(choices_, &Choices::picked, this, &ForceScreen::picked);
   connect(feel_again_, &QAbstractButton::clicked, this, &ForceScreen::feelAgain);
-  connect(this, &ScreenFrame::primary, this, &ForceScreen::confirmed);
   setState({});
 }
 
-void ForceScreen::setState(const ForceState& state) {
-  state_ = state;
-  const bool answering = state.step == JudgingPhase::kAnswer;
+void ForceScreen::setState(const ParticipantState& state) {
+  using Phase = ForceState::Phase;
+  state_ = state.force;
+  const bool practice = state.screen == ParticipantScreen::kPractice;
+  const bool feels = state_.phase == Phase::kFeel;
+  const bool answering = state_.phase == Phase::kAnswer;
   // In the practice she felt it and asks for the next one.
-  const bool between = answering && !state.asks;
-  setTitle(state.practice
-               ? phrase(QStringLiteral("pra.title"))
-               : phrase(QStringLiteral("for.title"), {QString::number(state.part), QString::number(state.parts)}));
-  practice_->setVisible(state.practice && !between);
+  const bool between = answering && !state_.asks;
+  setTitle(practice ? phrase(QStringLiteral("pra.title"))
+                    : phrase(QStringLiteral("for.title"), {QString::number(state.part), QString::number(state.parts)}));
+  practice_->setVisible(practice && !between);
   QString sentence = QStringLiteral("for.ask");
-  if (state.step == JudgingPhase::kPause)
-    sentence = state.warm ? QStringLiteral("dev.warm") : QStringLiteral("for.pause");
+  if (state_.phase == Phase::kPause) sentence = state_.warm ? QStringLiteral("dev.warm") : QStringLiteral("for.pause");
   if (between) sentence = QStringLiteral("pra.line");
-  if (state.step == JudgingPhase::kFeel)
-    sentence = state.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
+  if (feels) sentence = state_.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
   lead_->setPhrase(phrase(sentence));
-  push_->setVisible(state.step == JudgingPhase::kFeel);
-  hint_->setPhrase(phrase(state.before ? QStringLiteral("for.before") : QStringLiteral("for.nothing")));
-  hint_->setVisible((state.step == JudgingPhase::kFeel && state.practice) || (answering && state.before));
-  choices_->setVisible(answering && state.asks);
-  choices_->choose(state.chosen);
-  choices_->light(state.lit);
-  feel_again_->setVisible(answering && state.may_feel_again && !state.before);
+  push_->setVisible(feels);
+  hint_->setPhrase(phrase(state_.before ? QStringLiteral("for.before") : QStringLiteral("for.nothing")));
+  hint_->setVisible((feels && practice) || (answering && state_.before));
+  choices_->setVisible(answering && state_.asks);
+  choices_->choose(state_.chosen);
+  choices_->light(state_.lit);
+  feel_again_->setVisible(answering && !state_.before);
   primaryButton().setVisible(answering);
-  primaryButton().setPhrase(phrase(state.asks ? QStringLiteral("nav.confirm") : QStringLiteral("nav.next")));
-  primaryButton().waitFor(state.asks && state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
-                                                               : std::nullopt);
+  primaryButton().setPhrase(phrase(state_.asks ? QStringLiteral("nav.confirm") : QStringLiteral("nav.next")));
+  primaryButton().waitFor(state_.asks && state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
+                                                                 : std::nullopt);
   setFreeHandLeft(!state.left_handed);
-  setSimulated(state.simulated);
+  ScreenFrame::setState(state);
+}
+
+QString ForceScreen::idOfKey(int key) const {
+  if (state_.phase != ForceState::Phase::kAnswer || !state_.asks) return {};
+  if (key >= Qt::Key_1 && key <= Qt::Key_5) return choices_->onScale(key - Qt::Key_0);
+  if (key == Qt::Key_0) return QStringLiteral("not_felt");
+  return key == Qt::Key_9 ? QStringLiteral("beyond_practice") : QString();
 }
 
 void ForceScreen::keyPressEvent(QKeyEvent* event) {
-  if (state_.step != JudgingPhase::kAnswer || !state_.asks || event->isAutoRepeat())
-    return ScreenFrame::keyPressEvent(event);
-  QString word;
-  if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_5) word = choices_->onScale(event->key() - Qt::Key_0);
-  if (event->key() == Qt::Key_0) word = QStringLiteral("not_felt");
-  if (event->key() == Qt::Key_9) word = QStringLiteral("beyond_practice");
-  if (!word.isEmpty()) {
-    emit picked(word);
-  } else if (event->key() == Qt::Key_F) {
-    if (feel_again_->isVisible()) emit feelAgain();
-  } else {
-    ScreenFrame::keyPressEvent(event);
-  }
+  const bool answering = state_.phase == ForceState::Phase::kAnswer && state_.asks;
+  if (event->key() != Qt::Key_F || !answering || event->isAutoRepeat()) return ScreenFrame::keyPressEvent(event);
+  if (feel_again_->isVisible()) emit feelAgain();
 }
 
 }  // namespace tactus::workbench::nurse

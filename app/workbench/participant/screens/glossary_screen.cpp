@@ -112,30 +112,18 @@ GlossaryScreen::GlossaryScreen(const Look& look, QWidget* parent)
 
   setTitle(phrase(QStringLiteral("glo.title")));
   setMain(pages_);
-  connect(this, &ScreenFrame::back, this, [this] {
-    if (pages_->currentIndex() == 0) {
-      emit left();
-    } else {
-      setPage(pages_->currentIndex() - 1);
-    }
-  });
-  connect(this, &ScreenFrame::primary, this, [this] {
-    if (pages_->currentIndex() + 1 == pages()) {
-      emit finished();
-    } else {
-      setPage(pages_->currentIndex() + 1);
-    }
-  });
 }
 
 void GlossaryScreen::setPage(int page) {
   pages_->setCurrentIndex(std::clamp(page, 0, pages() - 1));
-  setMayGoBack(may_leave_);
+  showBack();
 }
 
-void GlossaryScreen::setMayGoBack(bool may) {
-  may_leave_ = may;
-  ScreenFrame::setMayGoBack(may || pages_->currentIndex() > 0);
+bool GlossaryScreen::turnPage(int by) {
+  const int page = pages_->currentIndex() + by;
+  if (page < 0 || page >= pages()) return false;
+  setPage(page);
+  return true;
 }
 
 }  // namespace tactus::workbench::nurse

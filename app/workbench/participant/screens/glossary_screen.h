@@ -44,15 +44,12 @@ class GlossaryScreen : public ScreenFrame {
   int pages() const { return pages_->count(); }
   void setPage(int page);
 
-  void setMayGoBack(bool may) override;
-
- signals:
-  void finished();
-  void left();  ///< Back from the first page
+ protected:
+  bool turnPage(int by) override;
+  bool hasPageBefore() const override { return pages_->currentIndex() > 0; }
 
  private:
   QStackedWidget* pages_;
-  bool may_leave_ = true;  ///< Back from the first page
 };
 
 }  // namespace tactus::workbench::nurse

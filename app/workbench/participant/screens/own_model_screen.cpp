@@ -1,7 +1,5 @@
 #include "app/workbench/participant/screens/own_model_screen.h"
 
-#include <QKeyEvent>
-
 namespace tactus::workbench::nurse {
 namespace {
 
@@ -32,30 +30,29 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
   addExtra(mark_);
   primaryButton().reserve(phrase(QStringLiteral("err.choose")));
   connect(mark_, &QAbstractButton::clicked, this, &OwnModelScreen::marked);
-  connect(choices_, &Choices::picked, this, &OwnModelScreen::picked);
-  connect(this, &ScreenFrame::primary, this, [this] { emit confirmed(state_.region); });
   connect(&look, &Look::changed, this, &OwnModelScreen::show);
 }
 
-void OwnModelScreen::setState(const OwnModelState& state) {
-  state_ = state;
-  choices_->choose(state.chosen);
-  const bool feels = state.ready && !state.unavailable;
+void OwnModelScreen::setState(const ParticipantState& state) {
+  state_ = state.own;
+  const bool unavailable = !state_.unavailable.isEmpty();
+  choices_->choose(state_.chosen);
+  const bool feels = state_.ready && !unavailable;
   for (QWidget* widget : std::initializer_list<QWidget*>{do_, line_, choices_, mark_}) widget->setVisible(feels);
-  primaryButton().setVisible(feels || state.unavailable);
-  primaryButton().waitFor(feels && state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
-                                                          : std::nullopt);
+  primaryButton().setVisible(feels || unavailable);
+  primaryButton().waitFor(feels && state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
+                                                           : std::nullopt);
   picture_->setMirrored(state.left_handed);
   setFreeHandLeft(!state.left_handed);
-  setSimulated(state.simulated);
   show();
+  ScreenFrame::setState(state);
 }
 
 void OwnModelScreen::setDepth(std::optional<double> depth_mm) { picture_->setDepth(depth_mm); }
 
 void OwnModelScreen::show() {
-  if (state_.unavailable || !state_.ready) {
-    region_->setPhrase(phrase(state_.unavailable ? QStringLiteral("own.none") : QStringLiteral("dev.wait")));
+  if (!state_.unavailable.isEmpty() || !state_.ready) {
+    region_->setPhrase(phrase(!state_.unavailable.isEmpty() ? QStringLiteral("own.none") : QStringLiteral("dev.wait")));
     picture_->light(std::nullopt);
     return;
   }
@@ -68,12 +65,8 @@ void OwnModelScreen::show() {
   picture_->setAccessibleName(look().say(phrase(QStringLiteral("acc.way"))));
 }
 
-void OwnModelScreen::keyPressEvent(QKeyEvent* event) {
-  if (event->isAutoRepeat()) return;
-  const QString comparison =
-      event->key() >= Qt::Key_1 && event->key() <= Qt::Key_3 ? choices_->onScale(event->key() - Qt::Key_0) : QString();
-  if (comparison.isEmpty()) return ScreenFrame::keyPressEvent(event);
-  emit picked(comparison);
+QString OwnModelScreen::idOfKey(int key) const {
+  return key >= Qt::Key_1 && key <= Qt::Key_3 ? choices_->onScale(key - Qt::Key_0) : QString();
 }
 
 }  // namespace tactus::workbench::nurse

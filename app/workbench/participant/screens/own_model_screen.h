@@ -6,19 +6,11 @@
 
 #include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
-
-struct OwnModelState {
-  QString region;            ///< `nasal_cavity` … `esophagus`
-  bool ready = true;         ///< the force is in the device
-  bool unavailable = false;  ///< no model follows from her answers
-  QString chosen;            ///< lighter, right, heavier; empty: none
-  bool left_handed = false;
-  bool simulated = false;
-};
 
 class OwnModelScreen : public ScreenFrame {
   Q_OBJECT
@@ -26,17 +18,15 @@ class OwnModelScreen : public ScreenFrame {
  public:
   explicit OwnModelScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const OwnModelState& state);
+  void setState(const ParticipantState& state) override;
   void setDepth(std::optional<double> depth_mm);
 
  signals:
-  void picked(const QString& comparison);
   void marked();
-  void confirmed(const QString& region);
 
  protected:
   /// 1 to 3: lighter, about the same, heavier.
-  void keyPressEvent(QKeyEvent* event) override;
+  QString idOfKey(int key) const override;
 
  private:
   void show();

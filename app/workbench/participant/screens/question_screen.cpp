@@ -1,7 +1,5 @@
 #include "app/workbench/participant/screens/question_screen.h"
 
-#include <QKeyEvent>
-
 namespace tactus::workbench::nurse {
 namespace {
 
@@ -46,26 +44,24 @@ QuestionScreen::QuestionScreen(const Look& look, QWidget* parent)
   choices_->setAnswers(questionWords());
   primaryButton().setPhrase(phrase(QStringLiteral("nav.confirm")));
   primaryButton().reserve(phrase(QStringLiteral("err.choose")));
-  connect(choices_, &Choices::picked, this, &QuestionScreen::picked);
-  connect(this, &ScreenFrame::primary, this, [this] { emit confirmed(state_.number); });
   connect(&look, &Look::changed, this, &QuestionScreen::show);
 }
 
-void QuestionScreen::setState(const QuestionState& state) {
-  state_ = state;
+void QuestionScreen::setState(const ParticipantState& state) {
+  state_ = state.question;
   setTitle(phrase(QStringLiteral("q.title"), {QString::number(state.part), QString::number(state.parts),
-                                              QString::number(state.number), QString::number(state.count)}));
-  Picture picture = pictureOf(state.condition, state.term);
+                                              QString::number(state_.position), QString::number(state_.count)}));
+  Picture picture = pictureOf(state_.condition, state_.term);
   condition_picture_->setVisible(static_cast<bool>(picture));
   condition_picture_->setPicture(std::move(picture));
-  picture_->setPosture(postureOf(state.condition, state.term));
+  picture_->setPosture(postureOf(state_.condition, state_.term));
   picture_->setMirrored(state.left_handed);
   corner_->setAlignment(condition_picture_, Qt::AlignTop | (state.left_handed ? Qt::AlignRight : Qt::AlignLeft));
-  choices_->choose(state.chosen);
-  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
+  choices_->choose(state_.chosen);
+  primaryButton().waitFor(state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
   setFreeHandLeft(!state.left_handed);
-  setSimulated(state.simulated);
   show();
+  ScreenFrame::setState(state);
 }
 
 void QuestionScreen::show() {
@@ -86,13 +82,9 @@ void QuestionScreen::show() {
   picture_->setAccessibleName(situation_->text());
 }
 
-void QuestionScreen::keyPressEvent(QKeyEvent* event) {
-  if (event->isAutoRepeat()) return;
-  QString word;
-  if (event->key() >= Qt::Key_1 && event->key() <= Qt::Key_5) word = choices_->onScale(event->key() - Qt::Key_0);
-  if (event->key() == Qt::Key_0) word = QStringLiteral("cant_tell");
-  if (word.isEmpty()) return ScreenFrame::keyPressEvent(event);
-  emit picked(word);
+QString QuestionScreen::idOfKey(int key) const {
+  if (key >= Qt::Key_1 && key <= Qt::Key_5) return choices_->onScale(key - Qt::Key_0);
+  return key == Qt::Key_0 ? QStringLiteral("cant_tell") : QString();
 }
 
 }  // namespace tactus::workbench::nurse

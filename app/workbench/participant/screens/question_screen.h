@@ -6,24 +6,12 @@
 
 #include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
-
-struct QuestionState {
-  int part = 3;  ///< of `parts`
-  int parts = 3;
-  int number = 1;
-  int count = 45;
-  QString condition;  ///< `lubrication`, `neck_flexion` or `speed`
-  QString term;       ///< of the condition: `poor`, `small`, `slow`, …
-  QString region;     ///< `nasal_cavity` … `esophagus`
-  QString chosen;     ///< very_small … very_large, cant_tell; empty: none
-  bool left_handed = false;
-  bool simulated = false;
-};
 
 /// The picture of a term of lubrication or speed; nothing for the neck, which the anatomy shows.
 Picture pictureOf(const QString& condition, const QString& term);
@@ -36,15 +24,11 @@ class QuestionScreen : public ScreenFrame {
  public:
   explicit QuestionScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const QuestionState& state);
-
- signals:
-  void picked(const QString& word);
-  void confirmed(int number);
+  void setState(const ParticipantState& state) override;
 
  protected:
   /// 1 to 5 the words, 0 "I can't tell".
-  void keyPressEvent(QKeyEvent* event) override;
+  QString idOfKey(int key) const override;
 
  private:
   void show();

@@ -115,21 +115,13 @@ QString text(const char* id) { return QString::fromLatin1(id); }
 ReviewScreen::ReviewScreen(const Look& look, QWidget* parent) : ScreenFrame(look, parent) {
   setTitle(phrase(QStringLiteral("rev.title")));
   primaryButton().reserve(phrase(QStringLiteral("nav.seal")));
-  connect(this, &ScreenFrame::primary, this, &ReviewScreen::press);
-  connect(this, &ScreenFrame::back, this, [this] {
-    if (page_ == 0) {
-      emit left();
-    } else {
-      setPage(page_ - 1);
-    }
-  });
   setState({});
 }
 
-void ReviewScreen::setState(const ReviewState& state) {
-  state_ = state;
-  setSimulated(state.simulated);
+void ReviewScreen::setState(const ParticipantState& state) {
+  state_ = state.review;
   build();
+  ScreenFrame::setState(state);
 }
 
 void ReviewScreen::setPage(int page) {
@@ -137,28 +129,19 @@ void ReviewScreen::setPage(int page) {
   build();
 }
 
-int ReviewScreen::gaps() const {
-  return static_cast<int>(std::count_if(state_.answers.begin(), state_.answers.end(),
-                                        [](const ReviewAnswer& answer) { return answer.word.isEmpty(); }));
-}
-
-void ReviewScreen::press() {
-  if (state_.sealed) {
-    emit goOn();
-  } else if (page_ + 1 < kPages) {
-    setPage(page_ + 1);
-  } else {
-    emit seal();
-  }
+bool ReviewScreen::turnPage(int by) {
+  if (state_.sealed || page_ + by < 0 || page_ + by >= kPages) return false;
+  setPage(page_ + by);
+  return true;
 }
 
 void ReviewScreen::build() {
   const bool last = page_ + 1 == kPages;
   setHint(state_.sealed ? Phrase{} : phrase(QStringLiteral("rev.tap")));
-  ScreenFrame::setMayGoBack(!state_.sealed && (may_leave_ || page_ > 0));
+  showBack();
   primaryButton().setPhrase(phrase(last && !state_.sealed ? QStringLiteral("nav.seal") : QStringLiteral("nav.next")));
-  const bool waits = last && !state_.sealed && gaps() > 0;
-  primaryButton().waitFor(waits ? std::optional(counted(QStringLiteral("rev.gaps"), gaps())) : std::nullopt);
+  const bool waits = last && !state_.sealed && state_.gaps > 0;
+  primaryButton().waitFor(waits ? std::optional(counted(QStringLiteral("rev.gaps"), state_.gaps)) : std::nullopt);
 
   delete page_widget_;
   page_widget_ = new QWidget(this);
@@ -199,11 +182,6 @@ void ReviewScreen::build() {
   }
   setMain(page_widget_);
   page_widget_->show();
-}
-
-void ReviewScreen::setMayGoBack(bool may) {
-  may_leave_ = may;
-  ScreenFrame::setMayGoBack(may || page_ > 0);
 }
 
 }  // namespace tactus::workbench::nurse

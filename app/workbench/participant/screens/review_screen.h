@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {
@@ -42,48 +43,30 @@ class ReviewCell : public QAbstractButton {
   double glow_ = 0;
 };
 
-struct ReviewAnswer {
-  int item = 0;       ///< the number of the question in the form
-  QString condition;  ///< `lubrication`, `neck_flexion` or `speed`
-  QString term;
-  QString region;
-  QString word;  ///< empty: open
-};
-
-struct ReviewState {
-  std::vector<ReviewAnswer> answers;
-  bool sealed = false;
-  bool simulated = false;
-};
-
 class ReviewScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit ReviewScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const ReviewState& state);
+  void setState(const ParticipantState& state) override;
   /// Which grid: 0 lubrication, 1 neck flexion, 2 speed.
   void setPage(int page);
   int page() const { return page_; }
 
-  void setMayGoBack(bool may) override;
-
  signals:
   void cellPicked(int item);
-  void seal();
-  void goOn();  ///< after the answers are locked
-  void left();  ///< Back from the first grid
+
+ protected:
+  bool turnPage(int by) override;
+  bool hasPageBefore() const override { return page_ > 0 && !state_.sealed; }
 
  private:
   void build();
-  int gaps() const;
-  void press();
 
   ReviewState state_;
   int page_ = 0;
   QWidget* page_widget_ = nullptr;
-  bool may_leave_ = true;  ///< Back from the first page
 };
 
 }  // namespace tactus::workbench::nurse

@@ -19,36 +19,49 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-template <class Screen, class State>
-SampleScreen sample(const QString& name, const State& state) {
-  return {name, [state](const Look& look) {
+/// Back leads to something, except where it never does.
+ParticipantState at(ParticipantScreen screen, bool can_go_back = true) {
+  ParticipantState state;
+  state.screen = screen;
+  state.can_go_back = can_go_back;
+  return state;
+}
+
+template <class Screen>
+SampleScreen sample(
+    const QString& name, const ParticipantState& state, const std::function<void(Screen&)>& then = [](Screen&) {}) {
+  return {name, [state, then](const Look& look) {
             auto screen = std::make_unique<Screen>(look);
             screen->setState(state);
+            then(*screen);
             return screen;
           }};
 }
 
-WelcomeState welcome(WelcomeStep step) {
-  WelcomeState state;
-  state.step = step;
-  state.code = QStringLiteral("thunderstorm marmalade");
-  state.kept_answers = 27;
-  state.code_unknown = true;
-  state.meant = QStringLiteral("thunderstorm marmalade");
+QString code() { return QStringLiteral("thunderstorm marmalade"); }
+
+ParticipantState welcome(WelcomeState::Step step) {
+  ParticipantState state = at(ParticipantScreen::kWelcome, step != WelcomeState::Step::kStart);
+  state.code = code();
+  state.welcome = {step, 27, true, code(), 30};
   return state;
 }
 
-QuestionState asked(const char* condition, const char* term, const char* region, const char* chosen) {
-  QuestionState state;
-  state.number = 12;
-  state.condition = QString::fromLatin1(condition);
-  state.term = QString::fromLatin1(term);
-  state.region = QString::fromLatin1(region);
-  state.chosen = QString::fromLatin1(chosen);
+ParticipantState asked(const char* condition, const char* term, const char* region, const char* chosen) {
+  ParticipantState state = at(ParticipantScreen::kQuestion);
+  state.part = 3;
+  state.question = {0,
+                    12,
+                    45,
+                    QString::fromLatin1(condition),
+                    QString::fromLatin1(term),
+                    QString::fromLatin1(region),
+                    QString::fromLatin1(chosen),
+                    false};
   return state;
 }
 
-ReviewState review(bool gaps, bool sealed) {
+ParticipantState review(bool gaps, bool sealed) {
   const char* words[] = {"very_small", "small", "medium", "large", "very_large", "cant_tell"};
   const struct {
     const char* id;
@@ -56,48 +69,37 @@ ReviewState review(bool gaps, bool sealed) {
   } conditions[] = {{"lubrication", {"poor", "medium", "well"}},
                     {"neck_flexion", {"small", "medium", "large"}},
                     {"speed", {"slow", "medium", "fast"}}};
-  ReviewState state;
-  state.sealed = sealed;
+  ParticipantState state = at(ParticipantScreen::kReview, !sealed);
+  state.review.sealed = sealed;
+  auto& answers = state.review.answers;
   for (const auto& condition : conditions) {
     for (const char* term : condition.terms) {
       for (const char* region : {"nasal_cavity", "nasopharynx", "oropharynx", "laryngopharynx", "esophagus"}) {
-        const int item = static_cast<int>(state.answers.size()) + 1;
-        state.answers.push_back({item, QString::fromLatin1(condition.id), QString::fromLatin1(term),
-                                 QString::fromLatin1(region), QString::fromLatin1(words[item % 6])});
+        const int item = static_cast<int>(answers.size()) + 1;
+        answers.push_back({item, QString::fromLatin1(condition.id), QString::fromLatin1(term),
+                           QString::fromLatin1(region), QString::fromLatin1(words[item % 6])});
       }
     }
   }
   if (gaps) {
-    state.answers[3].word.clear();
-    state.answers[40].word.clear();
+    state.review.gaps = 2;
+    answers[3].word.clear();
+    answers[40].word.clear();
   }
   return state;
 }
 
-SampleScreen reviewPage(const QString& name, const ReviewState& state, int page) {
-  return {name, [state, page](const Look& look) {
-            auto screen = std::make_unique<ReviewScreen>(look);
-            screen->setState(state);
-            screen->setPage(page);
-            return screen;
-          }};
+SampleScreen reviewPage(const QString& name, const ParticipantState& state, int page) {
+  return sample<ReviewScreen>(name, state, [page](ReviewScreen& screen) { screen.setPage(page); });
 }
 
 SampleScreen glossary(int page) {
-  return {QStringLiteral("glossary_%1").arg(page + 1), [page](const Look& look) {
-            auto screen = std::make_unique<GlossaryScreen>(look);
-            screen->setPage(page);
-            return screen;
-          }};
+  return sample<GlossaryScreen>(QStringLiteral("glossary_%1").arg(page + 1), at(ParticipantScreen::kGlossary),
+                                [page](GlossaryScreen& screen) { screen.setPage(page); });
 }
 
-SampleScreen strokes(const QString& name, const StrokeState& state, double depth_mm) {
-  return {name, [state, depth_mm](const Look& look) {
-            auto screen = std::make_unique<StrokeScreen>(look);
-            screen->setState(state);
-            screen->setDepth(depth_mm);
-            return screen;
-          }};
+SampleScreen strokes(const QString& name, const ParticipantState& state, double depth_mm) {
+  return sample<StrokeScreen>(name, state, [depth_mm](StrokeScreen& screen) { screen.setDepth(depth_mm); });
 }
 
 template <class Panel>
@@ -105,41 +107,49 @@ SampleScreen panel(const QString& name) {
   return {name, [](const Look& look) { return std::make_unique<Panel>(look); }};
 }
 
-ForceState force(JudgingPhase step, const char* chosen = "") {
-  ForceState state;
-  state.step = step;
-  state.chosen = QString::fromLatin1(chosen);
+ParticipantState force(ForceState::Phase phase, const char* chosen = "") {
+  ParticipantState state = at(ParticipantScreen::kForce, false);
+  state.part = 2;
+  state.force.phase = phase;
+  state.force.chosen = QString::fromLatin1(chosen);
   return state;
 }
 
-ScaleState rated(const char* question, const char* chosen) {
-  const QString id = QString::fromLatin1(question);
-  ScaleState state;
-  state.title = phrase(QStringLiteral("rate.title"));
-  state.sentence = phrase(id);
-  state.low = phrase(id + QStringLiteral(".low"));
-  state.high = phrase(id + QStringLiteral(".high"));
-  state.chosen = QString::fromLatin1(chosen);
-  state.may_not_say = true;
+ParticipantState rated(const char* question, const char* chosen) {
+  ParticipantState state = at(ParticipantScreen::kRating);
+  state.scale = {QString::fromLatin1(question), 1, 2, QString::fromLatin1(chosen), true};
   return state;
 }
 
 SampleScreen statement(int item) {
-  constexpr int kStatements = 6;
-  ScaleState state;
-  state.title = phrase(QStringLiteral("u.title"), {QString::number(item), QString::number(kStatements)});
-  state.instructions = phrase(QStringLiteral("u.instructions"));
-  state.sentence = phrase(QStringLiteral("u.%1").arg(item));
-  state.low = phrase(QStringLiteral("u.low"));
-  state.high = phrase(QStringLiteral("u.high"));
-  if (item > 1) state.chosen = QString::number(item);
-  state.is_last = item == kStatements;
+  ParticipantState state = at(ParticipantScreen::kScale);
+  state.scale = {QStringLiteral("u.%1").arg(item), item, 6, item > 1 ? QString::number(item) : QString(), false};
   return sample<ScaleScreen>(QStringLiteral("usability_%1").arg(item), state);
 }
 
+ParticipantState device(DeviceStep step, bool can_go_on, bool simulated) {
+  ParticipantState state = at(ParticipantScreen::kDeviceCheck);
+  state.device = step;
+  state.can_go_on = can_go_on;
+  state.simulated = simulated;
+  return state;
+}
+
+ParticipantState stopped(StopReason reason) {
+  ParticipantState state = at(ParticipantScreen::kStopped, false);
+  state.stop = reason;
+  state.code = code();
+  state.can_go_on = true;
+  return state;
+}
+
+SampleScreen notice(const QString& name, const QString& sentence) {
+  return {name, [sentence](const Look& look) { return std::make_unique<NoticePanel>(look, phrase(sentence)); }};
+}
+
 /// The statements `ids`, with a value where they have a place for one.
-ConsentState consent(std::initializer_list<const char*> ids) {
-  ConsentState state;
+ParticipantState consent(std::initializer_list<const char*> ids) {
+  ParticipantState state = at(ParticipantScreen::kConsent);
   for (const char* id : ids) {
     const bool contact = std::string_view(id) == "con.contact";
     const bool force = std::string_view(id) == "con.force";
@@ -148,7 +158,7 @@ ConsentState consent(std::initializer_list<const char*> ids) {
     if (contact) values << QStringLiteral("School of Nursing, 2766 0000");
     if (force) values << QStringLiteral("210");
     if (minutes) values << QStringLiteral("25");
-    state.paragraphs.push_back(phrase(QString::fromLatin1(id), values));
+    state.consent.paragraphs.push_back(phrase(QString::fromLatin1(id), values));
   }
   return state;
 }
@@ -156,11 +166,14 @@ ConsentState consent(std::initializer_list<const char*> ids) {
 }  // namespace
 
 std::vector<SampleScreen> sampleScreens() {
+  using Phase = ForceState::Phase;
+  using Step = WelcomeState::Step;
   std::vector<SampleScreen> all = {
-      sample<WelcomeScreen>("welcome", welcome(WelcomeStep::kStart)),
-      sample<WelcomeScreen>("welcome_new_code", welcome(WelcomeStep::kNewCode)),
-      sample<WelcomeScreen>("welcome_enter_code", welcome(WelcomeStep::kEnterCode)),
-      sample<WelcomeScreen>("welcome_back", welcome(WelcomeStep::kWelcomeBack)),
+      sample<WelcomeScreen>("welcome", welcome(Step::kStart)),
+      sample<WelcomeScreen>("welcome_new_code", welcome(Step::kNewCode)),
+      sample<WelcomeScreen>("welcome_enter_code", welcome(Step::kStart),
+                            [](WelcomeScreen& screen) { screen.enterCode(); }),
+      sample<WelcomeScreen>("welcome_back", welcome(Step::kWelcomeBack)),
       sample<ConsentScreen>("consent", consent({"con.purpose", "con.what", "con.minutes", "con.force", "con.voluntary",
                                                 "con.stop", "con.data", "con.withdraw", "con.contact"})),
       sample<ConsentScreen>("consent_questions",
@@ -170,59 +183,58 @@ std::vector<SampleScreen> sampleScreens() {
                                                         "con.withdraw", "con.contact"})),
   };
   int number = 0;
-  for (const AboutQuestion each : {AboutQuestion::kYears, AboutQuestion::kHand, AboutQuestion::kGloves,
-                                   AboutQuestion::kHaptic, AboutQuestion::kComfort}) {
-    AboutYouState state;
-    state.question = each;
-    if (number % 2 == 1) state.chosen = answersTo(each).front().id;
+  for (const AboutYouState::Question each :
+       {AboutYouState::Question::kYears, AboutYouState::Question::kHand, AboutYouState::Question::kGloves,
+        AboutYouState::Question::kHaptic, AboutYouState::Question::kComfort}) {
+    ParticipantState state = at(ParticipantScreen::kAboutYou);
+    state.about.question = each;
+    if (number % 2 == 1) state.about.chosen = answersTo(each).front().id;
     all.push_back(sample<AboutYouScreen>(QStringLiteral("about_you_%1").arg(++number), state));
   }
-  all.push_back(sample<DeviceCheckScreen>("device_hold", DeviceCheckState{DeviceStep::kHold, true, false, true}));
-  all.push_back(sample<DeviceCheckScreen>("device_ready", DeviceCheckState{DeviceStep::kReady, false, true, false}));
-  all.push_back(sample<DeviceCheckScreen>("device_wrong", DeviceCheckState{DeviceStep::kWrong, false, true, false}));
-  all.push_back(sample<DeviceCheckScreen>("device_lost", DeviceCheckState{DeviceStep::kLost, false, true, false}));
+  all.push_back(sample<DeviceCheckScreen>("device_hold", device(DeviceStep::kHold, false, true)));
+  all.push_back(sample<DeviceCheckScreen>("device_ready", device(DeviceStep::kReady, true, false)));
+  all.push_back(sample<DeviceCheckScreen>("device_wrong", device(DeviceStep::kWrong, true, false)));
+  all.push_back(sample<DeviceCheckScreen>("device_lost", device(DeviceStep::kLost, true, false)));
 
-  StrokeState stroke;
-  stroke.practice = true;
-  stroke.speed = SpeedWord::kMedium;
+  ParticipantState stroke = at(ParticipantScreen::kPractice);
+  stroke.speed = {QStringLiteral("medium"), 0, 4, SpeedState::Note::kStart};
   all.push_back(strokes("practice", stroke, 40));
-  stroke.practice = false;
-  stroke.recorded = 2;
-  stroke.note = StrokeNote::kRecorded;
+  stroke.screen = ParticipantScreen::kSpeed;
+  stroke.speed.recorded = 2;
+  stroke.speed.note = SpeedState::Note::kRecorded;
   all.push_back(strokes("speed", stroke, 110));
-  stroke.note = StrokeNote::kNotRecorded;
+  stroke.speed.note = SpeedState::Note::kNotRecorded;
   stroke.left_handed = true;
   stroke.simulated = true;
-  stroke.may_go_on = true;
+  stroke.can_go_on = true;
   all.push_back(strokes("speed_left_handed", stroke, 160));
 
-  ForceState practice = force(JudgingPhase::kFeel);
-  practice.practice = true;
+  ParticipantState practice = force(Phase::kFeel);
+  practice.screen = ParticipantScreen::kPractice;
   all.push_back(sample<ForceScreen>("force_practice", practice));
-  all.push_back(sample<ForceScreen>("force_feel", force(JudgingPhase::kFeel)));
-  ForceState again = force(JudgingPhase::kFeel);
-  again.again = true;
+  all.push_back(sample<ForceScreen>("force_feel", force(Phase::kFeel)));
+  ParticipantState again = force(Phase::kFeel);
+  again.force.again = true;
   again.simulated = true;
   all.push_back(sample<ForceScreen>("force_again", again));
-  all.push_back(sample<ForceScreen>("force_pause", force(JudgingPhase::kPause)));
-  all.push_back(sample<ForceScreen>("force_answer", force(JudgingPhase::kAnswer)));
-  all.push_back(sample<ForceScreen>("force_answer_chosen", force(JudgingPhase::kAnswer, "large")));
-  ForceState left = force(JudgingPhase::kAnswer, "beyond_practice");
+  all.push_back(sample<ForceScreen>("force_pause", force(Phase::kPause)));
+  all.push_back(sample<ForceScreen>("force_answer", force(Phase::kAnswer)));
+  all.push_back(sample<ForceScreen>("force_answer_chosen", force(Phase::kAnswer, "large")));
+  ParticipantState left = force(Phase::kAnswer, "beyond_practice");
   left.left_handed = true;
   all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
-
-  ForceState before = force(JudgingPhase::kAnswer, "large");
-  before.before = true;
+  ParticipantState before = force(Phase::kAnswer, "large");
+  before.force.before = true;
   all.push_back(sample<ForceScreen>("force_before", before));
 
   all.push_back(sample<ScaleScreen>("rating_effort", rated("rate.effort", "")));
   all.push_back(sample<ScaleScreen>("rating_comfort", rated("rate.comfort", "6")));
-  all.push_back(panel<RestScreen>("rest"));
+  all.push_back(sample<RestScreen>("rest", at(ParticipantScreen::kRest, false)));
   for (int page = 0; page < 6; ++page) all.push_back(glossary(page));
   all.push_back(sample<QuestionScreen>("question_lubrication", asked("lubrication", "medium", "laryngopharynx", "")));
   all.push_back(sample<QuestionScreen>("question_neck", asked("neck_flexion", "large", "oropharynx", "large")));
   all.push_back(sample<QuestionScreen>("question_speed", asked("speed", "medium", "nasopharynx", "cant_tell")));
-  QuestionState chest = asked("lubrication", "well", "esophagus", "very_small");
+  ParticipantState chest = asked("lubrication", "well", "esophagus", "very_small");
   chest.left_handed = true;
   all.push_back(sample<QuestionScreen>("question_left_handed", chest));
   all.push_back(reviewPage("review_lubrication", review(true, false), 0));
@@ -230,31 +242,27 @@ std::vector<SampleScreen> sampleScreens() {
   all.push_back(reviewPage("review_speed_gaps", review(true, false), 2));
   all.push_back(reviewPage("review_speed", review(false, false), 2));
   all.push_back(sample<ReviewScreen>("review_sealed", review(false, true)));
-  OwnModelState own;
-  own.region = QStringLiteral("laryngopharynx");
-  own.chosen = QStringLiteral("right");
-  all.push_back({"own_model", [own](const Look& look) {
-                   auto screen = std::make_unique<OwnModelScreen>(look);
-                   screen->setState(own);
-                   screen->setDepth(160);
-                   return screen;
-                 }});
-  ThanksState thanks;
+  ParticipantState own = at(ParticipantScreen::kOwnModel);
+  own.own.ready = true;
+  own.own.region = QStringLiteral("laryngopharynx");
+  own.own.chosen = QStringLiteral("right");
+  all.push_back(sample<OwnModelScreen>("own_model", own, [](OwnModelScreen& screen) { screen.setDepth(160); }));
+  ParticipantState thanks = at(ParticipantScreen::kThanks, false);
   for (int mm = 0; mm <= 440; mm += 2) {
     // Any smooth curve.
-    thanks.curve.emplace_back(
+    thanks.thanks.curve.emplace_back(
         mm, 0.25 + 0.7 * std::exp(-std::pow((mm - 175.0) / 35, 2)) + 0.2 * std::exp(-std::pow((mm - 65.0) / 25, 2)));
   }
-  all.push_back(sample<ThanksScreen>("thanks", thanks));
+  all.push_back({"thanks", [thanks](const Look& look) {
+                   auto screen = std::make_unique<ThanksScreen>(look, true);
+                   screen->setState(thanks);
+                   return screen;
+                 }});
   for (const int item : {1, 4, 6}) all.push_back(statement(item));
-  for (const auto& [name, reason] :
-       {std::pair{"stopped", StopReason::kForToday}, std::pair{"withdrawn", StopReason::kWithdrawn},
-        std::pair{"paused", StopReason::kPaused}, std::pair{"not_saved", StopReason::kNotSaved}}) {
-    all.push_back(sample<StoppedScreen>(
-        QString::fromLatin1(name),
-        StoppedState{reason, QStringLiteral("thunderstorm marmalade"),
-                     reason == StopReason::kForToday || reason == StopReason::kWithdrawn, false}));
-  }
+  all.push_back(sample<StoppedScreen>("stopped", stopped(StopReason::kForToday)));
+  all.push_back(sample<StoppedScreen>("withdrawn", stopped(StopReason::kWithdrawn)));
+  all.push_back(notice("paused", QStringLiteral("err.paused")));
+  all.push_back(notice("not_saved", QStringLiteral("err.save")));
   all.push_back(panel<ForceOffPanel>("force_off"));
   all.push_back({"force_off_called", [](const Look& look) {
                    auto force_off = std::make_unique<ForceOffPanel>(look);

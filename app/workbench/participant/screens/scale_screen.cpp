@@ -1,10 +1,10 @@
 #include "app/workbench/participant/screens/scale_screen.h"
 
 #include <QGridLayout>
-#include <QKeyEvent>
 
 #include "app/workbench/participant/kit/button.h"
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -42,37 +42,36 @@ ScaleScreen::ScaleScreen(const Look& look, QWidget* parent)
   grid->addWidget(low_, 0, 0, Qt::AlignLeft);
   grid->addWidget(high_, 0, 1, Qt::AlignRight);
   grid->addWidget(choices_, 1, 0, 1, 2);
-  setAnswers(scale);
+  setAnswers(choices_, scale);
   primaryButton().setPhrase(phrase(QStringLiteral("nav.confirm")));
   primaryButton().reserve(phrase(QStringLiteral("err.points")));
-  connect(choices_, &Choices::picked, this, &ScaleScreen::picked);
-  connect(this, &ScreenFrame::primary, this, &ScaleScreen::confirmed);
-  setState({});
 }
 
-void ScaleScreen::setState(const ScaleState& state) {
-  setTitle(state.title);
-  instructions_->setPhrase(state.instructions);
-  instructions_->setVisible(!state.instructions.isEmpty());
-  lead_->setPhrase(state.sentence);
-  low_->setPhrase(state.low);
-  high_->setPhrase(state.high);
-  choices_->setAnswers(pointAnswers(state.may_not_say));
-  choices_->choose(state.chosen);
-  primaryButton().setPhrase(phrase(state.is_last ? QStringLiteral("nav.seal") : QStringLiteral("nav.confirm")));
-  primaryButton().waitFor(state.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.points"))) : std::nullopt);
-  setSimulated(state.simulated);
+void ScaleScreen::setState(const ParticipantState& state) {
+  const ScaleState& asked = state.scale;
+  const bool rating = state.screen == ParticipantScreen::kRating;
+  setTitle(rating ? phrase(QStringLiteral("rate.title"))
+                  : phrase(QStringLiteral("u.title"), {QString::number(asked.position), QString::number(asked.count)}));
+  instructions_->setPhrase(rating ? Phrase{} : phrase(QStringLiteral("u.instructions")));
+  instructions_->setVisible(!rating);
+  lead_->setPhrase(phrase(asked.sentence));
+  const QString ends = rating ? asked.sentence : QStringLiteral("u");
+  low_->setPhrase(phrase(ends + QStringLiteral(".low")));
+  high_->setPhrase(phrase(ends + QStringLiteral(".high")));
+  choices_->setAnswers(pointAnswers(asked.may_not_say));
+  choices_->choose(asked.chosen);
+  // The last statement locks the answers.
+  const bool seals = !rating && asked.position == asked.count;
+  primaryButton().setPhrase(phrase(seals ? QStringLiteral("nav.seal") : QStringLiteral("nav.confirm")));
+  primaryButton().waitFor(asked.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.points"))) : std::nullopt);
+  ScreenFrame::setState(state);
 }
 
-void ScaleScreen::keyPressEvent(QKeyEvent* event) {
-  if (event->isAutoRepeat()) return;
+QString ScaleScreen::idOfKey(int key) const {
   QString points;
-  if (event->key() >= Qt::Key_1 && event->key() < Qt::Key_1 + kMostPoints) {
-    points = QString::number(event->key() - Qt::Key_0);
-  }
-  if (event->key() == Qt::Key_0) points = QStringLiteral("not_say");
-  if (points.isEmpty() || !choices_->offers(points)) return ScreenFrame::keyPressEvent(event);
-  emit picked(points);
+  if (key >= Qt::Key_1 && key < Qt::Key_1 + kMostPoints) points = QString::number(key - Qt::Key_0);
+  if (key == Qt::Key_0) points = QStringLiteral("not_say");
+  return choices_->offers(points) ? points : QString();
 }
 
 }  // namespace tactus::workbench::nurse

@@ -9,33 +9,17 @@
 
 namespace tactus::workbench::nurse {
 
-struct ScaleState {
-  Phrase title;
-  Phrase sentence;
-  Phrase instructions;  ///< above the sentence; may be empty
-  Phrase low;           ///< what 1 means
-  Phrase high;          ///< what 7 means
-  QString chosen;       ///< `1` to `7`, `not_say`; empty: none
-  bool may_not_say = false;
-  bool is_last = false;  ///< the primary button locks the answers
-  bool simulated = false;
-};
-
 class ScaleScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit ScaleScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const ScaleState& state);
-
- signals:
-  void picked(const QString& points);
-  void confirmed();
+  void setState(const ParticipantState& state) override;
 
  protected:
   /// 1 to 7; 0: she would rather not say.
-  void keyPressEvent(QKeyEvent* event) override;
+  QString idOfKey(int key) const override;
 
  private:
   TextBlock* texts_;

@@ -3,28 +3,21 @@
 #include <QHBoxLayout>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
 namespace {
 
-QString sentenceOf(SpeedWord speed) {
-  switch (speed) {
-    case SpeedWord::kSlow: return QStringLiteral("spd.slow");
-    case SpeedWord::kMedium: return QStringLiteral("spd.medium");
-    case SpeedWord::kFast: break;
-  }
-  return QStringLiteral("spd.fast");
-}
-
-QString noteOf(StrokeNote note) {
+QString noteOf(SpeedState::Note note) {
+  using Note = SpeedState::Note;
   switch (note) {
-    case StrokeNote::kStart: return QStringLiteral("spd.start");
-    case StrokeNote::kReturn: return QStringLiteral("spd.return");
-    case StrokeNote::kRecorded: return QStringLiteral("spd.recorded");
-    case StrokeNote::kTooShort: return QStringLiteral("spd.too_short");
-    case StrokeNote::kNotRecorded: return QStringLiteral("spd.not_recorded");
-    case StrokeNote::kBackwards: return QStringLiteral("spd.backwards");
-    case StrokeNote::kOutOfRange: break;
+    case Note::kStart: return QStringLiteral("spd.start");
+    case Note::kReturn: return QStringLiteral("spd.return");
+    case Note::kRecorded: return QStringLiteral("spd.recorded");
+    case Note::kTooShort: return QStringLiteral("spd.too_short");
+    case Note::kNotRecorded: return QStringLiteral("spd.not_recorded");
+    case Note::kBackwards: return QStringLiteral("spd.backwards");
+    case Note::kOutOfRange: break;
   }
   return QStringLiteral("spd.out_of_range");
 }
@@ -59,23 +52,22 @@ StrokeScreen::StrokeScreen(const Look& look, QWidget* parent)
   const auto name = [this, &look] { picture_->setAccessibleName(look.say(phrase(QStringLiteral("acc.way")))); };
   connect(&look, &Look::changed, this, name);
   name();
-  setState({});
 }
 
-void StrokeScreen::setState(const StrokeState& state) {
-  setTitle(state.practice
-               ? phrase(QStringLiteral("pra.title"))
-               : phrase(QStringLiteral("spd.title"), {QString::number(state.part), QString::number(state.parts)}));
-  practice_->setVisible(state.practice);
-  lead_->setPhrase(phrase(sentenceOf(state.speed)));
-  dots_->setVisible(!state.practice);
-  dots_->setCount(state.recorded, state.wanted);
-  note_->setPhrase(phrase(noteOf(state.note)));
-  tick_->setVisible(state.note == StrokeNote::kRecorded);
-  primaryButton().setVisible(state.may_go_on);
+void StrokeScreen::setState(const ParticipantState& state) {
+  const bool practice = state.screen == ParticipantScreen::kPractice;
+  setTitle(practice ? phrase(QStringLiteral("pra.title"))
+                    : phrase(QStringLiteral("spd.title"), {QString::number(state.part), QString::number(state.parts)}));
+  practice_->setVisible(practice);
+  lead_->setPhrase(phrase(QStringLiteral("spd.") + state.speed.level));
+  dots_->setVisible(!practice);
+  dots_->setCount(state.speed.recorded, state.speed.wanted);
+  note_->setPhrase(phrase(noteOf(state.speed.note)));
+  tick_->setVisible(state.speed.note == SpeedState::Note::kRecorded);
+  primaryButton().setVisible(state.can_go_on);
   picture_->setMirrored(state.left_handed);
   setFreeHandLeft(!state.left_handed);
-  setSimulated(state.simulated);
+  ScreenFrame::setState(state);
 }
 
 void StrokeScreen::setDepth(double depth_mm) { picture_->setDepth(depth_mm); }

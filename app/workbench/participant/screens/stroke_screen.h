@@ -11,31 +11,13 @@
 
 namespace tactus::workbench::nurse {
 
-enum class SpeedWord { kSlow, kMedium, kFast };
-
-/// What became of the last stroke, or what to do now.
-enum class StrokeNote { kStart, kReturn, kRecorded, kTooShort, kNotRecorded, kBackwards, kOutOfRange };
-
-struct StrokeState {
-  bool practice = false;
-  int part = 1;  ///< of `parts`
-  int parts = 3;
-  SpeedWord speed = SpeedWord::kSlow;
-  int recorded = 0;
-  int wanted = 4;
-  StrokeNote note = StrokeNote::kStart;
-  bool may_go_on = false;
-  bool left_handed = false;
-  bool simulated = false;
-};
-
 class StrokeScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit StrokeScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const StrokeState& state);
+  void setState(const ParticipantState& state) override;
   /// Where the hand is, mm from the start; drawn with the next frame.
   void setDepth(double depth_mm);
 

@@ -60,10 +60,11 @@ namespace {
 
 constexpr int kTextPercents[] = {100, 125, 150};
 
-std::vector<Answer> languageAnswers(const std::vector<Language>& offered) {
+std::vector<Answer> languageAnswers(const std::vector<QString>& offered) {
   std::vector<Answer> answers;
-  for (const Language language : offered)
-    answers.push_back({idOf(language), plain(languageName(idOf(language))), {}, false, language});
+  for (const QString& id : offered) {
+    if (const auto language = languageWithId(id)) answers.push_back({id, plain(languageName(id)), {}, false, language});
+  }
   return answers;
 }
 
@@ -81,7 +82,8 @@ std::vector<Answer> sizeAnswers() {
 WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
-      line_(texts_->add(TextRole::kBody, phrase(QStringLiteral("wel.line"), {QString::number(state_.minutes)}))),
+      line_(
+          texts_->add(TextRole::kBody, phrase(QStringLiteral("wel.line"), {QString::number(state_.welcome.minutes)}))),
       language_title_(texts_->add(TextRole::kTitle, phrase(QStringLiteral("wel.language")))),
       languages_(new Choices(look, texts_)),
       size_title_(nullptr),
@@ -104,13 +106,12 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
   for (Button* button : {have_code_, teach_, meant_}) addExtra(button);
   sizes_->setAnswers(sizeAnswers());
 
-  connect(languages_, &Choices::picked, this, [this](const QString& id) { emit languagePicked(*languageWithId(id)); });
+  connect(languages_, &Choices::picked, this, &WelcomeScreen::languagePicked);
   connect(sizes_, &Choices::picked, this, [this](const QString& id) { emit textSizePicked(id.toInt()); });
-  connect(have_code_, &QAbstractButton::clicked, this, &WelcomeScreen::haveCode);
+  connect(have_code_, &QAbstractButton::clicked, this, &WelcomeScreen::enterCode);
   connect(teach_, &QAbstractButton::clicked, this, &WelcomeScreen::teacherHere);
-  connect(meant_, &QAbstractButton::clicked, this, [this] { emit codeEntered(state_.meant); });
-  connect(this, &ScreenFrame::primary, this, &WelcomeScreen::press);
-  connect(field_, &CodeField::entered, this, &WelcomeScreen::press);
+  connect(meant_, &QAbstractButton::clicked, this, [this] { emit codeEntered(state_.welcome.meant); });
+  connect(field_, &CodeField::entered, this, [this] { turnPage(1); });
   connect(&look, &Look::changed, this, &WelcomeScreen::showChoices);
   setState({});
 }
@@ -120,41 +121,56 @@ void WelcomeScreen::showChoices() {
   sizes_->choose(QString::number(look().textPercent()));
 }
 
-void WelcomeScreen::setState(const WelcomeState& state) {
-  const bool entering = state.step == WelcomeStep::kEnterCode && state_.step != WelcomeStep::kEnterCode;
+void WelcomeScreen::setState(const ParticipantState& state) {
   state_ = state;
-  line_->setPhrase(phrase(QStringLiteral("wel.line"), {QString::number(state.minutes)}));
-  const bool start = state.step == WelcomeStep::kStart;
-  for (QWidget* widget : std::initializer_list<QWidget*>{line_, size_title_, sizes_, have_code_, teach_})
-    widget->setVisible(start);
-  languages_->setAnswers(languageAnswers(state.languages));
-  for (QWidget* widget : std::initializer_list<QWidget*>{language_title_, languages_})
-    widget->setVisible(start && state.languages.size() > 1);
-  showChoices();
-  lead_->setVisible(!start);
-  if (state.step == WelcomeStep::kNewCode) lead_->setPhrase(phrase(QStringLiteral("code.yours"), {state.code}));
-  if (state.step == WelcomeStep::kEnterCode) lead_->setPhrase(phrase(QStringLiteral("code.enter")));
-  if (state.step == WelcomeStep::kWelcomeBack)
-    lead_->setPhrase(counted(QStringLiteral("code.back"), state.kept_answers));
-  field_->setVisible(state.step == WelcomeStep::kEnterCode);
-  unknown_->setVisible(state.step == WelcomeStep::kEnterCode && state.code_unknown);
-  meant_->setPhrase(phrase(QStringLiteral("code.meant"), {state.meant}));
-  meant_->setVisible(!state.meant.isEmpty() && !unknown_->isHidden());
-  backButton().setVisible(!start);
-  primaryButton().setPhrase(phrase(start ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
-  setSimulated(state.simulated);
-  if (entering) field_->takeFocus();
+  ScreenFrame::setState(state);
+  show();
 }
 
-void WelcomeScreen::press() {
-  switch (state_.step) {
-    case WelcomeStep::kStart: emit newHere(); break;
-    case WelcomeStep::kEnterCode:
-      if (!field_->code().isEmpty()) emit codeEntered(field_->code());
-      break;
-    case WelcomeStep::kNewCode:
-    case WelcomeStep::kWelcomeBack: emit goOn(); break;
+void WelcomeScreen::enterCode() {
+  has_code_ = true;
+  show();
+  field_->takeFocus();
+}
+
+void WelcomeScreen::show() {
+  using Step = WelcomeState::Step;
+  const WelcomeState& welcome = state_.welcome;
+  const bool start = welcome.step == Step::kStart && !has_code_;
+  line_->setPhrase(phrase(QStringLiteral("wel.line"), {QString::number(welcome.minutes)}));
+  for (QWidget* widget : std::initializer_list<QWidget*>{line_, size_title_, sizes_, have_code_, teach_})
+    widget->setVisible(start);
+  languages_->setAnswers(languageAnswers(state_.languages));
+  // With one alone nothing is to be chosen.
+  for (QWidget* widget : std::initializer_list<QWidget*>{language_title_, languages_})
+    widget->setVisible(start && state_.languages.size() > 1);
+  showChoices();
+  lead_->setVisible(!start);
+  if (welcome.step == Step::kNewCode) lead_->setPhrase(phrase(QStringLiteral("code.yours"), {state_.code}));
+  if (asksForCode()) lead_->setPhrase(phrase(QStringLiteral("code.enter")));
+  if (welcome.step == Step::kWelcomeBack) lead_->setPhrase(counted(QStringLiteral("code.back"), welcome.kept_answers));
+  field_->setVisible(asksForCode());
+  unknown_->setVisible(asksForCode() && welcome.code_unknown);
+  meant_->setPhrase(phrase(QStringLiteral("code.meant"), {welcome.meant}));
+  meant_->setVisible(!welcome.meant.isEmpty() && !unknown_->isHidden());
+  primaryButton().setPhrase(phrase(start ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
+  showBack();
+}
+
+bool WelcomeScreen::turnPage(int by) {
+  const bool asks = asksForCode();
+  if (by < 0) {
+    has_code_ = false;
+    if (asks) show();
+    return asks;
   }
+  if (asks) {
+    if (!field_->code().isEmpty()) emit codeEntered(field_->code());
+    return true;
+  }
+  if (state_.welcome.step != WelcomeState::Step::kStart) return false;
+  emit newHere();
+  return true;
 }
 
 }  // namespace tactus::workbench::nurse

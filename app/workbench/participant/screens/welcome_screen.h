@@ -6,6 +6,7 @@
 
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 
@@ -39,46 +40,35 @@ class CodeField : public QWidget {
   QLineEdit* edit_;
 };
 
-enum class WelcomeStep {
-  kStart,      ///< language, size, new or known
-  kNewCode,    ///< shows the new code
-  kEnterCode,  ///< asks for a code
-  kWelcomeBack,
-};
-
-struct WelcomeState {
-  WelcomeStep step = WelcomeStep::kStart;
-  std::vector<Language> languages = {kLanguages.begin(), kLanguages.end()};  ///< with one alone nothing is to be chosen
-  QString code;
-  int minutes = 30;  ///< that a session takes, about
-  int kept_answers = 0;
-  bool code_unknown = false;
-  QString meant;  ///< a code that she may have meant; may be empty
-  bool simulated = false;
-};
-
 class WelcomeScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit WelcomeScreen(const Look& look, QWidget* parent = nullptr);
 
-  void setState(const WelcomeState& state);
+  void setState(const ParticipantState& state) override;
+  /// Asks for a code.
+  void enterCode();
 
  signals:
-  void languagePicked(tactus::workbench::nurse::Language language);
+  void languagePicked(const QString& language);
   void textSizePicked(int percent);
   void newHere();
   void teacherHere();
-  void haveCode();
   void codeEntered(const QString& code);
-  void goOn();  ///< from the new code, or from Welcome back
+
+ protected:
+  /// From the first page to the one that asks for a code, and back. The course knows neither.
+  bool turnPage(int by) override;
+  bool hasPageBefore() const override { return asksForCode(); }
 
  private:
+  void show();
   void showChoices();
-  void press();
+  bool asksForCode() const { return has_code_ && state_.welcome.step == WelcomeState::Step::kStart; }
 
-  WelcomeState state_;
+  ParticipantState state_;
+  bool has_code_ = false;  ///< she says so, and may not have typed it yet
   TextBlock* texts_;
   Label* line_;
   Label* language_title_;

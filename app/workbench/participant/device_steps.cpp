@@ -1,0 +1,170 @@
+// The steps of the nurse's course with the device in her hand: its check, the insertions, the forces, her own model.
+#include <utility>
+
+#include "app/workbench/participant/participant_steps.h"
+#include "app/workbench/participant/questions.h"
+
+namespace tactus::workbench {
+
+class ParticipantController::Steps::Check final : public Step {
+ public:
+  using Step::Step;
+
+  void ask() override { course_.check_.begin(); }
+  void show(ParticipantState& state) override {
+    state.can_go_on =
+        state.device == DeviceStep::kReady || state.device == DeviceStep::kWrong || state.device == DeviceStep::kLost;
+  }
+  void next() override {
+    if (course_.state_.device == DeviceStep::kReady) {
+      course_.passed_.device = true;
+    } else {
+      course_.startDevice();
+    }
+  }
+  void sampled(std::span<const haptics::Sample> samples) override {
+    if (course_.check_.add(samples)) course_.look();
+  }
+};
+
+class ParticipantController::Steps::Speed final : public Step {
+ public:
+  using Step::Step;
+  using Note = SpeedState::Note;
+
+  void close() override { capture_.close(); }
+  void show(ParticipantState& state) override {
+    const experiments::SpeedPlan& plan = *course_.at()->speed;
+    state.speed = {QString::fromStdString(plan.level), plan.number - 1, plan.count,
+                   !at_start_ && note_ == Note::kStart ? Note::kReturn : note_};
+    state.can_go_on = false;  // the hand does
+  }
+  void sampled(std::span<const haptics::Sample> samples) override {
+    const session::SessionSettings& settings = *course_.at()->settings;
+    const bool was_at_start = std::exchange(at_start_, samples.back().position_mm <= settings.force.start_zone_mm);
+    if (!capture_.isOpen() && at_start_ && !course_.proxy_.isMovingOn() &&
+        course_.gate_.isSettled(course_.now_().monotonic_ns)) {
+      capture_.open(settings.speed.stroke);
+      note_ = Note::kStart;
+      course_.look();
+    } else if (auto stroke = capture_.add(samples)) {
+      note_ = noteOf(stroke->stroke.verdict);
+      course_.proxy_.addStroke(course_.at()->step, std::move(*stroke));
+      course_.look();
+    } else if (at_start_ != was_at_start) {
+      course_.look();
+    }
+  }
+
+ private:
+  SpeedCapture capture_;
+  Note note_ = Note::kStart;
+  bool at_start_ = false;  ///< the handle is where an insertion begins
+};
+
+class ParticipantController::Steps::Force final : public Step {
+ public:
+  using Step::Step;
+
+  bool beginsForce() override {
+    if (course_.correcting_ || course_.at()->part != session::SessionPart::kForce) return false;
+    trial().begin(*course_.at()->force);
+    return true;
+  }
+  void ask() override {
+    if (course_.correcting_) course_.chosen_ = wordOf(*course_.at()->judged);
+  }
+  void show(ParticipantState& state) override {
+    using Phase = ForceState::Phase;
+    const bool correcting = course_.correcting_;
+    ForceState out;
+    out.asks = correcting || !course_.at()->force->question.answers.empty();
+    out.chosen = course_.chosen_;
+    out.lit = course_.lit_.id();
+    out.again = course_.at()->force->attempt > 1;
+    out.before = correcting;
+    switch (trial().phase()) {
+      case ForceTrial::Phase::kNone:
+      case ForceTrial::Phase::kPause:
+        out.phase = Phase::kPause;
+        out.warm = trial().isWarm();
+        break;
+      case ForceTrial::Phase::kWait:
+      case ForceTrial::Phase::kRise: out.phase = Phase::kFeel; break;
+      case ForceTrial::Phase::kFelt: out.phase = Phase::kAnswer; break;
+    }
+    if (correcting) out.phase = Phase::kAnswer;
+    state.can_go_on = out.phase == Phase::kAnswer && (!out.asks || !out.chosen.isEmpty());
+    state.can_go_back = correcting || (out.asks && course_.at()->judged);
+    state.force = std::move(out);
+  }
+  void choose(const QString& id) override {
+    if (mayAnswer() && course_.answerOf(id)) course_.chosen_ = id;
+  }
+  void next() override { course_.correcting_ ? correct() : judge(); }
+  void back() override { course_.correcting_ = !course_.correcting_; }
+  void sampled(std::span<const haptics::Sample> samples) override {
+    if (trial().phase() == ForceTrial::Phase::kNone || !course_.gate_.isSettled(course_.now_().monotonic_ns)) return;
+    if (trial().add(samples)) course_.look();
+  }
+  void pressed(ButtonPress press) override { press == ButtonPress::kTap ? course_.lightNext() : course_.answerLit(); }
+
+ private:
+  ForceTrial& trial() { return course_.trial_; }
+  bool mayAnswer() { return course_.correcting_ || trial().phase() == ForceTrial::Phase::kFelt; }
+
+  void judge() {
+    experiments::ForceAnswer answer = trial().measured();
+    std::optional<session::AnswerInput> input;
+    if (const auto option = course_.answerOf(course_.chosen_)) {
+      answer.kind = option->kind;
+      if (option->kind == study::ForceJudgement::Kind::kTerm) answer.term = option->id;
+      input = course_.answerInput();
+    }
+    trial().cancel();
+    course_.proxy_.judge(course_.at()->step, answer, std::move(input));
+  }
+  void correct() {
+    if (course_.chosen_ != wordOf(*course_.at()->judged)) {
+      course_.proxy_.correctJudgement(course_.at()->step, *course_.answerOf(course_.chosen_), course_.answerInput());
+    }
+    course_.correcting_ = false;
+  }
+};
+
+class ParticipantController::Steps::Own final : public Step {
+ public:
+  using Step::Step;
+
+  void ask() override { course_.feelOwnModel(); }
+  std::string question() const override { return std::to_string(own().region()); }
+  void show(ParticipantState& state) override {
+    state.own = own().state(course_.hasDevice());
+    state.own.chosen = course_.chosen_;
+    state.can_go_on = !state.own.unavailable.isEmpty() || (state.own.ready && !course_.chosen_.isEmpty());
+  }
+  void choose(const QString& id) override {
+    if (id == QLatin1String("lighter") || id == QLatin1String("right") || id == QLatin1String("heavier"))
+      course_.chosen_ = id;
+  }
+  void next() override {
+    if (own().isThere()) course_.proxy_.note(own().say(course_.chosen_));
+    course_.passed_.own_model = !own().isThere() || own().isDone();
+  }
+  void sampled(std::span<const haptics::Sample> samples) override { own().look(samples); }
+  void pressed(ButtonPress press) override {
+    if (press == ButtonPress::kTap) course_.mark();
+  }
+
+ private:
+  OwnModelTrial& own() const { return *course_.own_; }
+};
+
+void ParticipantController::Steps::addDevice(ParticipantController& course, All& steps) {
+  steps[ParticipantScreen::kDeviceCheck] = std::make_unique<Check>(course);
+  steps[ParticipantScreen::kSpeed] = std::make_unique<Speed>(course);
+  steps[ParticipantScreen::kForce] = std::make_unique<Force>(course);
+  steps[ParticipantScreen::kOwnModel] = std::make_unique<Own>(course);
+}
+
+}  // namespace tactus::workbench
