@@ -240,9 +240,8 @@ class Importer {
   /// Whether the rows are those of a participant's latest import. The code may have changed since.
   bool isThere(const Rows& rows) const {
     const std::string digest = rows.digest();
-    const RecordId without_time = idOf("session " + rows.text);  // before version 2 of the study file
     return std::any_of(latest_imports_.begin(), latest_imports_.end(), [&](const study::SessionRecord& session) {
-      return session.id == idAt(session.person, digest, session.started.utc_ms) || session.id == without_time;
+      return session.id == idAt(session.person, digest, session.started.utc_ms);
     });
   }
 

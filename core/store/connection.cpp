@@ -293,4 +293,16 @@ base::Error Connection::describe(const SQLite::Exception& exception) {
   return describeFailure(path_, failureOf(exception, lastReason(database_.getHandle())));
 }
 
+void Connection::requireStudyFile() {
+  const int id = applicationId();
+  if (id == kApplicationId) return;
+  if (id != kApplicationIdBeforeRelease) {
+    refuse(base::ErrorCode::kSyntax, {}, "a database of another program", "a Tactus study file");
+  }
+  refuse(base::ErrorCode::kVersion, {},
+         "a study of a Tactus from before the release (version " + std::to_string(version()) + " of its tables)",
+         "a study of version 1; export it with the last Tactus that opens it (tactus study export STUDY FOLDER), and "
+         "import the folder here");
+}
+
 }  // namespace tactus::store

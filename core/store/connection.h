@@ -60,8 +60,10 @@ class StudyLock {
   std::optional<File> held_;
 };
 
-/// `TACT`, in the header of every study file.
-inline constexpr int kApplicationId = 0x54414354;
+/// `TACS`, in the header of every study file.
+inline constexpr int kApplicationId = 0x54414353;
+/// `TACT`: studies from before the release, whose versions of the tables are other ones.
+inline constexpr int kApplicationIdBeforeRelease = 0x54414354;
 /// Waiting time for another program to release the file: long enough for a query in the sqlite3 shell.
 inline constexpr int kBusyTimeoutMs = 1000;
 
@@ -96,6 +98,8 @@ class Connection {
   long long pragma(const std::string& name);
   int applicationId() { return static_cast<int>(pragma("application_id")); }
   int version() { return static_cast<int>(pragma("user_version")); }
+  /// Refuses a file of another kind, and a study from before the release.
+  void requireStudyFile();
   /// From now on commits go through the journal and are synced. Only for a file known to be a study.
   void startJournal();
   /// With `leave`, closing keeps the journal in place. For a file that may not be a study.

@@ -81,12 +81,10 @@ Result<void> copyDatabase(Connection& connection, const std::string& target) {
     auto copied = guarded(copy, [&] {
       copyPages(connection, copy);
       // The copy is a file of its own, so that no journal of the study can pass for its journal.
-      if (auto row = readOpening(copy)) {
-        OpeningWriter(copy).write({newToken(), {}, row->commits, false, 0});
-        Query truncate(copy, "PRAGMA wal_checkpoint(TRUNCATE)");
-        if (!truncate.next() || truncate.integer() != 0) {
-          refuse(ErrorCode::kIo, "copy", "a journal that could not be emptied", "a copy that stands alone");
-        }
+      OpeningWriter(copy).write({newToken(), {}, readOpening(copy).commits, false, 0});
+      Query truncate(copy, "PRAGMA wal_checkpoint(TRUNCATE)");
+      if (!truncate.next() || truncate.integer() != 0) {
+        refuse(ErrorCode::kIo, "copy", "a journal that could not be emptied", "a copy that stands alone");
       }
       for (const char* check : {"integrity_check", "foreign_key_check"}) {
         const std::string finding = copy.firstFinding(check);

@@ -34,12 +34,8 @@ base::Result<void> migrateFile(const std::string& path, std::span<const Migratio
 /// The steps to the newest version known to this program.
 std::span<const Migration> schemaSteps();
 
-/// SQL that lets a connection read version 1 or 2 like version 3, and version 3 like the newest one, and the views of
-/// the newest version for this connection only. Neither changes the file.
-std::string_view readingVersion1();
-std::string_view readingVersion2();
-std::string_view readingVersion3();
-std::string_view readingVersion4();
+/// SQL that makes the views of the newest version for one connection only, so that it reads a file of a newer program.
+/// It does not change the file.
 std::string viewsForReading();
 
 }  // namespace tactus::store

@@ -21,9 +21,7 @@ void bindBytes(SQLite::Statement& statement, int parameter, const std::string& b
 
 }  // namespace
 
-std::optional<OpeningRow> readOpening(Connection& connection) {
-  Query there(connection, "SELECT 1 FROM main.sqlite_schema WHERE type = 'table' AND name = 'opening'");
-  if (!there.next()) return std::nullopt;
+OpeningRow readOpening(Connection& connection) {
   Query query(connection,
               "SELECT token, previous, commits, is_open, journal_bytes, crc32 = record_crc32('opening', one, token,"
               " previous, commits, is_open, journal_bytes) FROM main.opening");
@@ -88,8 +86,7 @@ constexpr long long kWalFrameHeaderBytes = 24;
 std::string tokenOnDisk(const std::string& path) {
   try {
     Connection on_disk(path, Connection::Mode::kImmutable, {});
-    const auto row = readOpening(on_disk);
-    return row ? row->token : std::string();
+    return readOpening(on_disk).token;
   } catch (const SQLite::Exception&) {
     return {};
   } catch (const Refusal&) {
@@ -107,7 +104,7 @@ FileIdentity identityOf(const std::string& path) {
 
 Opening::Opening(Connection& connection)
     : connection_(connection),
-      row_(readOpening(connection).value()),
+      row_(readOpening(connection)),
       writer_(std::make_unique<OpeningWriter>(connection)),
       page_bytes_(connection.pragma("page_size")),
       study_(identityOf(connection.path())) {

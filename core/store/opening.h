@@ -29,8 +29,8 @@ struct OpeningRow {
   long long journal_bytes = 0;  ///< minimum length of the journal in bytes while the study is open; 0: none stated
 };
 
-/// The row; nothing in a file of version 1. Refuses a row with a wrong checksum. Throws as Query does.
-std::optional<OpeningRow> readOpening(Connection& connection);
+/// The row. Refuses a row with a wrong checksum. Throws as Query does.
+OpeningRow readOpening(Connection& connection);
 
 /// 16 random bytes.
 std::string newToken();

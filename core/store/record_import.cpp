@@ -35,8 +35,8 @@ namespace tactus::store {
 /// Throws SQLite::Exception if the file fails, and Refusal with table, line and column for invalid data.
 class RecordRows {
  public:
-  /// Reads the table in `folder`. `version`: schema version of the exported study.
-  RecordRows(const RecordTable& table, const std::string& folder, int version);
+  /// Reads the table in `folder`.
+  RecordRows(const RecordTable& table, const std::string& folder);
 
   const base::CsvTable& csv() const { return csv_; }
 
@@ -50,7 +50,7 @@ class RecordRows {
   void insertRow(Connection& connection, Query& query, std::size_t row);
   void putCell(Query& query, std::size_t row, const RecordColumn& column);
   void putRecording(Query& query, std::size_t row, const RecordColumn& column);
-  /// Binds a column that tables of this version lack.
+  /// Binds a cell that was not given.
   static void putNothing(Query& query, const RecordColumn& column);
   void requireReferences(Connection& connection, std::size_t row) const;
   std::string cell(std::size_t row, const RecordColumn& column) const;
@@ -62,7 +62,6 @@ class RecordRows {
 
   const RecordTable& table_;
   std::string folder_;
-  int version_;
   base::CsvTable csv_;
 };
 
@@ -141,18 +140,14 @@ std::string inside(const std::string& folder, const fs::path& below) {
 
 }  // namespace
 
-RecordRows::RecordRows(const RecordTable& table, const std::string& folder, int version)
-    : table_(table),
-      folder_(folder),
-      version_(version),
-      csv_(orRefuse(base::CsvTable::read(inside(folder, table.file)))) {
+RecordRows::RecordRows(const RecordTable& table, const std::string& folder)
+    : table_(table), folder_(folder), csv_(orRefuse(base::CsvTable::read(inside(folder, table.file)))) {
   for (const auto& column : table.columns) {
-    if (column.since <= version_) orRefuse(csv_.require(column.name));
+    orRefuse(csv_.require(column.name));
   }
   for (const auto& found : csv_.columns()) {
-    const bool known = std::any_of(table.columns.begin(), table.columns.end(), [&](const RecordColumn& column) {
-      return column.name == found && column.since <= version_;
-    });
+    const bool known = std::any_of(table.columns.begin(), table.columns.end(),
+                                   [&](const RecordColumn& column) { return column.name == found; });
     if (!known) {
       throw Refusal{{ErrorCode::kSchema, csv_.file(), "header", "a column " + base::quoted(found),
                      "the columns of a full export only"}};
@@ -188,11 +183,7 @@ void RecordRows::insertRow(Connection& connection, Query& query, std::size_t row
   requireReferences(connection, row);
   try {
     for (const auto& column : table_.columns) {
-      if (column.since <= version_) {
-        putCell(query, row, column);
-      } else {
-        putNothing(query, column);
-      }
+      putCell(query, row, column);
     }
     query.run();
   } catch (const SQLite::Exception& exception) {
@@ -211,7 +202,6 @@ void RecordRows::insertRow(Connection& connection, Query& query, std::size_t row
 void RecordRows::requireReferences(Connection& connection, std::size_t row) const {
   for (const auto& column : table_.columns) {
     if (column.refers_to.empty() || column.refers_to == table_.name) continue;
-    if (column.since > version_) continue;
     const auto id = idIn(row, column);
     if (!id && column.optional) continue;
     const RecordTable& target = tableCalled(column.refers_to);
@@ -364,15 +354,12 @@ Result<std::string> recordsSha256(const std::string& folder) {
   return base::listingSha256(folder, names);
 }
 
-/// The first record of the new study, and the version of the schema that its tables are of.
-struct FirstRecord {
-  NewStudy study;
-  int version = 0;
-};
+/// The version of the exports from before the release that have the tables of version 1.
+constexpr int kLastBeforeRelease = 5;
 
-FirstRecord firstRecordIn(const std::string& folder) {
+NewStudy firstRecordIn(const std::string& folder) {
   const RecordTable& table = recordTables().front();
-  const RecordRows rows(table, folder, 1);
+  const RecordRows rows(table, folder);
   const base::CsvTable& csv = rows.csv();
   if (csv.rowCount() != 1) {
     throw Refusal{{ErrorCode::kData, csv.file(), {}, std::to_string(csv.rowCount()) + " rows", "one row"}};
@@ -380,31 +367,32 @@ FirstRecord firstRecordIn(const std::string& folder) {
   const auto text = [&](const char* column) { return std::string(csv.cell(0, *csv.find(column))); };
   const auto version = orRefuse(csv.integer(0, *csv.find("schema_version")));
   const int newest = schemaSteps().back().version;
-  if (version < 1 || version > newest) {
+  if ((version < 1 || version > newest) && version != kLastBeforeRelease) {
     throw Refusal{csv.refuse(0, *csv.find("schema_version"), ErrorCode::kVersion,
-                             "a version up to " + std::to_string(newest) + ", which this program knows")
+                             "a version up to " + std::to_string(newest) + ", or " +
+                                 std::to_string(kLastBeforeRelease) + " (the last one from before the release)")
                       .value()};
   }
   const auto id = study::parseRecordId(text("id"));
   if (!id || id->isNil()) rows.refuseCell(0, table.columns.front(), "an id of 32 hexadecimal digits");
   const auto created_utc_ms = orRefuse(csv.integer(0, *csv.find("created_utc_ms")));
-  return {{*id, text("name"), created_utc_ms, text("program")}, static_cast<int>(version)};
+  return {*id, text("name"), created_utc_ms, text("program")};
 }
 
 /// The tables as a study file of their own at `path`.
 Result<StudyFile> studyFromTables(const std::string& folder, const std::string& path) {
-  FirstRecord first;
+  NewStudy first;
   try {
     first = firstRecordIn(folder);
   } catch (const Refusal& refusal) {
     return tl::unexpected(refusal.error);
   }
-  auto file = StudyFile::create(path, first.study);
+  auto file = StudyFile::create(path, first);
   if (!file) return file;
   Connection& connection = file->connection();
   auto filled = inTransaction(connection, [&] {
     for (const auto& table : recordTables().subspan(1)) {
-      if (table.since <= first.version) RecordRows(table, folder, first.version).insert(connection);
+      RecordRows(table, folder).insert(connection);
     }
   });
   if (!filled) return tl::unexpected(filled.error());

@@ -220,11 +220,11 @@ std::vector<RecordTable> makeTables() {
        "utc_ms, person_id",
        {{"person_id", Kind::kId, "", "The participant"},
         {"utc_ms", Kind::kInteger, "ms", "When they withdrew, since 1970-01-01 UTC"},
-        {"code_salt", Kind::kBytes, "", "16 bytes of this participant alone", "", true, 2},
+        {"code_salt", Kind::kBytes, "", "16 bytes of this participant alone", "", true},
         {"code_hash", Kind::kBytes, "",
          "SHA-256 of these bytes and the participant's code, 32 bytes for each code they had; tells a code that comes "
          "back",
-         "", true, 2}}});
+         "", true}}});
   tables.push_back({"person",
                     "persons.csv",
                     "A participant",
@@ -239,8 +239,7 @@ std::vector<RecordTable> makeTables() {
                     {{"id", Kind::kId, "", "The change of code"},
                      {"person_id", Kind::kId, "", "The participant", "person"},
                      {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
-                     {"code", Kind::kText, "", "Code, never a name"}},
-                    2});
+                     {"code", Kind::kText, "", "Code, never a name"}}});
   tables.push_back({"protocol",
                     "protocols.csv",
                     "A version of the study's protocol: what each participant is asked",
@@ -250,8 +249,7 @@ std::vector<RecordTable> makeTables() {
                      {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
                      {"author", Kind::kText, "", "By whom", "", true},
                      {"reason", Kind::kText, "", "Reason of the change", "", true},
-                     {"text", Kind::kJson, "", "Settings, languages, consent texts, device"}},
-                    3});
+                     {"text", Kind::kJson, "", "Settings, languages, consent texts, device"}}});
   tables.push_back(
       {"depth_measurement",
        "depth_measurements.csv",
@@ -262,8 +260,7 @@ std::vector<RecordTable> makeTables() {
         {"author", Kind::kText, "", "By whom", "", true},
         {"text", Kind::kJson, "", "Scale, way of the tube, boundaries, overlaps, anatomical scale"},
         {"image_id", Kind::kId, "", "The record that holds the image; empty: this one", "depth_measurement", true},
-        {"image", Kind::kBytes, "", "The bytes of the image's file", "", true}},
-       4});
+        {"image", Kind::kBytes, "", "The bytes of the image's file", "", true}}});
   tables.push_back(
       {"session",
        "sessions.csv",
@@ -283,7 +280,7 @@ std::vector<RecordTable> makeTables() {
         {"device", Kind::kText, "", "Haptic device and its serial number", "", true},
         {"device_friction_n", Kind::kNumber, "N", "The device's own friction against forward motion", "", true},
         {"settings", Kind::kJson, "", "Settings of the protocols", "", true},
-        {"protocol_id", Kind::kId, "", "The record of the study's protocol that it follows", "protocol", true, 3}}});
+        {"protocol_id", Kind::kId, "", "The record of the study's protocol that it follows", "protocol", true}}});
   tables.push_back(
       entryTable("profile", "profiles.csv", "What a participant told of themselves",
                  {{"years_experience", Kind::kNumber, "years", "Experience", "", true},
@@ -294,7 +291,7 @@ std::vector<RecordTable> makeTables() {
                   {"tube_size", Kind::kText, "", "Usual size of the tube", "", true},
                   {"haptic_experience", Kind::kText, "", "Experience with haptic devices", "", true},
                   {"weight", Kind::kNumber, "", "Weight in the mean of the experts, given by the researcher", "", true},
-                  {"comfort", Kind::kText, "", "How hand and arm felt before the session", "", true, 3}}));
+                  {"comfort", Kind::kText, "", "How hand and arm felt before the session", "", true}}));
   tables.push_back(entryTable("event", "events.csv", "A line of a session's log",
                               {{"kind", Kind::kText, "", "What happened, for example stage_entered, paused"},
                                {"detail", Kind::kJson, "", "More about it", "", true}}));
@@ -339,8 +336,7 @@ std::vector<RecordTable> makeTables() {
        {"forward_speed_mm_s", Kind::kNumber, "mm/s", "Mean speed on that way"},
        {"response_s", Kind::kNumber, "s", "From the full force to the answer"},
        {"delivered_share", Kind::kNumber, "",
-        "Least share of the force that was in the hand from the full force on, 0 to 1; empty: not known", "", true,
-        3}}));
+        "Least share of the force that was in the hand from the full force on, 0 to 1; empty: not known", "", true}}));
   tables.push_back(entryTable(
       "answer", "answers.csv", "The answer to one item of a form",
       {{"form", Kind::kText, "", "Id of the form"},
@@ -351,7 +347,7 @@ std::vector<RecordTable> makeTables() {
        {"value", Kind::kText, "", "Id of a term, or a number on a rating scale; empty unless answered", "", true},
        {"response_s", Kind::kNumber, "s", "From showing the item to the answer"},
        {"wording", Kind::kText, "", "Id of the words in which the item was asked: plain, published; empty: not known",
-        "", true, 5}}));
+        "", true}}));
   tables.push_back(entryTable("rating", "ratings.csv", "How a participant felt after a block",
                               {{"block", Kind::kText, "", "speed, force, questionnaire, …"},
                                {"effort", Kind::kInteger, "", "1 (none) to 7 (very much)"},
@@ -361,22 +357,22 @@ std::vector<RecordTable> makeTables() {
                                {"conditions", Kind::kJson, "", "List of [input, term]"},
                                {"then_term", Kind::kText, "", "Term of the force"},
                                {"weight", Kind::kNumber, "", "Weight of the rule"}}));
-  tables.push_back({"model_version",
-                    "model_versions.csv",
-                    "A state of a force model",
-                    "place",
-                    {{"place", Kind::kInteger, "", "Counts the versions of the study file"},
-                     {"id", Kind::kId, "", "The version"},
-                     {"sequence", Kind::kInteger, "", "Orders the versions"},
-                     {"parent", Kind::kId, "", "The version that this one was made from", "model_version", true},
-                     {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
-                     {"author", Kind::kText, "", "By whom", "", true},
-                     {"label", Kind::kText, "", "What for", "", true},
-                     {"sha256", Kind::kText, "", "SHA-256 of the model's file, hexadecimal"},
-                     {"text", Kind::kModel, "", "The model's file"},
-                     {"cleaned_utc_ms", Kind::kInteger, "ms",
-                      "When a withdrawal took a participant out of it, since 1970-01-01 UTC; empty: as it was stored",
-                      "", true, 2}}});
+  tables.push_back(
+      {"model_version",
+       "model_versions.csv",
+       "A state of a force model",
+       "place",
+       {{"place", Kind::kInteger, "", "Counts the versions of the study file"},
+        {"id", Kind::kId, "", "The version"},
+        {"sequence", Kind::kInteger, "", "Orders the versions"},
+        {"parent", Kind::kId, "", "The version that this one was made from", "model_version", true},
+        {"utc_ms", Kind::kInteger, "ms", "When, since 1970-01-01 UTC"},
+        {"author", Kind::kText, "", "By whom", "", true},
+        {"label", Kind::kText, "", "What for", "", true},
+        {"sha256", Kind::kText, "", "SHA-256 of the model's file, hexadecimal"},
+        {"text", Kind::kModel, "", "The model's file"},
+        {"cleaned_utc_ms", Kind::kInteger, "ms",
+         "When a withdrawal took a participant out of it, since 1970-01-01 UTC; empty: as it was stored", "", true}}});
   tables.push_back({"import_log",
                     "import_log.csv",
                     "What was read into the study file",
@@ -386,7 +382,7 @@ std::vector<RecordTable> makeTables() {
                      {"kind", Kind::kText, "", "merge (another study file or a full export) or tables"},
                      {"source", Kind::kText, "", "Name of what was read, without its folder"},
                      {"detail", Kind::kJson, "", "Rows that were new, by table", "", true},
-                     {"sha256", Kind::kText, "", "SHA-256 of what was read, hexadecimal", "", true, 2}}});
+                     {"sha256", Kind::kText, "", "SHA-256 of what was read, hexadecimal", "", true}}});
   tables.push_back({"incident",
                     "incidents.csv",
                     "Records that were lost or may have been",
@@ -394,8 +390,7 @@ std::vector<RecordTable> makeTables() {
                     {{"id", Kind::kId, "", "The incident"},
                      {"utc_ms", Kind::kInteger, "ms", "When it was noticed, since 1970-01-01 UTC"},
                      {"kind", Kind::kText, "", "For example journal_missing, journal_cut, journal_damaged"},
-                     {"detail", Kind::kText, "", "What is known about it", "", true}},
-                    2});
+                     {"detail", Kind::kText, "", "What is known about it", "", true}}});
   return tables;
 }
 

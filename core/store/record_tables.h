@@ -51,7 +51,6 @@ struct RecordColumn {
   std::string_view refers_to = {};  ///< table that the ids belong to
   /// The cell may be empty, which means that the value was not given.
   bool optional = false;
-  int since = 1;  ///< schema version that added it; older tables lack it
 };
 
 struct RecordTable {
@@ -60,7 +59,6 @@ struct RecordTable {
   std::string_view meaning;  ///< meaning of a row
   std::string_view order;    ///< of the rows, in SQL
   std::vector<RecordColumn> columns;
-  int since = 1;  ///< schema version that added it
 };
 
 /// All tables. A table comes after those that it refers to.

@@ -55,23 +55,22 @@ bool belongs(const OpeningRow& file, const OpeningRow& both, const JournalFile& 
 /// the journal (empty if unreadable); and the journal itself.
 /// Every commit counts in the row of `opening`. So a journal belongs to the file only if it continues the count under
 /// the same token, or if it holds only the commit with the next token. The mark in the journal's last bytes gives the
-/// number of acknowledged commits. A file of version 1 has no row, so nothing can be checked.
-JournalFindings examineJournal(const std::optional<OpeningRow>& file, const std::optional<OpeningRow>& both,
+/// number of acknowledged commits.
+JournalFindings examineJournal(const OpeningRow& file, const std::optional<OpeningRow>& both,
                                const JournalFile& journal) {
   JournalFindings findings;
-  if (!file) return findings;
   const bool is_read = journal.commits > 0;
-  if (is_read && (!both || !belongs(*file, *both, journal))) {
+  if (is_read && (!both || !belongs(file, *both, journal))) {
     findings.is_foreign = true;
     return findings;
   }
-  const OpeningRow& last = is_read ? *both : *file;
-  findings.is_behind = is_read && last.token == file->token && file->commits > last.commits;
+  const OpeningRow& last = is_read ? *both : file;
+  findings.is_behind = is_read && last.token == file.token && file.commits > last.commits;
 
   // What only the journal promises may have come to the disk before the journal's length did, while the token was
   // drawn.
-  const bool is_promised = is_read && last.is_open && last.token == file->token;
-  const long long promised = std::max(file->is_open ? file->journal_bytes : 0, is_promised ? last.journal_bytes : 0);
+  const bool is_promised = is_read && last.is_open && last.token == file.token;
+  const long long promised = std::max(file.is_open ? file.journal_bytes : 0, is_promised ? last.journal_bytes : 0);
   if (promised == 0) return findings;
   if (journal.isEmpty()) {
     findings.incident = {
@@ -80,7 +79,7 @@ JournalFindings examineJournal(const std::optional<OpeningRow>& file, const std:
         "before may be gone, how many records cannot be told"};
     return findings;
   }
-  const long long there = std::max(last.commits, file->commits);
+  const long long there = std::max(last.commits, file.commits);
   const bool is_marked = journal.mark && journal.mark->token == last.token;
   const long long acknowledged = is_marked ? journal.mark->commits : 0;
   // Of the transactions behind the last readable one the very last may have been on its way. Where none is readable,
@@ -225,9 +224,7 @@ Result<Mode> readingMode(const std::string& path) {
 
 /// Looks whether the file is a study of a version that this program may open so; returns the version.
 int requireStudy(Connection& connection, Access access) {
-  if (connection.applicationId() != kApplicationId) {
-    refuse(ErrorCode::kSyntax, {}, "a database of another program", "a Tactus study file");
-  }
+  connection.requireStudyFile();
   const int version = connection.version();
   const int newest = schemaSteps().back().version;
   if (version > newest && access == Access::kReadWrite) {
@@ -248,16 +245,6 @@ void requireIntact(Connection& connection) {
   refuse(ErrorCode::kMismatch, {}, "a damaged file (" + finding + ")", "an intact study file; restore a backup");
 }
 
-std::string studyIdIn(Connection& connection) { return connection.answerOf("SELECT id FROM main.study"); }
-
-/// What the study file says without its journal; nothing where it cannot be read alone, which a crash while the journal
-/// was worked in can bring about.
-struct FileAlone {
-  bool is_readable = false;
-  std::optional<OpeningRow> row;
-  std::string id;
-};
-
 /// `look` at the file without its journal; false where it throws.
 template <class Look>
 bool lookAlone(const std::string& path, Look&& look) {
@@ -272,14 +259,15 @@ bool lookAlone(const std::string& path, Look&& look) {
   }
 }
 
-FileAlone readAlone(const std::string& path) {
-  FileAlone file;
-  file.is_readable = lookAlone(path, [&](Connection& alone) {
+/// What the study file says without its journal; nothing where it cannot be read alone, which a crash while the journal
+/// was worked in can bring about.
+std::optional<OpeningRow> readAlone(const std::string& path) {
+  std::optional<OpeningRow> row;
+  const bool is_readable = lookAlone(path, [&](Connection& alone) {
     requireStudy(alone, Access::kReadOnly);
-    file.row = readOpening(alone);
-    file.id = studyIdIn(alone);
+    row = readOpening(alone);
   });
-  return file;
+  return is_readable ? row : std::nullopt;
 }
 
 bool isIntactAlone(const std::string& path) {
@@ -300,21 +288,15 @@ tl::unexpected<Error> foreignJournal(const std::string& path) {
 
 /// What the study and its journal say together.
 JournalFindings examine(Connection& connection, const JournalFile& journal) {
-  const FileAlone file = readAlone(connection.path());
+  const auto file = readAlone(connection.path());
+  if (!file) return {};
   std::optional<OpeningRow> both;
-  std::string id;
   try {
     both = readOpening(connection);
-    id = studyIdIn(connection);
   } catch (const SQLite::Exception&) {
   } catch (const Refusal&) {
   }
-  JournalFindings findings;
-  if (!file.is_readable) return findings;
-  findings = examineJournal(file.row, both, journal);
-  // A file of version 1 tells only which study it is.
-  if (!file.row && journal.commits > 0 && id != file.id) findings.is_foreign = true;
-  return findings;
+  return examineJournal(*file, both, journal);
 }
 
 /// A free name for the damaged journal, which is kept so that what was lost can be looked into.
@@ -324,16 +306,12 @@ std::string freeNameFor(const std::string& path) {
   return name;
 }
 
-/// Lets everything read a file of another version as if it were of the newest. Temporary views come before what the
-/// file itself has under the same name.
+/// Lets everything read a file of a newer version as if it were of the newest known one. Temporary views come before
+/// what the file itself has under the same name.
 void readAsNewest(Connection& connection, int version) {
   if (version == schemaSteps().back().version) return;
   connection.database().exec("PRAGMA query_only = OFF");
   connection.database().exec("PRAGMA temp_store = MEMORY");
-  if (version == 1) connection.database().exec(std::string(readingVersion1()));
-  if (version == 2) connection.database().exec(std::string(readingVersion2()));
-  if (version <= 3) connection.database().exec(std::string(readingVersion3()));
-  if (version >= 2 && version <= 4) connection.database().exec(std::string(readingVersion4()));
   connection.database().exec(viewsForReading());
   connection.database().exec("PRAGMA query_only = ON");
 }
@@ -345,9 +323,9 @@ std::int64_t utcNowMs() {
 
 /// Ends the opening before this one: what happened to it is noted, its journal is worked in and emptied.
 void settle(Connection& connection, const std::optional<Incident>& incident) {
-  if (auto row = readOpening(connection); row && (row->is_open || incident)) {
+  if (const OpeningRow row = readOpening(connection); row.is_open || incident) {
     SQLite::Transaction transaction(connection.database(), SQLite::TransactionBehavior::IMMEDIATE);
-    OpeningWriter(connection).write({row->token, row->previous, row->commits + 1, false, 0});
+    OpeningWriter(connection).write({row.token, row.previous, row.commits + 1, false, 0});
     if (incident) {
       Query insert(connection, insertion(connection, "incident"));
       insert.putBlob(newToken()).put(utcNowMs()).put(incident->kind).put(incident->detail).run();

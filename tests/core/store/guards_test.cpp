@@ -114,7 +114,7 @@ TEST_F(Guards, NothingIsReplaced) {
 TEST_F(Guards, WhatIsNoNumberDoesNotSlipIn) {
   const std::string begin =
       "INSERT INTO judgement SELECT randomblob(16), session_id, 99, 1, 1, 'program', NULL, '', 'ascending', 1, 1, ";
-  const std::string end = ", NULL, 'not_felt', '', 1, 0, 0, 1, 1, 1, 0, NULL FROM judgement LIMIT 1";
+  const std::string end = ", NULL, 'not_felt', '', 1, 0, 0, 1, 1, 1, NULL, 0 FROM judgement LIMIT 1";
   EXPECT_EQ(sql_->complaint(begin + "0.5" + end), "");
   for (const std::string value : {"NULL", "9e999", "-9e999", "9e999 - 9e999", "-0.1", "'many'"}) {
     EXPECT_NE(sql_->complaint(begin + value + end), "") << value;

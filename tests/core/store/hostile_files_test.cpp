@@ -103,7 +103,7 @@ TEST_F(HostileFiles, ALongChainOfCorrectionsEnds) {
       "WITH RECURSIVE n(i) AS (SELECT 10 UNION ALL SELECT i + 1 FROM n WHERE i < 30000)"
       " INSERT INTO answer SELECT CAST(printf('%016d', i) AS BLOB), session_id, i, utc_ms, monotonic_ns,"
       " entered_by, iif(i = 10, NULL, CAST(printf('%016d', i - 1) AS BLOB)), '', form, form_version, item,"
-      " position, status, value, response_s, 0, wording FROM answer, n WHERE item = 1 ORDER BY i;" +
+      " position, status, value, response_s, wording, 0 FROM answer, n WHERE item = 1 ORDER BY i;" +
       PlainSql(path_).seal("answer"));
   auto file = StudyFile::open(path_, {Access::kReadOnly, {}});
   ASSERT_TRUE(file) << file.error().message();

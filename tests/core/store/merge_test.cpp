@@ -65,7 +65,7 @@ TEST_F(Merges, AreRefusedWhereTheyMakeNoSense) {
   EXPECT_FALSE(mergeStudy(study.file, path("nothing"), records.id(), 1));
   SampleRecords others(2);
   ASSERT_TRUE(makeStudy(path("b"), others).file.close());
-  PlainSql(path("b")).complaint("PRAGMA user_version = 6");
+  PlainSql(path("b")).complaint("PRAGMA user_version = 2");
   const auto newer = mergeStudy(study.file, path("b"), records.id(), 1);
   ASSERT_FALSE(newer);
   EXPECT_EQ(newer.error().code, base::ErrorCode::kVersion);

@@ -35,13 +35,9 @@ class Migrations : public testing::Test {
     ASSERT_TRUE(append(study.file, records_.answer(study.session.id)));
     ASSERT_TRUE(study.file.close());
   }
-  /// The error of migrating through `later` steps after those of the program, which every study here has taken.
+  /// The error of migrating through `later` steps after that of the program, which every study here has taken.
   std::string migrateTo(const std::vector<std::string>& later) const {
-    std::vector<Migration> steps = {{1, "this must not run again"},
-                                    {2, "this must not run again"},
-                                    {3, "this must not run again"},
-                                    {4, "this must not run again"},
-                                    {5, "this must not run again"}};
+    std::vector<Migration> steps = {{1, "this must not run again"}};
     for (const auto& sql : later) steps.push_back({static_cast<int>(steps.size()) + 1, sql});
     const auto done = migrateFile(path_, steps);
     return done ? "" : done.error().message();
@@ -63,7 +59,7 @@ TEST_F(Migrations, EachStepRunsOnceInOrder) {
   ASSERT_EQ(migrateTo({later_, second_later_}), "");
   {
     PlainSql sql(path_);
-    EXPECT_EQ(sql.number("PRAGMA user_version"), 7);
+    EXPECT_EQ(sql.number("PRAGMA user_version"), 3);
     EXPECT_EQ(sql.number("SELECT count(*) FROM answer WHERE certainty IS NULL"), 1);
     EXPECT_EQ(sql.text("SELECT code || note FROM person"), "velvet-otter");
     EXPECT_EQ(sql.lines("PRAGMA foreign_key_check"), "");
@@ -74,11 +70,11 @@ TEST_F(Migrations, EachStepRunsOnceInOrder) {
 
 TEST_F(Migrations, ACopyIsMadeBeforeAndOnlyWhenNeeded) {
   ASSERT_EQ(migrateTo({}), "");
-  EXPECT_FALSE(fs::exists(path_ + ".before-v6"));
+  EXPECT_FALSE(fs::exists(path_ + ".before-v2"));
   ASSERT_EQ(migrateTo({later_}), "");
-  const auto copy = StudyFile::open(path_ + ".before-v6");
+  const auto copy = StudyFile::open(path_ + ".before-v2");
   ASSERT_TRUE(copy) << copy.error().message();
-  EXPECT_EQ(copy->version(), 5);
+  EXPECT_EQ(copy->version(), 1);
   EXPECT_EQ(answers(*copy)->size(), 1U);
 }
 
@@ -95,10 +91,10 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
   for (const auto& [sql, complaint] : failing) {
     EXPECT_NE(migrateTo({sql}).find(complaint), std::string::npos) << migrateTo({sql});
     PlainSql plain(path_);
-    EXPECT_EQ(plain.number("PRAGMA user_version"), 5);
+    EXPECT_EQ(plain.number("PRAGMA user_version"), 1);
     EXPECT_EQ(plain.lines(kSchema), schema);
     EXPECT_EQ(plain.number("SELECT count(*) FROM answer WHERE value = 'very_large'"), 1);
-    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v6" : ".before-v6-" + std::to_string(copies))));
+    EXPECT_TRUE(fs::exists(path_ + (++copies == 1 ? ".before-v2" : ".before-v2-" + std::to_string(copies))));
   }
   const auto file = StudyFile::open(path_);
   ASSERT_TRUE(file) << file.error().message();
@@ -106,9 +102,9 @@ TEST_F(Migrations, AFailingStepLeavesTheFileAsItWas) {
 
 TEST_F(Migrations, TheStepsBeforeAFailingOneStay) {
   EXPECT_NE(migrateTo({later_, "nonsense"}), "");
-  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 6);
+  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 2);
   ASSERT_EQ(migrateTo({later_, second_later_}), "");
-  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 7);
+  EXPECT_EQ(PlainSql(path_).number("PRAGMA user_version"), 3);
 }
 
 TEST_F(Migrations, OnlyOfStudies) {
@@ -118,7 +114,7 @@ TEST_F(Migrations, OnlyOfStudies) {
   EXPECT_FALSE(migrateFile(folder_.file("nothing"), steps));
 }
 
-/// A study of an old version, from the SQL text under tests/golden/store.
+/// A study of version `name`, from the SQL text under tests/golden/store.
 std::string makeFixture(const support::TempFolder& folder, const std::string& name) {
   std::ostringstream script;
   script << std::ifstream(std::string(TACTUS_GOLDEN_DIR) + "/store/" + name + ".sql").rdbuf();
@@ -148,68 +144,18 @@ void expectRecords(const base::Result<StudyFile>& file) {
   EXPECT_EQ(tombstones(*file)->front().utc_ms, 1770000000900);
 }
 
-/// Brought up to date, and as it is where it may only be read.
 class Version1 : public testing::TestWithParam<Access> {};
 
 TEST_P(Version1, IsReadInFull) {
   const support::TempFolder folder;
   const auto file = StudyFile::open(makeFixture(folder, "v1"), {GetParam(), {}});
   expectRecords(file);
+  EXPECT_EQ(file->version(), 1);
   const auto info = studyInfo(*file);
   ASSERT_TRUE(info) << info.error().message();
   EXPECT_EQ(info->name, "Fixture of version 1");
-  for (const auto& count : info->counts) EXPECT_EQ(count.rows, count.table == "answer" ? 2 : 1) << count.table;
-  EXPECT_EQ(persons(*file)->front().code, "calm-fox");
-  const auto findings = checkStudy(*file);
-  ASSERT_TRUE(findings) << findings.error().message();
-  EXPECT_TRUE(findings->empty());
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 1);
-  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
-}
-INSTANTIATE_TEST_SUITE_P(Both, Version1, testing::Values(Access::kReadWrite, Access::kReadOnly));
-
-class Version2 : public testing::TestWithParam<Access> {};
-
-TEST_P(Version2, IsReadInFull) {
-  const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v2"), {GetParam(), {}});
-  expectRecords(file);
-  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 2");
   EXPECT_EQ(persons(*file)->front().code, "calm-fox-2");
-  EXPECT_EQ(judgements(*file)->front().delivered_share, std::nullopt);
-  EXPECT_EQ(profiles(*file)->front().comfort, "");
-  EXPECT_EQ(sessions(*file)->front().protocol, std::nullopt);
-  EXPECT_EQ(protocolState(*file)->current, std::nullopt);
-  EXPECT_FALSE(*hasResearchKey(*file));
-  EXPECT_EQ(*checkStudy(*file),
-            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 2);
-  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
-}
-
-// What did not fit its checksum in version 2 is known as damaged in version 3, too.
-TEST_P(Version2, ADamagedRecordStaysDamaged) {
-  const support::TempFolder folder;
-  const auto path = makeFixture(folder, "v2");
-  const auto changed = PlainSql(path).complaintWithoutGuards("UPDATE judgement SET commanded_n = 1.7");
-  ASSERT_EQ(changed, "");
-  const auto file = StudyFile::open(path, {GetParam(), {}});
-  ASSERT_TRUE(file) << file.error().message();
-  EXPECT_FALSE(judgements(*file));
-  EXPECT_EQ(answers(*file)->size(), 1U);
-}
-INSTANTIATE_TEST_SUITE_P(Both, Version2, testing::Values(Access::kReadWrite, Access::kReadOnly));
-
-class Version3 : public testing::TestWithParam<Access> {};
-
-TEST_P(Version3, IsReadInFull) {
-  const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v3"), {GetParam(), {}});
-  EXPECT_EQ(*depthMeasurement(*file), std::nullopt);
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 3);
-  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
-  expectRecords(file);
-  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 3");
+  EXPECT_EQ(answers(*file)->front().wording, "published");
   EXPECT_EQ(judgements(*file)->front().delivered_share, 0.53);
   EXPECT_EQ(profiles(*file)->front().comfort, "good");
   const auto all = protocols(*file);
@@ -217,94 +163,67 @@ TEST_P(Version3, IsReadInFull) {
   ASSERT_EQ(all->size(), 2U);
   EXPECT_EQ(sessions(*file)->front().protocol, all->front().id);
   EXPECT_EQ(all->back().reason, "shorter");
-  EXPECT_EQ(studyInfo(*file)->protocol_version, 1);
-  EXPECT_FALSE(studyInfo(*file)->protocol_locked) << "only a simulated person follows it";
+  EXPECT_EQ(info->protocol_version, 1);
+  EXPECT_FALSE(info->protocol_locked) << "only a simulated person follows it";
   EXPECT_TRUE(*opensResearch(*file, "correct horse"));
   EXPECT_FALSE(*opensResearch(*file, "correct house"));
-  EXPECT_EQ(*checkStudy(*file),
-            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
-}
-
-INSTANTIATE_TEST_SUITE_P(Both, Version3, testing::Values(Access::kReadWrite, Access::kReadOnly));
-
-class Version4 : public testing::TestWithParam<Access> {};
-
-TEST_P(Version4, IsReadInFull) {
-  const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v4"), {GetParam(), {}});
-  expectRecords(file);
-  EXPECT_EQ(file->version(), GetParam() == Access::kReadWrite ? 5 : 4);
-  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 4");
-  EXPECT_EQ(answers(*file)->front().wording, "") << "of a form of others";
-  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
   const auto measured = depthMeasurement(*file);
   ASSERT_TRUE(measured && *measured);
   EXPECT_EQ((*measured)->text, R"({"mm_per_px":0.5})");
   EXPECT_EQ((*measured)->image, "\x89PNG") << "of the record before";
   EXPECT_EQ(*checkStudy(*file),
             std::vector<std::string>{"incident: the journal was missing when the study was opened"});
+  EXPECT_TRUE(writeRecords(*file, folder.file("tables")));
 }
 
-TEST_P(Version4, TheScreensAskedInPlainWordsAndOfTablesItIsNotKnown) {
-  for (const std::string kind : {"elicitation", "import"}) {
-    const support::TempFolder folder;
-    const auto path = makeFixture(folder, "v4");
-    for (const std::string change :
-         {"answer SET form = 'ngt-force-v1', crc32 = record_crc32('answer', id, session_id, "
-          "sequence, utc_ms, monotonic_ns, entered_by, supersedes, reason, 'ngt-force-v1', "
-          "form_version, item, position, status, value, response_s)",
-          "session SET kind = 'KIND', crc32 = record_crc32('session', id, person_id, 'KIND', "
-          "started_utc_ms, started_monotonic_ns, consent_version, seed, language, station, "
-          "program, device, device_friction_n, settings, protocol_id)"}) {
-      std::string sql = "UPDATE " + change;
-      for (auto at = sql.find("KIND"); at != std::string::npos; at = sql.find("KIND")) sql.replace(at, 4, kind);
-      ASSERT_EQ(PlainSql(path).complaintWithoutGuards(sql), "");
-    }
-    const auto file = StudyFile::open(path, {GetParam(), {}});
-    ASSERT_TRUE(file) << file.error().message();
-    const auto read = answers(*file);
-    ASSERT_TRUE(read) << read.error().message();
-    EXPECT_EQ(read->front().wording, kind == "import" ? "" : "plain");
-  }
-}
-
-TEST_P(Version4, ADamagedAnswerStaysDamaged) {
+TEST_P(Version1, ADamagedRecordStaysDamaged) {
   const support::TempFolder folder;
-  const auto path = makeFixture(folder, "v4");
-  ASSERT_EQ(PlainSql(path).complaintWithoutGuards("UPDATE answer SET value = 'medium' WHERE value = 'small'"), "");
+  const auto path = makeFixture(folder, "v1");
+  ASSERT_EQ(PlainSql(path).complaintWithoutGuards("UPDATE judgement SET commanded_n = 1.7"), "");
   const auto file = StudyFile::open(path, {GetParam(), {}});
   ASSERT_TRUE(file) << file.error().message();
-  EXPECT_FALSE(answers(*file));
+  EXPECT_FALSE(judgements(*file));
+  EXPECT_EQ(answers(*file)->size(), 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Both, Version4, testing::Values(Access::kReadWrite, Access::kReadOnly));
+INSTANTIATE_TEST_SUITE_P(Both, Version1, testing::Values(Access::kReadWrite, Access::kReadOnly));
 
-TEST(StoredVersions, Version5IsReadInFull) {
+TEST(StoredVersions, TheTablesFromBeforeTheReleaseComeBack) {
   const support::TempFolder folder;
-  const auto file = StudyFile::open(makeFixture(folder, "v5"));
-  expectRecords(file);
-  EXPECT_EQ(studyInfo(*file)->name, "Fixture of version 5");
-  EXPECT_EQ(answers(*file)->front().wording, "published");
-  EXPECT_EQ(*checkStudy(*file),
-            std::vector<std::string>{"incident: the journal was missing when the study was opened"});
-}
-
-TEST(StoredVersions, TablesOfVersion1ComeBack) {
-  const support::TempFolder folder;
-  ASSERT_TRUE(restoreRecords(std::string(TACTUS_GOLDEN_DIR) + "/store/v1-tables", folder.file("restored.tactus")));
+  ASSERT_TRUE(restoreRecords(std::string(TACTUS_GOLDEN_DIR) + "/store/v5-tables", folder.file("restored.tactus")));
   expectRecords(StudyFile::open(folder.file("restored.tactus")));
 }
 
-TEST(StoredVersions, TheStepsOfTheProgramStillMakeTheSameTables) {
+TEST(StoredVersions, AStudyFromBeforeTheReleaseIsRefusedWithTheWayOutAndStaysAsItIs) {
+  const support::TempFolder folder;
+  const auto path = makeFixture(folder, "v1");
+  ASSERT_EQ(PlainSql(path).complaint("PRAGMA application_id = 0x54414354; PRAGMA user_version = 4"), "");
+  const auto bytes = [&path] {
+    std::ostringstream all;
+    all << std::ifstream(path, std::ios::binary).rdbuf();
+    return all.str();
+  };
+  const std::string before = bytes();
+  for (const Access access : {Access::kReadWrite, Access::kReadOnly}) {
+    const auto file = StudyFile::open(path, {access, {}});
+    ASSERT_FALSE(file);
+    EXPECT_EQ(file.error().message(),
+              path +
+                  ": found a study of a Tactus from before the release (version 4 of its tables), wanted a study of "
+                  "version 1; export it with the last Tactus that opens it (tactus study export STUDY FOLDER), and "
+                  "import the folder here");
+    EXPECT_EQ(bytes(), before);
+  }
+  EXPECT_FALSE(migrateFile(path, schemaSteps()));
+  EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path).parent_path()), fs::directory_iterator()), 1);
+}
+
+TEST(StoredVersions, TheStepOfTheProgramStillMakesTheSameTables) {
   const support::TempFolder folder;
   SampleRecords records;
   auto made = StudyFile::create(folder.file("new.tactus"), records.study());
   ASSERT_TRUE(made && made->close());
-  for (const char* version : {"v1", "v2", "v3", "v4", "v5"}) {
-    const auto fixture = makeFixture(folder, version);
-    ASSERT_TRUE(StudyFile::open(fixture));  // brings it to the newest version
-    EXPECT_EQ(PlainSql(fixture).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema)) << version;
-  }
+  EXPECT_EQ(PlainSql(makeFixture(folder, "v1")).lines(kSchema), PlainSql(folder.file("new.tactus")).lines(kSchema));
 }
 
 }  // namespace

@@ -375,7 +375,7 @@ TEST_F(BrokenTables, UnknownColumn) {
 }
 
 TEST_F(BrokenTables, NewerSchema) {
-  edit(out("study.csv"), "0,5\n", "0,99\n");
+  edit(out("study.csv"), "0,1\n", "0,99\n");
   expectRefused(out("study.csv") + ": line 2, column 'schema_version': found '99'");
 }
 

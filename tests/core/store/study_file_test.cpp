@@ -50,7 +50,7 @@ TEST_F(StudyFiles, ANewOneIsThereWholeAndAlone) {
   EXPECT_EQ(info->name, "Tube study");
   EXPECT_EQ(info->program, "tactus 0.1.0");
   EXPECT_EQ(info->created_utc_ms, 1'760'000'000'000);
-  EXPECT_EQ(info->version, 5);
+  EXPECT_EQ(info->version, 1);
   for (const auto& count : info->counts) EXPECT_EQ(count.rows, 0) << count.table;
   ASSERT_TRUE(file->close());
   EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path()).parent_path()), {}), 1);
@@ -59,8 +59,8 @@ TEST_F(StudyFiles, ANewOneIsThereWholeAndAlone) {
 TEST_F(StudyFiles, FollowsTheRules) {
   makeClosedStudy();
   PlainSql sql(path());
-  EXPECT_EQ(sql.number("PRAGMA application_id"), 0x54414354);
-  EXPECT_EQ(sql.number("PRAGMA user_version"), 5);
+  EXPECT_EQ(sql.number("PRAGMA application_id"), 0x54414353);
+  EXPECT_EQ(sql.number("PRAGMA user_version"), 1);
   EXPECT_EQ(sql.text("PRAGMA journal_mode"), "wal");
   EXPECT_EQ(sql.text("PRAGMA integrity_check"), "ok");
   EXPECT_EQ(sql.number("SELECT count(*) FROM pragma_table_list WHERE schema = 'main' AND type = 'table'"
@@ -113,17 +113,17 @@ TEST_F(StudyFiles, SaysWhatIsThereInsteadOfAStudy) {
 
 TEST_F(StudyFiles, ANewerVersionCanOnlyBeRead) {
   makeClosedStudy();
-  PlainSql(path()).complaint("PRAGMA user_version = 6");
+  PlainSql(path()).complaint("PRAGMA user_version = 2");
   const auto file = StudyFile::open(path());
   ASSERT_FALSE(file);
   EXPECT_EQ(file.error().code, ErrorCode::kVersion);
   EXPECT_NE(
-      file.error().message().find("found a study of version 6, wanted at most version 5: a newer Tactus wrote it, "
+      file.error().message().find("found a study of version 2, wanted at most version 1: a newer Tactus wrote it, "
                                   "and this one can open it for reading only"),
       std::string::npos);
   const auto reading = StudyFile::open(path(), {Access::kReadOnly, {}});
   ASSERT_TRUE(reading) << reading.error().message();
-  EXPECT_EQ(reading->version(), 6);
+  EXPECT_EQ(reading->version(), 2);
   EXPECT_EQ(answers(*reading)->size(), 1U);
 }
 
