@@ -56,5 +56,7 @@ spent tests
 grep 'tests passed' "$log"
 echo "Time: $phases"
 grep -ah '^House: ' build/dev/Testing/Temporary/LastTest.log || true
+unchanged=$(sed -n 's/^Unchanged since it passed: //p' build/dev/Testing/Temporary/LastTest.log | sort | paste -sd ' ')
+[ -z "$unchanged" ] || echo "Not run again, as nothing they use has changed since they passed: $unchanged"
 # A test that cannot run here says why.
 grep -a '^SKIPPED' build/dev/Testing/Temporary/LastTest.log || true

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::experiments {
@@ -45,12 +46,9 @@ bool isAmount(double value) { return std::isfinite(value) && value >= 0; }
 
 std::string_view name(RepeatReason reason) noexcept {
   switch (reason) {
-    case RepeatReason::kNone:
-      return "none";
-    case RepeatReason::kStoodStill:
-      return "stood_still";
-    case RepeatReason::kNotDelivered:
-      return "not_delivered";
+    case RepeatReason::kNone: return "none";
+    case RepeatReason::kStoodStill: return "stood_still";
+    case RepeatReason::kNotDelivered: return "not_delivered";
   }
   return {};
 }
@@ -60,9 +58,8 @@ base::Result<ForceProtocol> ForceProtocol::create(const ForceSettings& settings,
   if (auto valid = validate(settings); !valid) return tl::unexpected(valid.error());
   std::vector<SeriesStep> block;
   if (settings.random) {
-    auto drawn = randomBlock(settings, seed);
-    if (!drawn) return tl::unexpected(drawn.error());
-    block = std::move(*drawn);
+    TACTUS_TRY(auto drawn, randomBlock(settings, seed));
+    block = std::move(drawn);
   }
   ForceProtocol protocol(settings, seed, std::move(block));
   for (const auto& record : records) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "experiments/seeded_order.h"
 
 namespace tactus::experiments {
@@ -112,8 +113,7 @@ study::StrokeRecord SpeedProtocol::record(const Stroke& stroke, study::Recording
 }
 
 base::Result<void> SpeedProtocol::add(const study::StrokeRecord& record) {
-  auto attempt = read(record);
-  if (!attempt) return tl::unexpected(attempt.error());
+  TACTUS_TRY(auto attempt, read(record));
   const auto refuse = [&](std::string found, std::string wanted) {
     return base::fail(base::ErrorCode::kData, "stroke " + study::toText(record.entry.id), std::move(found),
                       std::move(wanted));
@@ -122,22 +122,22 @@ base::Result<void> SpeedProtocol::add(const study::StrokeRecord& record) {
     const auto corrected = std::find_if(attempts_.begin(), attempts_.end(),
                                         [&](const Attempt& earlier) { return earlier.id == *record.entry.supersedes; });
     if (corrected == attempts_.end()) return refuse("a correction of an unknown stroke", "one of this session");
-    if (corrected->slot != attempt->slot || corrected->attempt != attempt->attempt) {
+    if (corrected->slot != attempt.slot || corrected->attempt != attempt.attempt) {
       return refuse("a correction with another level, number or attempt", "those of the stroke that it corrects");
     }
-    *corrected = std::move(*attempt);
+    *corrected = std::move(attempt);
     return {};
   }
   const auto slot = nextSlot();
   if (!slot) return refuse("one more stroke", "none: the speed experiment is finished");
   const int number = attemptsAt(*slot) + 1;
-  if (attempt->slot != *slot || attempt->attempt != number) {
+  if (attempt.slot != *slot || attempt.attempt != number) {
     return refuse(record.level + (record.practice ? ", practice " : ", stroke ") + std::to_string(record.number) +
                       ", attempt " + std::to_string(record.attempt),
                   levels_[slot->level] + (slot->practice ? ", practice " : ", stroke ") + std::to_string(slot->number) +
                       ", attempt " + std::to_string(number));
   }
-  attempts_.push_back(std::move(*attempt));
+  attempts_.push_back(std::move(attempt));
   return {};
 }
 

@@ -108,8 +108,7 @@ std::string sentence(const Stroke& stroke, const StrokeSettings& settings) {
              whole_mm(std::ceil(settings.shortest_mm)) + " wanted.";
     case StrokeVerdict::kBackwards:
       return "Backwards: " + whole_mm(stroke.lengthMm()) + " back; please push forward, away from you.";
-    default:
-      return sentence(stroke.verdict);
+    default: return sentence(stroke.verdict);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/statistics.h"
 #include "experiments/stroke.h"
 
@@ -120,11 +121,10 @@ base::Result<std::vector<double>> strokeSpeeds(const study::StrokeRecord& record
     return std::vector<double>(speed->begin() + static_cast<std::ptrdiff_t>(record.first),
                                speed->begin() + static_cast<std::ptrdiff_t>(record.last));
   }
-  const auto motion = strokeMotion(record);
-  if (!motion) return tl::unexpected(motion.error());
+  TACTUS_TRY(const auto motion, strokeMotion(record));
   std::vector<double> speeds;
-  speeds.reserve(motion->size());
-  for (const auto& sample : *motion) speeds.push_back(sample.speed_mm_s);
+  speeds.reserve(motion.size());
+  for (const auto& sample : motion) speeds.push_back(sample.speed_mm_s);
   return speeds;
 }
 
@@ -143,14 +143,13 @@ base::Result<SessionSpeeds> speedStatistics(std::span<const study::StrokeRecord>
   for (const auto& record : records) {
     if (record.practice || corrected.contains(record.entry.id)) continue;
     if (record.verdict != name(StrokeVerdict::kAccepted)) continue;
-    const auto speeds = strokeSpeeds(record);
-    if (!speeds) return tl::unexpected(speeds.error());
-    session.strokes.push_back(statisticsOf(record.level, record.number, 1, *speeds));
+    TACTUS_TRY(const auto speeds, strokeSpeeds(record));
+    session.strokes.push_back(statisticsOf(record.level, record.number, 1, speeds));
     auto level =
         std::find_if(levels.begin(), levels.end(), [&](const Level& known) { return known.id == record.level; });
     if (level == levels.end()) level = levels.insert(level, Level{record.level, 0, {}});
     ++level->strokes;
-    level->speeds_mm_s.insert(level->speeds_mm_s.end(), speeds->begin(), speeds->end());
+    level->speeds_mm_s.insert(level->speeds_mm_s.end(), speeds.begin(), speeds.end());
   }
   for (const auto& level : levels) {
     session.levels.push_back(statisticsOf(level.id, 0, level.strokes, level.speeds_mm_s));

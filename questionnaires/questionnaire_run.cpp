@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/random.h"
 
 namespace tactus::questionnaires {
@@ -94,19 +95,18 @@ Result<std::size_t> QuestionnaireRun::placeOf(const study::AnswerRecord& record)
 }
 
 Result<void> QuestionnaireRun::add(const study::AnswerRecord& record) {
-  const auto place = placeOf(record);
-  if (!place) return tl::unexpected(place.error());
+  TACTUS_TRY(const auto place, placeOf(record));
   if (auto ok = checkValue(record.status, record.value); !ok) return ok;
-  const study::AnswerRecord* const last = lastOf(*place);
+  const study::AnswerRecord* const last = lastOf(place);
   const bool follows =
       last == nullptr ? !record.entry.supersedes.has_value() : record.entry.supersedes == last->entry.id;
   if (!follows) {
     return fail(ErrorCode::kReference, "answer to item " + std::to_string(record.item),
                 "a record that does not follow the last one", "one that supersedes it");
   }
-  records_[*place].push_back(record);
+  records_[place].push_back(record);
 
-  const auto shown = static_cast<std::size_t>(std::find(order_.begin(), order_.end(), *place) - order_.begin());
+  const auto shown = static_cast<std::size_t>(std::find(order_.begin(), order_.end(), place) - order_.begin());
   furthest_ = std::max(furthest_, shown + 1);
   at_ = record.status == Status::kCleared ? shown : furthest_;
   return {};
@@ -147,18 +147,10 @@ Progress QuestionnaireRun::progress() const {
       continue;
     }
     switch (last->status) {
-      case Status::kAnswered:
-        ++progress.answered;
-        break;
-      case Status::kSkipped:
-        ++progress.skipped;
-        break;
-      case Status::kCantTell:
-        ++progress.cant_tell;
-        break;
-      case Status::kCleared:
-        ++progress.cleared;
-        break;
+      case Status::kAnswered: ++progress.answered; break;
+      case Status::kSkipped: ++progress.skipped; break;
+      case Status::kCantTell: ++progress.cant_tell; break;
+      case Status::kCleared: ++progress.cleared; break;
     }
   }
   return progress;

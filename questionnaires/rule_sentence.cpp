@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::questionnaires {
@@ -95,9 +96,8 @@ Result<void> readCondition(Words& words, const AliasTable& aliases, std::map<std
   }
   if (auto is = words.require("is"); !is) return is;
   words.take("in");
-  const auto term = termOf(aliases.inputs[*input], words.name(), words.place());
-  if (!term) return tl::unexpected(term.error());
-  if (!terms.emplace(*input, *term).second) {
+  TACTUS_TRY(const auto term, termOf(aliases.inputs[*input], words.name(), words.place()));
+  if (!terms.emplace(*input, term).second) {
     return fail(ErrorCode::kValue, words.place(), "two conditions on " + quoted(name), "one condition for each input");
   }
   return {};
@@ -127,12 +127,11 @@ Result<RuleSentence> parseRuleSentence(std::string_view text, const AliasTable& 
     if (const auto read = readCondition(words, aliases, terms); !read) return tl::unexpected(read.error());
   } while (words.take("and"));
   if (const auto then = words.require("then"); !then) return tl::unexpected(then.error());
-  auto consequent = readConsequent(words, aliases);
-  if (!consequent) return tl::unexpected(consequent.error());
+  TACTUS_TRY(auto consequent, readConsequent(words, aliases));
 
   RuleSentence sentence;
   for (const auto& [input, term] : terms) sentence.conditions.push_back({aliases.inputs[input].name.id, term});
-  sentence.then = std::move(*consequent);
+  sentence.then = std::move(consequent);
   return sentence;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/error.h"
 #include "core/base/tables/csv.h"
 #include "questionnaires/form_file.h"
 
@@ -210,15 +211,14 @@ std::vector<SurveyChoice> choicesOf(const Questionnaire& words, bool scale) {
 }  // namespace
 
 base::Result<Survey> survey(std::string_view form, std::string_view language, std::string_view wording) {
-  const auto words = questionnaire(form, language, wording);
-  if (!words) return tl::unexpected(words.error());
+  TACTUS_TRY(const auto words, questionnaire(form, language, wording));
   const study::Form rules = ngtForceForm();
   const bool scale = rules.id != form;
   Survey out{
-      words->form,  words->version,      nameOf(form, words->wording),        words->wording,           words->language,
-      words->title, words->instructions, std::string(wordsIn(language).code), choicesOf(*words, scale), {}};
+      words.form,  words.version,      nameOf(form, words.wording),         words.wording,           words.language,
+      words.title, words.instructions, std::string(wordsIn(language).code), choicesOf(words, scale), {}};
   std::vector<study::ItemCondition> common;  // to all fields of the last matrix
-  for (const Question& question : words->questions) {
+  for (const Question& question : words.questions) {
     SurveyField field{numbered("q", static_cast<std::size_t>(question.number)), question.number, question.text, {}};
     for (const study::FormItem& item : rules.items) {
       if (!scale && item.number == question.number) field.conditions = item.conditions;

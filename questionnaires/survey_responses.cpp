@@ -4,6 +4,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::questionnaires {
@@ -126,15 +127,14 @@ class Reader {
       ++without_answers_;
       return {};
     }
-    const auto participant = participantOf(row);
-    if (!participant) return tl::unexpected(participant.error());
-    if (!seen_.insert(*participant).second) {
+    TACTUS_TRY(const auto participant, participantOf(row));
+    if (!seen_.insert(participant).second) {
       return table_.refuse(row, record_, ErrorCode::kSchema,
                            "one row for each participant; export one event and no repeats");
     }
-    out_.participants.push_back(*participant);
+    out_.participants.push_back(participant);
     for (const ItemColumn& one : columns_) {
-      study::Answer answer{*participant, survey_.form, one.item, {}, study::Answer::Status::kSkipped, {}};
+      study::Answer answer{participant, survey_.form, one.item, {}, study::Answer::Status::kSkipped, {}};
       if (!is_missing(one)) {
         const SurveyChoice* const choice = choices_.find(table_.cell(row, one.column));
         if (choice == nullptr) return table_.refuse(row, one.column, ErrorCode::kValue, choices_.wanted());
@@ -199,9 +199,8 @@ class Reader {
 
 Result<SurveyResponses> surveyResponses(const CsvTable& table, std::span<const Survey> languages,
                                         const ResponseSettings& settings) {
-  auto columns = itemColumns(table, languages);
-  if (!columns) return tl::unexpected(columns.error());
-  return Reader(table, languages, settings).read(std::move(*columns));
+  TACTUS_TRY(auto columns, itemColumns(table, languages));
+  return Reader(table, languages, settings).read(std::move(columns));
 }
 
 }  // namespace tactus::questionnaires

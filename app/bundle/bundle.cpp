@@ -13,6 +13,7 @@
 #include "app/bundle/zip.h"
 #include "core/analysis/check_points.h"
 #include "core/analysis/coverage.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
@@ -286,8 +287,7 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   model.checks = analysis::ownChecks(model);
   bundle.model = std::move(model);
   const fuzzy::ForceModel& made = bundle.model;
-  const auto compiled = fuzzy::compile(made);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(made));
 
   bundle.manifest = {std::string(kModelPath), settings.created_utc, settings.generator, {}};
   // The model, the checks, the C source, the table and the report, beside the experts.
@@ -300,18 +300,18 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   if (!collector.next()) return tl::unexpected(cancelled());
   const auto points = analysis::checkPoints(made);
   collector.add("checks.csv", "checks", checksText(made, analysis::checksAt(made, points)), exactPromise(made));
-  addExperts(made, *compiled, points, collector);
+  addExperts(made, compiled, points, collector);
   if (!collector.next()) return tl::unexpected(cancelled());
   if (const auto source = exchange::cSource(made)) {
     collector.add("c/force_model.h", "c", source->header);
-    collector.add("c/force_model.c", "c", source->source, promiseOf(*source, *compiled, points, settings.stop));
+    collector.add("c/force_model.c", "c", source->source, promiseOf(*source, compiled, points, settings.stop));
   } else {
     bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
   }
   if (!collector.next()) return tl::unexpected(cancelled());
-  addTable(made, *compiled, points, settings, bundle, collector);
+  addTable(made, compiled, points, settings, bundle, collector);
   if (!collector.next()) return tl::unexpected(cancelled());
-  collector.add("report.html", "report", bundleReport(bundle, *compiled));
+  collector.add("report.html", "report", bundleReport(bundle, compiled));
   bundle.files.emplace_back(std::string(model_io::kManifestName), model_io::formatManifest(bundle.manifest));
   return bundle;
 }

@@ -21,6 +21,7 @@
 #include "app/bundle/zip.h"
 #include "core/analysis/check_points.h"
 #include "core/analysis/sampled_centroid.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
 #include "core/base/text.h"
@@ -114,9 +115,8 @@ namespace {
 base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std::string_view generator) {
   auto bundle = model_io::checkBundle(folder);
   if (!bundle) return bundle;
-  auto compiled = fuzzy::compile(bundle->model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  Verifier verifier(bundle->model, std::move(*compiled), folder, bundle->generator == generator);
+  TACTUS_TRY(auto compiled, fuzzy::compile(bundle->model));
+  Verifier verifier(bundle->model, std::move(compiled), folder, bundle->generator == generator);
   for (FileCheck& check : bundle->files) {
     if (check.ok && !check.evaluated) verifier.look(check);
   }
@@ -124,15 +124,14 @@ base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std:
 }
 
 base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::string_view generator) {
-  const auto files = unzipped(path);
-  if (!files) return tl::unexpected(files.error());
+  TACTUS_TRY(const auto files, unzipped(path));
   std::error_code ignored;
   const fs::path place = fs::temp_directory_path(ignored) / "tactus-verify";
   const base::Unfinished folder = base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding);
   if (!folder.descriptor.isOpen())
     return base::fail(base::ErrorCode::kIo, place.string(), "no place to unpack", "a folder for temporary files");
   base::Result<void> written;
-  for (const auto& [name, bytes] : *files) {
+  for (const auto& [name, bytes] : files) {
     const std::string file = folder.path + "/" + name;
     if (written) written = base::makeFolder(fs::path(file).parent_path().string());
     if (written) written = base::writeFileAtomically(file, bytes);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/analysis/sample_points.h"
+#include "core/base/error.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 
@@ -114,26 +115,22 @@ std::string formatTable(const fuzzy::ForceModel& model, const ForceTable& table)
 }
 
 base::Result<ForceTable> parseTable(const fuzzy::ForceModel& model, std::string text, const std::string& file) {
-  const auto csv = base::CsvTable::parse(std::move(text), file);
-  if (!csv) return tl::unexpected(csv.error());
+  TACTUS_TRY(const auto csv, base::CsvTable::parse(std::move(text), file));
   std::vector<std::size_t> columns;
   for (const fuzzy::Variable& input : model.inputs) {
-    const auto column = csv->require(input.id);
-    if (!column) return tl::unexpected(column.error());
-    columns.push_back(*column);
+    TACTUS_TRY(const auto column, csv.require(input.id));
+    columns.push_back(column);
   }
-  const auto force = csv->require("force");
-  if (!force) return tl::unexpected(force.error());
-  columns.push_back(*force);
+  TACTUS_TRY(const auto force, csv.require("force"));
+  columns.push_back(force);
 
   ForceTable table;
   table.lines.resize(model.inputs.size());
-  std::vector<std::vector<double>> rows(csv->rowCount());
+  std::vector<std::vector<double>> rows(csv.rowCount());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     for (const std::size_t column : columns) {
-      const auto value = csv->number(r, column);
-      if (!value) return tl::unexpected(value.error());
-      rows[r].push_back(*value);
+      TACTUS_TRY(const auto value, csv.number(r, column));
+      rows[r].push_back(value);
     }
     for (std::size_t i = 0; i < table.lines.size(); ++i) table.lines[i].push_back(rows[r][i]);
     table.force_n.push_back(rows[r].back());

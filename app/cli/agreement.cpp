@@ -6,6 +6,7 @@
 #include "app/cli/terminal.h"
 #include "app/session/study_source.h"
 #include "app/session/table_words.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
@@ -35,10 +36,9 @@ Result<Rated> rated(Result<AgreementData> data, std::string source, const std::s
 }
 
 Result<Rated> readCounts(const base::CsvTable& table, const std::vector<std::string>& terms) {
-  const auto votes = elicitation::readVoteTable(table, terms);
-  if (!votes) return tl::unexpected(votes.error());
-  Rated out{elicitation::agreementData(votes->steps, terms), "counts", {}};
-  for (const auto& column : votes->ignored) {
+  TACTUS_TRY(const auto votes, elicitation::readVoteTable(table, terms));
+  Rated out{elicitation::agreementData(votes.steps, terms), "counts", {}};
+  for (const auto& column : votes.ignored) {
     out.warnings.push_back(table.file() + ": column " + base::quoted(column) + " is ignored");
   }
   return out;
@@ -50,15 +50,13 @@ Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& opt
   if (elicitation::isVoteTable(table, terms)) return readCounts(table, terms);
   std::vector<std::string> notes;
   if (table.find("item")) {
-    const auto answers = session::readAnswerTable(table, notes);
-    if (!answers) return tl::unexpected(answers.error());
-    return rated(elicitation::agreementData(*answers, options.form, session::knownForms(), terms), "answers",
+    TACTUS_TRY(const auto answers, session::readAnswerTable(table, notes));
+    return rated(elicitation::agreementData(answers, options.form, session::knownForms(), terms), "answers",
                  options.file, std::move(notes));
   }
   if (table.find("series") || table.find("term")) {
-    const auto judgements = session::readJudgementTable(table, notes);
-    if (!judgements) return tl::unexpected(judgements.error());
-    return rated(elicitation::agreementData(*judgements, options.series, terms), "judgements", options.file,
+    TACTUS_TRY(const auto judgements, session::readJudgementTable(table, notes));
+    return rated(elicitation::agreementData(judgements, options.series, terms), "judgements", options.file,
                  std::move(notes));
   }
   return tl::unexpected(base::Error{
@@ -68,10 +66,9 @@ Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& opt
 }
 
 Result<Rated> readRated(const AgreementOptions& options) {
-  const auto table = base::CsvTable::read(options.file);
-  if (!table) return tl::unexpected(table.error());
-  auto rated = readTable(*table, options);
-  if (auto note = table->note(); note && rated) rated->warnings.push_back(std::move(*note));
+  TACTUS_TRY(const auto table, base::CsvTable::read(options.file));
+  auto rated = readTable(table, options);
+  if (auto note = table.note(); note && rated) rated->warnings.push_back(std::move(*note));
   return rated;
 }
 
@@ -210,11 +207,10 @@ std::string asJson(const Rated& rated, const AgreementOptions& options, const el
 }  // namespace
 
 Result<Output> agreement(const AgreementOptions& options) {
-  const auto rated = readRated(options);
-  if (!rated) return tl::unexpected(rated.error());
-  const auto result = elicitation::agreement(rated->data);
-  if (options.json) return Output{asJson(*rated, options, result), {}};
-  return Output{asText(rated->data, result), rated->warnings};
+  TACTUS_TRY(const auto rated, readRated(options));
+  const auto result = elicitation::agreement(rated.data);
+  if (options.json) return Output{asJson(rated, options, result), {}};
+  return Output{asText(rated.data, result), rated.warnings};
 }
 
 }  // namespace tactus::cli

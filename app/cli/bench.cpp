@@ -10,6 +10,7 @@
 #include "app/cli/model_arguments.h"
 #include "app/cli/terminal.h"
 #include "core/analysis/force_difference.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/batch.h"
@@ -114,19 +115,18 @@ class Bench {
       fixed[i] = fixed_[i];
       for (auto& point : points) point[i] = fixed_[i];
     }
-    const auto scene = fuzzy::Scene::specialize(compiled_, fixed);
-    if (!scene) return tl::unexpected(scene.error());
+    TACTUS_TRY(const auto scene, fuzzy::Scene::specialize(compiled_, fixed));
     const auto exact = exactAt(points);
     std::vector<BenchRow> rows;
     rows.push_back(timed("scene, one point", "tactus_scene_force", exact, [&] {
       for (std::size_t p = 0; p < points.size(); ++p) {
-        forces_[p] = scene->evaluate(std::span(points[p]).subspan(first_free_)).force_n;
+        forces_[p] = scene.evaluate(std::span(points[p]).subspan(first_free_)).force_n;
       }
     }));
     const auto columns = columnsOf(points, first_free_);
     const auto spans = spansOf(columns);
     rows.push_back(timed("scene, a batch", "tactus_scene_force_batch", exact, [&] {
-      scene->evaluateBatch(spans, {forces_, fired_});
+      scene.evaluateBatch(spans, {forces_, fired_});
     }));
     return rows;
   }
@@ -224,16 +224,15 @@ std::string benchJson(const BenchOptions& options, const fuzzy::ForceModel& mode
 }  // namespace
 
 base::Result<Output> bench(const BenchOptions& options) {
-  const auto opened = openedModel(options.model);
-  if (!opened) return tl::unexpected(opened.error());
-  Bench bench(opened->model, opened->compiled, options.seconds);
+  TACTUS_TRY(const auto opened, openedModel(options.model));
+  Bench bench(opened.model, opened.compiled, options.seconds);
   auto rows = bench.exactRows();
   auto scenes = bench.sceneRows();
   if (!scenes) return inFile(scenes.error(), options.model);
   rows.insert(rows.end(), scenes->begin(), scenes->end());
   for (const Sampling& sampling : kSampled) rows.push_back(bench.sampledRow(sampling));
-  return Output{options.json ? benchJson(options, opened->model, rows) : benchText(options, opened->model, rows),
-                opened->warnings};
+  return Output{options.json ? benchJson(options, opened.model, rows) : benchText(options, opened.model, rows),
+                opened.warnings};
 }
 
 }  // namespace tactus::cli

@@ -7,6 +7,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/study_build.h"
 #include "app/cli/terminal.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
@@ -281,27 +282,25 @@ std::string asJson(const BuildOptions& options, const Results& results) {
 }  // namespace
 
 Result<Output> build(const BuildOptions& options) {
-  auto made = buildStudy(options);
-  if (!made) return tl::unexpected(made.error());
-  auto& built = made->built;
-  const auto& study = made->tables.study;
+  TACTUS_TRY(auto made, buildStudy(options));
+  auto& built = made.built;
+  const auto& study = made.tables.study;
   const auto compiled = fuzzy::compile(built.model);
   if (!compiled) return inFile(compiled.error(), options.study);
   std::string no_intervals;
-  const auto intervals = speedIntervals(study, built, made->settings, options.replicates, no_intervals);
+  const auto intervals = speedIntervals(study, built, made.settings, options.replicates, no_intervals);
   if (!no_intervals.empty()) built.notes.push_back(no_intervals);
-  for (auto& note : acceptedNotes(made->data, made->accepted)) built.notes.push_back(std::move(note));
-  Results results{built, made->data, made->notices,       elicitation::ruleLint(built.model, *compiled, built.experts),
-                  {},    intervals,  options.force_terms, made->accepted};
+  for (auto& note : acceptedNotes(made.data, made.accepted)) built.notes.push_back(std::move(note));
+  Results results{built, made.data, made.notices,        elicitation::ruleLint(built.model, *compiled, built.experts),
+                  {},    intervals, options.force_terms, made.accepted};
   if (options.json) {
-    auto weighted = elicitation::compareWeights(built, study, made->settings);
+    auto weighted = elicitation::compareWeights(built, study, made.settings);
     if (!weighted) return inFile(weighted.error(), options.study);
     results.weights = std::move(*weighted);
   }
-  const auto text = model_io::modelText(built.model, options.out);
-  if (!text) return tl::unexpected(text.error());
-  return written(options.out, *text,
-                 {options.json ? asJson(options, results) : summary(options, results), made->warnings()}, options.json);
+  TACTUS_TRY(const auto text, model_io::modelText(built.model, options.out));
+  return written(options.out, text,
+                 {options.json ? asJson(options, results) : summary(options, results), made.warnings()}, options.json);
 }
 
 }  // namespace tactus::cli

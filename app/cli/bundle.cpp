@@ -9,6 +9,7 @@
 #include "app/cli/output_file.h"
 #include "app/version.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -52,15 +53,14 @@ std::string asJson(const std::string& folder, const model_io::BundleCheck& bundl
 }  // namespace
 
 base::Result<Output> verify(const VerifyOptions& options) {
-  const auto bundle = bundle::verifyBundle(options.folder, kGenerator);
-  if (!bundle) return tl::unexpected(bundle.error());
-  Output output{options.json ? asJson(options.folder, *bundle) : asText(options.folder, *bundle), {}};
-  if (!options.expect.empty() && base::lowered(options.expect) != bundle->fingerprint) {
-    output.failure = base::oneLine(options.folder) + ": found the fingerprint " + bundle->fingerprint + ", wanted " +
+  TACTUS_TRY(const auto bundle, bundle::verifyBundle(options.folder, kGenerator));
+  Output output{options.json ? asJson(options.folder, bundle) : asText(options.folder, bundle), {}};
+  if (!options.expect.empty() && base::lowered(options.expect) != bundle.fingerprint) {
+    output.failure = base::oneLine(options.folder) + ": found the fingerprint " + bundle.fingerprint + ", wanted " +
                      base::oneLine(options.expect);
     return output;
   }
-  for (const model_io::FileCheck& check : bundle->files) {
+  for (const model_io::FileCheck& check : bundle.files) {
     if (!check.ok && output.failure.empty()) output.failure = check.wrong;
   }
   return output;
@@ -92,19 +92,19 @@ std::string asJson(const std::string& folder, const bundle::Bundle& made) {
 }  // namespace
 
 base::Result<Output> bundle(const BundleOptions& options) {
-  auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
+  TACTUS_TRY(auto read, model_io::readModel(options.model));
   const bundle::BundleSettings settings{options.accept_holes, base::formatUtc(std::chrono::system_clock::now()),
                                         std::string(kGenerator), options.table_error_n};
-  const auto made = bundle::makeBundle(std::move(read->model), settings);
+  const auto made = bundle::makeBundle(std::move(read.model), settings);
   if (!made) return base::inFile(made.error(), options.model);
   const bool zip = bundle::isZipName(options.out) && !std::filesystem::is_directory(options.out);
   if (zip) {
     if (const auto ok = requireOutput(options.out, {options.model}); !ok) return tl::unexpected(ok.error());
   }
-  const auto written = zip ? bundle::writeBundleZip(*made, options.out) : bundle::writeBundle(*made, options.out);
-  if (!written) return tl::unexpected(written.error());
-  std::vector<std::string> warnings = read->warnings;
+  if (const auto written = zip ? bundle::writeBundleZip(*made, options.out) : bundle::writeBundle(*made, options.out);
+      !written)
+    return tl::unexpected(written.error());
+  std::vector<std::string> warnings = read.warnings;
   warnings.insert(warnings.end(), made->warnings.begin(), made->warnings.end());
   return Output{options.json ? asJson(options.out, *made) : asText(options.out, *made), std::move(warnings)};
 }

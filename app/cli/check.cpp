@@ -1,6 +1,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/model_arguments.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "elicitation/rules/rule_lint.h"
@@ -67,11 +68,10 @@ std::string asJson(const std::string& file, const fuzzy::ForceModel& model, cons
 }  // namespace
 
 base::Result<Output> check(const CheckOptions& options) {
-  const auto opened = openedModel(options.model);
-  if (!opened) return tl::unexpected(opened.error());
-  const auto found = elicitation::ruleLint(opened->model, opened->compiled);
-  if (options.json) return Output{asJson(options.model, opened->model, found, opened->warnings), {}};
-  return Output{asText(options.model, opened->model, found), opened->warnings};
+  TACTUS_TRY(const auto opened, openedModel(options.model));
+  const auto found = elicitation::ruleLint(opened.model, opened.compiled);
+  if (options.json) return Output{asJson(options.model, opened.model, found, opened.warnings), {}};
+  return Output{asText(options.model, opened.model, found), opened.warnings};
 }
 
 }  // namespace tactus::cli

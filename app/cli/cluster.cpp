@@ -1,5 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/terminal.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
@@ -20,24 +21,21 @@ struct Column {
 
 /// The samples of the column, missing values refused with their place.
 Result<Column> readColumn(const ClusterOptions& options) {
-  const auto table = base::CsvTable::read(options.speeds, base::CsvTable::Header::kOptional);
-  if (!table) return tl::unexpected(table.error());
+  TACTUS_TRY(const auto table, base::CsvTable::read(options.speeds, base::CsvTable::Header::kOptional));
   Column column;
-  if (auto note = table->note()) column.warnings.push_back(std::move(*note));
+  if (auto note = table.note()) column.warnings.push_back(std::move(*note));
   std::size_t index = 0;
-  if (table->hasHeader()) {
-    const auto found = table->require(options.column);
-    if (!found) return tl::unexpected(found.error());
-    index = *found;
+  if (table.hasHeader()) {
+    TACTUS_TRY(const auto found, table.require(options.column));
+    index = found;
     column.name = options.column;
   } else {
     column.warnings.push_back(options.speeds + ": no header, the first column is taken");
   }
-  column.values.reserve(table->rowCount());
-  for (std::size_t row = 0; row < table->rowCount(); ++row) {
-    const auto value = table->number(row, index);
-    if (!value) return tl::unexpected(value.error());
-    column.values.push_back(*value);
+  column.values.reserve(table.rowCount());
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    TACTUS_TRY(const auto value, table.number(row, index));
+    column.values.push_back(value);
   }
   return column;
 }
@@ -92,8 +90,7 @@ std::string asText(const elicitation::FcmResult& result, const elicitation::FcmV
 }  // namespace
 
 Result<Output> cluster(const ClusterOptions& options) {
-  auto column = readColumn(options);
-  if (!column) return tl::unexpected(column.error());
+  TACTUS_TRY(auto column, readColumn(options));
   if (options.clusters < 1) {
     return base::fail(base::ErrorCode::kValue, "-c", std::to_string(options.clusters),
                       "1 to " + std::to_string(elicitation::kMostClusters) + " clusters");
@@ -101,13 +98,13 @@ Result<Output> cluster(const ClusterOptions& options) {
   elicitation::FcmSettings settings;
   settings.clusters = static_cast<std::size_t>(options.clusters);
   settings.m = options.m;
-  const auto result = elicitation::fuzzyCMeans(column->values, settings);
+  const auto result = elicitation::fuzzyCMeans(column.values, settings);
   if (!result) return inFile(result.error(), options.speeds);
-  const auto validity = elicitation::fcmValidity(column->values, result->centres, options.m);
-  auto& warnings = column->warnings;
+  const auto validity = elicitation::fcmValidity(column.values, result->centres, options.m);
+  auto& warnings = column.warnings;
   warnings.insert(warnings.end(), result->warnings.begin(), result->warnings.end());
   if (options.json) return Output{asJson(*result, validity, warnings), {}};
-  return Output{asText(*result, validity, column->name), warnings};
+  return Output{asText(*result, validity, column.name), warnings};
 }
 
 }  // namespace tactus::cli

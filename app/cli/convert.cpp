@@ -8,6 +8,7 @@
 #include "app/cli/output_file.h"
 #include "app/version.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -54,19 +55,16 @@ std::string importAsJson(const ImportOptions& options, const exchange::ReadFile&
 
 base::Result<Output> import(const ImportOptions& options) {
   if (auto ok = requireOutput(options.out, {options.file}); !ok) return tl::unexpected(ok.error());
-  const auto file = exchange::ReadFile::open(options.file, formatNamed(options.from));
-  if (!file) return tl::unexpected(file.error());
-  auto model = file->model(options.output);
-  if (!model) return tl::unexpected(advised(model.error(), *file, options.output));
+  TACTUS_TRY(const auto file, exchange::ReadFile::open(options.file, formatNamed(options.from)));
+  auto model = file.model(options.output);
+  if (!model) return tl::unexpected(advised(model.error(), file, options.output));
   model->created_utc = base::formatUtc(std::chrono::system_clock::now());
   model->generator = kGenerator;
   if (const auto checked = elicitation::setChecks(*model); !checked) return base::inFile(checked.error(), options.file);
-  const auto text = model_io::modelText(*model, options.out);
-  if (!text) return tl::unexpected(text.error());
-  return written(
-      options.out, *text,
-      {options.json ? importAsJson(options, *file, *model) : importAsText(options, *model), file->warnings()},
-      options.json);
+  TACTUS_TRY(const auto text, model_io::modelText(*model, options.out));
+  return written(options.out, text,
+                 {options.json ? importAsJson(options, file, *model) : importAsText(options, *model), file.warnings()},
+                 options.json);
 }
 
 namespace {
@@ -77,9 +75,8 @@ base::Result<Files> expertFiles(const fuzzy::ForceModel& model, exchange::Dialec
   Files files;
   const std::vector<std::string> names = bundle::expertFileNames(model);
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    auto text = exchange::format(model, e, dialect);
-    if (!text) return tl::unexpected(text.error());
-    files.emplace_back(names[e] + std::string(suffix(dialect)), std::move(*text));
+    TACTUS_TRY(auto text, exchange::format(model, e, dialect));
+    files.emplace_back(names[e] + std::string(suffix(dialect)), std::move(text));
   }
   return files;
 }
@@ -92,24 +89,21 @@ base::Result<Files> filesOf(const fuzzy::ForceModel& model, const ConvertOptions
   }
   std::vector<exchange::FixedInput> fixed;
   for (const std::string& text : options.fixed) {
-    const auto one = inputOption(model, "--fix", text);
-    if (!one) return tl::unexpected(one.error());
-    fixed.push_back({one->first, one->second});
+    TACTUS_TRY(const auto one, inputOption(model, "--fix", text));
+    fixed.push_back({one.first, one.second});
   }
-  auto source = exchange::cSource(model, fixed);
-  if (!source) return tl::unexpected(source.error());
-  return Files{{"force_model.h", std::move(source->header)}, {"force_model.c", std::move(source->source)}};
+  TACTUS_TRY(auto source, exchange::cSource(model, fixed));
+  return Files{{"force_model.h", std::move(source.header)}, {"force_model.c", std::move(source.source)}};
 }
 
 }  // namespace
 
 base::Result<Output> convert(const ConvertOptions& options) {
-  const auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
-  const auto files = filesOf(read->model, options);
+  TACTUS_TRY(const auto read, model_io::readModel(options.model));
+  const auto files = filesOf(read.model, options);
   if (!files) return base::inFile(files.error(), options.model);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
-  Output output{{}, read->warnings};
+  Output output{{}, read.warnings};
   std::vector<std::string> paths;
   for (const auto& [name, text] : *files) {
     const std::string path = options.out + "/" + name;

@@ -12,6 +12,7 @@
 #include "app/devices/device_list.h"
 #include "app/devices/guided_runs.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 
@@ -49,9 +50,8 @@ base::Result<void> makeFolderOf(const std::string& file) {
 
 base::Result<Output> byDriver(const DeviceCalibrateOptions& options, const devices::DeviceSettings& settings) {
   CalibrationPrompt guide(options.terminal);
-  const auto opened = devices::open(options.id, settings);
-  if (!opened) return tl::unexpected(opened.error());
-  if (const auto done = devices::calibrateByDriver(*opened->device, guide); !done) return tl::unexpected(done.error());
+  TACTUS_TRY(const auto opened, devices::open(options.id, settings));
+  if (const auto done = devices::calibrateByDriver(*opened.device, guide); !done) return tl::unexpected(done.error());
   return Output{options.id + ": calibrated by its driver\nTest it: tactus devices test " + options.id + '\n', {}};
 }
 
@@ -76,15 +76,13 @@ base::Result<Output> storeAxis(const DeviceCalibrateOptions& options, const devi
                       options.id.starts_with("hid:")
                           ? "a calibration, which measures the axis too (leave --inwards out)"
                           : "a device behind OpenHaptics");
-  const auto axis = parseAxis(options.inwards);
-  if (!axis) return tl::unexpected(axis.error());
-  const auto opened = devices::open(options.id, settings);
-  if (!opened) return tl::unexpected(opened.error());
+  TACTUS_TRY(const auto axis, parseAxis(options.inwards));
+  TACTUS_TRY(const auto opened, devices::open(options.id, settings));
   if (const auto made = makeFolderOf(settings.calibrations); !made) return tl::unexpected(made.error());
-  const auto& info = opened->device->info();
-  if (const auto stored = haptics::storeAxis(settings.calibrations, {info.id, info.serial, axis->inwards()}); !stored)
+  const auto& info = opened.device->info();
+  if (const auto stored = haptics::storeAxis(settings.calibrations, {info.id, info.serial, axis.inwards()}); !stored)
     return tl::unexpected(stored.error());
-  return Output{options.id + ": the tube goes along " + devices::directionText(axis->inwards()) + "; stored in " +
+  return Output{options.id + ": the tube goes along " + devices::directionText(axis.inwards()) + "; stored in " +
                     settings.calibrations + "\nTest it: tactus devices test " + options.id + '\n',
                 {}};
 }
@@ -95,21 +93,19 @@ base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options) {
   const auto settings = devices::settingsOfProcess();
   if (!options.inwards.empty()) return storeAxis(options, settings);
   if (!options.id.starts_with("hid:")) return byDriver(options, settings);
-  const auto opened = devices::openRaw(options.id);
-  if (!opened) return tl::unexpected(opened.error());
+  TACTUS_TRY(const auto opened, devices::openRaw(options.id));
   if (const auto made = makeFolderOf(settings.calibrations); !made) return tl::unexpected(made.error());
 
-  auto plan = haptics::planFor(opened->device->info());
+  auto plan = haptics::planFor(opened.device->info());
   if (options.method == "weight") plan.method = haptics::ScaleMethod::kKnownWeight;
   CalibrationPrompt guide(options.terminal);
   guide.say(wrapped("Press Enter to continue. Type a number if asked. Type stop to end.", "", 0));
   const std::string now = base::formatUtc(std::chrono::system_clock::now());
-  const auto calibration = devices::runCalibration(*opened->device, plan, now, guide);
-  if (!calibration) return tl::unexpected(calibration.error());
-  if (const auto stored = haptics::storeCalibration(settings.calibrations, *calibration); !stored)
+  TACTUS_TRY(const auto calibration, devices::runCalibration(*opened.device, plan, now, guide));
+  if (const auto stored = haptics::storeCalibration(settings.calibrations, calibration); !stored)
     return tl::unexpected(stored.error());
-  return Output{options.id + ": full scale " + base::formatFixed(calibration->full_scale_n, 2) + " N, " +
-                    base::formatFixed(calibration->mm_per_count, 4) + " mm per count; stored in " +
+  return Output{options.id + ": full scale " + base::formatFixed(calibration.full_scale_n, 2) + " N, " +
+                    base::formatFixed(calibration.mm_per_count, 4) + " mm per count; stored in " +
                     settings.calibrations + "\nTest it: tactus devices test " + options.id + '\n',
                 {}};
 }
@@ -200,20 +196,18 @@ base::Result<SelfTest> run(const devices::OpenedDevice& opened, SelfTestPrompt& 
 base::Result<Output> testDevice(const DeviceTestOptions& options) {
   const auto settings = devices::settingsOfProcess();
   const std::string id = options.id.empty() ? chosenId(settings) : options.id;
-  const auto opened = devices::open(id, settings);
-  if (!opened) return tl::unexpected(opened.error());
-  const auto& info = opened->device->info();
+  TACTUS_TRY(const auto opened, devices::open(id, settings));
+  const auto& info = opened.device->info();
 
   SelfTestPrompt guide(options.terminal);
   guide.say(wrapped(info.id + ": " + info.name, "Self-test of ", 2));
-  const auto test = run(*opened, guide);
-  if (!test) return tl::unexpected(test.error());
-  if (test->passed()) {
+  TACTUS_TRY(const auto test, run(opened, guide));
+  if (test.passed()) {
     const std::string text = std::string("All checks passed") + (info.simulated ? ", all of it simulated.\n" : ".\n");
-    return Output{options.json ? asJson(info, *test) : text, {}};
+    return Output{options.json ? asJson(info, test) : text, {}};
   }
-  if (options.json) *options.results << asJson(info, *test) << std::flush;
-  const auto& failed = test->results().back();
+  if (options.json) *options.results << asJson(info, test) << std::flush;
+  const auto& failed = test.results().back();
   return base::fail(base::ErrorCode::kMismatch, info.id + ": " + std::string(describe(failed.check)), failed.found,
                     "a check that passes: " + failed.advice);
 }

@@ -2,6 +2,7 @@
 #include "app/cli/model_arguments.h"
 #include "core/analysis/force_difference.h"
 #include "core/analysis/model_difference.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 
@@ -79,18 +80,14 @@ base::Result<void> wantSameInputs(const DiffOptions& options, const fuzzy::Force
 }  // namespace
 
 base::Result<Output> diff(const DiffOptions& options) {
-  const auto first = openedModel(options.first);
-  if (!first) return tl::unexpected(first.error());
-  const auto second = openedModel(options.second);
-  if (!second) return tl::unexpected(second.error());
-  if (const auto same = wantSameInputs(options, first->model, second->model); !same)
-    return tl::unexpected(same.error());
-  const Difference difference{
-      analysis::modelChanges(first->model, second->model),
-      analysis::forceDifference(first->model, first->compiled, second->model, second->compiled)};
-  std::vector<std::string> warnings = first->warnings;
-  warnings.insert(warnings.end(), second->warnings.begin(), second->warnings.end());
-  return Output{options.json ? asJson(options, first->model, difference) : asText(first->model, difference),
+  TACTUS_TRY(const auto first, openedModel(options.first));
+  TACTUS_TRY(const auto second, openedModel(options.second));
+  if (const auto same = wantSameInputs(options, first.model, second.model); !same) return tl::unexpected(same.error());
+  const Difference difference{analysis::modelChanges(first.model, second.model),
+                              analysis::forceDifference(first.model, first.compiled, second.model, second.compiled)};
+  std::vector<std::string> warnings = first.warnings;
+  warnings.insert(warnings.end(), second.warnings.begin(), second.warnings.end());
+  return Output{options.json ? asJson(options, first.model, difference) : asText(first.model, difference),
                 std::move(warnings)};
 }
 

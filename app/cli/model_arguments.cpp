@@ -94,12 +94,11 @@ base::Result<std::vector<double>> pointOption(const fuzzy::ForceModel& model, co
           ErrorCode::kValue, option, base::quoted(text) + " after a comma",
           "INPUT=VALUE; a comma separates entries and the decimal sign is a point, as in " + before + "=0.5");
     }
-    const auto one = inputOption(model, option, text);
-    if (!one) return tl::unexpected(one.error());
-    before = model.inputs[one->first].id;
-    auto& value = values[one->first];
+    TACTUS_TRY(const auto one, inputOption(model, option, text));
+    before = model.inputs[one.first].id;
+    auto& value = values[one.first];
     if (value) return base::fail(ErrorCode::kValue, option, "a second " + before, "each input once");
-    value = one->second;
+    value = one.second;
   }
   std::vector<std::string> missing;
   std::vector<double> point;

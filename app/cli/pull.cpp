@@ -95,42 +95,38 @@ base::Result<double> inputValue(const CsvTable& table, std::size_t row, std::siz
 /// both. Rows without a force are gaps. At most 10,000 rows.
 base::Result<ReadReference> readReference(const std::string& path, const fuzzy::ForceModel& model,
                                           std::span<const double> point) {
-  const auto table = CsvTable::read(path);
-  if (!table) return tl::unexpected(table.error());
-  const auto columns = referenceColumns(*table, model);
-  if (!columns) return tl::unexpected(columns.error());
-  if (table->rowCount() == 0 || table->rowCount() > kMostRows) {
+  TACTUS_TRY(const auto table, CsvTable::read(path));
+  TACTUS_TRY(const auto columns, referenceColumns(table, model));
+  if (table.rowCount() == 0 || table.rowCount() > kMostRows) {
     return base::inFile(
-        {ErrorCode::kLimit, {}, {}, std::to_string(table->rowCount()) + " rows", "1 to " + std::to_string(kMostRows)},
+        {ErrorCode::kLimit, {}, {}, std::to_string(table.rowCount()) + " rows", "1 to " + std::to_string(kMostRows)},
         path);
   }
   ReadReference out;
-  if (auto note = table->note()) out.warnings.push_back(std::move(*note));
+  if (auto note = table.note()) out.warnings.push_back(std::move(*note));
   out.curve.columns.resize(model.inputs.size());
   constexpr double kFree = std::numeric_limits<double>::infinity();
   const auto isGap = [&](std::size_t row, const std::optional<std::size_t>& column) {
-    return !column || base::trimmed(table->cell(row, *column)).empty();
+    return !column || base::trimmed(table.cell(row, *column)).empty();
   };
-  for (std::size_t row = 0; row < table->rowCount(); ++row) {
-    const bool no_low = isGap(row, columns->low);
-    const bool no_high = isGap(row, columns->high);
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    const bool no_low = isGap(row, columns.low);
+    const bool no_high = isGap(row, columns.high);
     if (no_low && no_high) continue;
     for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-      const auto& column = columns->inputs[i];
-      const auto value = column ? inputValue(*table, row, *column, model.inputs[i]) : base::Result<double>(point[i]);
-      if (!value) return tl::unexpected(value.error());
-      out.curve.columns[i].push_back(*value);
+      const auto& column = columns.inputs[i];
+      TACTUS_TRY(const auto value,
+                 column ? inputValue(table, row, *column, model.inputs[i]) : base::Result<double>(point[i]));
+      out.curve.columns[i].push_back(value);
     }
-    const auto low = no_low ? base::Result<double>(-kFree) : table->number(row, *columns->low);
-    if (!low) return tl::unexpected(low.error());
-    const auto high = no_high ? base::Result<double>(kFree) : table->number(row, *columns->high);
-    if (!high) return tl::unexpected(high.error());
-    if (*low > *high) {
-      return table->refuse(row, *columns->high, ErrorCode::kValue,
-                           "at least force_min, which is " + base::formatNumber(*low));
+    TACTUS_TRY(const auto low, no_low ? base::Result<double>(-kFree) : table.number(row, *columns.low));
+    TACTUS_TRY(const auto high, no_high ? base::Result<double>(kFree) : table.number(row, *columns.high));
+    if (low > high) {
+      return table.refuse(row, *columns.high, ErrorCode::kValue,
+                          "at least force_min, which is " + base::formatNumber(low));
     }
-    out.curve.low_n.push_back(*low);
-    out.curve.high_n.push_back(*high);
+    out.curve.low_n.push_back(low);
+    out.curve.high_n.push_back(high);
   }
   return out;
 }
@@ -241,13 +237,12 @@ constexpr std::string_view kRules = "rules";
 /// The text of the model after a candidate. The checks keep their points and get the new forces.
 base::Result<std::string> editedText(const PullOptions& options, const OpenedModel& opened,
                                      const analysis::PullCandidate& candidate, const std::string& text) {
-  auto edit = editing::finished(applied(opened.model, candidate.edits), text);
-  if (!edit) return tl::unexpected(edit.error());
-  editing::refreshChecks(edit->model, edit->compiled);
-  edit->model.created_utc = base::formatUtc(std::chrono::system_clock::now());
-  edit->model.generator = kGenerator;
-  if (auto& from = edit->model.provenance) from->notes += (from->notes.empty() ? "" : " ") + edit->label + ".";
-  return model_io::modelText(edit->model, options.out);
+  TACTUS_TRY(auto edit, editing::finished(applied(opened.model, candidate.edits), text));
+  editing::refreshChecks(edit.model, edit.compiled);
+  edit.model.created_utc = base::formatUtc(std::chrono::system_clock::now());
+  edit.model.generator = kGenerator;
+  if (auto& from = edit.model.provenance) from->notes += (from->notes.empty() ? "" : " ") + edit.label + ".";
+  return model_io::modelText(edit.model, options.out);
 }
 
 /// What an answer of either kind comes to on the screen and in a file.
@@ -272,21 +267,18 @@ base::Result<std::vector<double>> pinOption(const fuzzy::ForceModel& model, cons
                                             std::vector<double> point) {
   std::istringstream entries(text);
   for (std::string entry; std::getline(entries, entry, ',');) {
-    const auto input = inputOption(model, "--pin", entry);
-    if (!input) return tl::unexpected(input.error());
-    point[input->first] = input->second;
+    TACTUS_TRY(const auto input, inputOption(model, "--pin", entry));
+    point[input.first] = input.second;
   }
   return point;
 }
 
 base::Result<Question> questionOf(const PullOptions& options) {
-  auto opened = openedModel(options.model);
-  if (!opened) return tl::unexpected(opened.error());
-  Question out{std::move(*opened), {}, {}};
+  TACTUS_TRY(auto opened, openedModel(options.model));
+  Question out{std::move(opened), {}, {}};
   const fuzzy::ForceModel& model = out.opened.model;
-  const auto expert = expertOption(model, options.model, options.expert);
-  if (!expert) return tl::unexpected(expert.error());
-  out.settings.expert = *expert;
+  TACTUS_TRY(const auto expert, expertOption(model, options.model, options.expert));
+  out.settings.expert = expert;
   for (const std::string& id : options.locked) {
     auto variable = variableOption(model, "--lock", id);
     if (variable) {
@@ -298,21 +290,19 @@ base::Result<Question> questionOf(const PullOptions& options) {
       return tl::unexpected(variable.error());
     }
   }
-  auto point = pointOption(model, "--at", options.at);
-  if (!point) return tl::unexpected(point.error());
-  out.point = std::move(*point);
+  TACTUS_TRY(auto point, pointOption(model, "--at", options.at));
+  out.point = std::move(point);
   if (auto ok = analysis::checkPoint(model, out.point); !ok) {
     ok.error().place = "--at " + ok.error().place;
     return tl::unexpected(ok.error());
   }
   for (const std::string& pin : options.pins) {
-    auto pinned = pinOption(model, pin, out.point);
-    if (!pinned) return tl::unexpected(pinned.error());
-    if (auto ok = analysis::checkPoint(model, *pinned); !ok) {
+    TACTUS_TRY(auto pinned, pinOption(model, pin, out.point));
+    if (auto ok = analysis::checkPoint(model, pinned); !ok) {
       ok.error().place = "--pin " + ok.error().place;
       return tl::unexpected(ok.error());
     }
-    out.settings.pins.push_back(std::move(*pinned));
+    out.settings.pins.push_back(std::move(pinned));
   }
   return out;
 }
@@ -328,22 +318,20 @@ bool leavesRulesOut(const Question& question) {
 
 base::Result<Answer> pointAnswer(const PullOptions& options, const Question& question) {
   const fuzzy::ForceModel& model = question.opened.model;
-  auto found =
-      analysis::pull(model, question.point, *options.force_n, elicitation::justNoticeableDifference, question.settings);
-  if (!found) return tl::unexpected(found.error());
+  TACTUS_TRY(auto found, analysis::pull(model, question.point, *options.force_n, elicitation::justNoticeableDifference,
+                                        question.settings));
   Answer out;
   const PullNotes notes = notesOf(question);
-  out.text = options.json ? asJson(model, *found, notes) : asText(model, *found, leavesRulesOut(question), notes);
-  for (const auto& one : found->candidates) out.texts.push_back(candidateText(model, one));
-  out.candidates = std::move(found->candidates);
+  out.text = options.json ? asJson(model, found, notes) : asText(model, found, leavesRulesOut(question), notes);
+  for (const auto& one : found.candidates) out.texts.push_back(candidateText(model, one));
+  out.candidates = std::move(found.candidates);
   return out;
 }
 
 base::Result<Answer> curveAnswer(const PullOptions& options, const Question& question) {
   const fuzzy::ForceModel& model = question.opened.model;
-  auto reference = readReference(options.curve, model, question.point);
-  if (!reference) return tl::unexpected(reference.error());
-  const auto found = analysis::pullToCurve(model, question.point, reference->curve,
+  TACTUS_TRY(auto reference, readReference(options.curve, model, question.point));
+  const auto found = analysis::pullToCurve(model, question.point, reference.curve,
                                            elicitation::justNoticeableDifference, question.settings);
   if (!found) return base::inFile(found.error(), options.curve);
   const auto& compiled = question.opened.compiled;
@@ -352,7 +340,7 @@ base::Result<Answer> curveAnswer(const PullOptions& options, const Question& que
   const CurveQuestion asked{model, now.fired ? std::optional(now.force_n) : std::nullopt, options.force_n,
                             leavesRulesOut(question)};
   Answer out;
-  out.warnings = std::move(reference->warnings);
+  out.warnings = std::move(reference.warnings);
   if (found->left_out > 0) {
     out.warnings.push_back(options.curve + ": " + std::to_string(found->left_out) +
                            " points at which no rule fires are left out");
@@ -385,37 +373,33 @@ std::optional<std::string> sharedNote(const Question& question, const Answer& an
 base::Result<Output> pull(const PullOptions& options) {
   if (auto ok = requireOutput(options.out, {options.model, options.curve, options.study}); !ok)
     return tl::unexpected(ok.error());
-  auto question = questionOf(options);
-  if (!question) return tl::unexpected(question.error());
+  TACTUS_TRY(auto question, questionOf(options));
   if (!options.study.empty()) {
-    auto sign_offs = signOffsOn(question->opened.model, options.study);
-    if (!sign_offs) return tl::unexpected(sign_offs.error());
-    question->sign_offs = std::move(*sign_offs);
+    TACTUS_TRY(auto sign_offs, signOffsOn(question.opened.model, options.study));
+    question.sign_offs = std::move(sign_offs);
   }
-  question->findings = std::make_unique<NewFindings>(question->opened);
-  auto answer = options.curve.empty() ? pointAnswer(options, *question) : curveAnswer(options, *question);
-  if (!answer) return tl::unexpected(answer.error());
+  question.findings = std::make_unique<NewFindings>(question.opened);
+  TACTUS_TRY(auto answer, options.curve.empty() ? pointAnswer(options, question) : curveAnswer(options, question));
 
-  std::vector<std::string> warnings = question->opened.warnings;
-  warnings.insert(warnings.end(), answer->warnings.begin(), answer->warnings.end());
-  for (const SignOff& one : question->sign_offs) {
+  std::vector<std::string> warnings = question.opened.warnings;
+  warnings.insert(warnings.end(), answer.warnings.begin(), answer.warnings.end());
+  for (const SignOff& one : question.sign_offs) {
     warnings.push_back("every edit contradicts a sign-off: " + one.author + ", " + one.utc + ": " + one.text);
   }
-  if (auto note = sharedNote(*question, *answer)) warnings.push_back(std::move(*note));
-  if (!options.apply) return Output{std::move(answer->text), std::move(warnings)};
-  const std::size_t count = answer->candidates.size();
+  if (auto note = sharedNote(question, answer)) warnings.push_back(std::move(*note));
+  if (!options.apply) return Output{std::move(answer.text), std::move(warnings)};
+  const std::size_t count = answer.candidates.size();
   if (*options.apply > count) {
     return base::fail(ErrorCode::kValue, "--apply", std::to_string(*options.apply),
                       count == 0 ? "an edit, but there is none" : "a number from 1 to " + std::to_string(count));
   }
-  const std::string& text = answer->texts[*options.apply - 1];
-  const auto& chosen = answer->candidates[*options.apply - 1];
-  const auto edited = editedText(options, question->opened, chosen, text);
-  if (!edited) return tl::unexpected(edited.error());
-  for (const std::string& finding : question->findings->after(chosen)) warnings.push_back("new finding: " + finding);
+  const std::string& text = answer.texts[*options.apply - 1];
+  const auto& chosen = answer.candidates[*options.apply - 1];
+  TACTUS_TRY(const auto edited, editedText(options, question.opened, chosen, text));
+  for (const std::string& finding : question.findings->after(chosen)) warnings.push_back("new finding: " + finding);
   return written(
-      options.out, *edited,
-      {options.json ? std::move(answer->text) : base::oneLine(options.out) + ": " + text + "\n", std::move(warnings)},
+      options.out, edited,
+      {options.json ? std::move(answer.text) : base::oneLine(options.out) + ": " + text + "\n", std::move(warnings)},
       options.json);
 }
 

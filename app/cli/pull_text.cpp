@@ -32,20 +32,19 @@ fuzzy::ForceModel forceAlone(fuzzy::ForceModel model) {
 }  // namespace
 
 base::Result<std::vector<SignOff>> signOffsOn(fuzzy::ForceModel model, const std::string& path) {
-  const auto file = store::StudyFile::open(path, {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
-  const auto versions = store::modelVersions(*file);
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly}));
+  const auto versions = store::modelVersions(file);
   if (!versions) return base::inFile(versions.error(), path);
   model = forceAlone(std::move(model));
   const std::string start = std::string(name(editing::EventKind::kSignOff)) + ": ";
   std::vector<SignOff> out;
   for (const study::ModelVersion& version : *versions) {
     if (!version.label.starts_with(start)) continue;
-    const auto whole = store::modelVersion(*file, version.id);
+    const auto whole = store::modelVersion(file, version.id);
     if (!whole) return base::inFile(whole.error(), path);
-    auto signed_off = model_io::parseModel(whole->text, path + ": model version " + study::toText(version.id));
-    if (!signed_off) return tl::unexpected(signed_off.error());
-    if (forceAlone(std::move(signed_off->model)) != model) continue;
+    TACTUS_TRY(auto signed_off,
+               model_io::parseModel(whole->text, path + ": model version " + study::toText(version.id)));
+    if (forceAlone(std::move(signed_off.model)) != model) continue;
     out.push_back({version.author, version.label.substr(start.size()), utcText(version.utc_ms)});
   }
   return out;
@@ -241,24 +240,20 @@ std::string blockerText(const fuzzy::ForceModel& model, const analysis::Pull& pu
   const fuzzy::Variable& variable = analysis::variableAt(model, blocker.variable);
   const std::string term = labelOf(findTerm(variable.terms, blocker.term), blocker.term);
   switch (blocker.kind) {
-    case PullBlocker::Kind::kNoRule:
-      return "no rule fires here";
+    case PullBlocker::Kind::kNoRule: return "no rule fires here";
     case PullBlocker::Kind::kLock:
       return base::oneLine(variable.id) + " is locked, and without the lock one edit is enough";
     case PullBlocker::Kind::kCentroid:
       return "the centroid of " + term + ": no word alone goes " +
              (pull.target_n < blocker.limit_n ? "below " : "above ") + formatFixed(blocker.limit_n, 3) + " N";
-    case PullBlocker::Kind::kOrder:
-      return "beyond the nearest edit " + term + " would have no core";
+    case PullBlocker::Kind::kOrder: return "beyond the nearest edit " + term + " would have no core";
     case PullBlocker::Kind::kRamp:
       return "beyond the nearest edit the transition above " + term + " would have no width";
     case PullBlocker::Kind::kUniverse:
       return "the nearest edit ends where the universe of " + base::oneLine(variable.id) + " ends";
-    case PullBlocker::Kind::kTurn:
-      return "the force turns back at the nearest edit";
+    case PullBlocker::Kind::kTurn: return "the force turns back at the nearest edit";
     case PullBlocker::Kind::kPin:
-    case PullBlocker::Kind::kRules:
-      break;
+    case PullBlocker::Kind::kRules: break;
   }
   return "one rule is not enough, the words of the other rules hold the force";
 }

@@ -44,42 +44,39 @@ std::string asJson(const std::string& folder, const std::vector<demo::DemoFile>&
 }  // namespace
 
 base::Result<Output> demo(const DemoOptions& options) {
-  const auto made = tactus::demo::writeDemo({options.folder, options.seed, options.reading});
-  if (!made) return tl::unexpected(made.error());
-  return Output{options.json ? asJson(options.folder, made->files, made->notes) : asText(options.folder, made->files),
-                {}};
+  TACTUS_TRY(const auto made, tactus::demo::writeDemo({options.folder, options.seed, options.reading}));
+  return Output{options.json ? asJson(options.folder, made.files, made.notes) : asText(options.folder, made.files), {}};
 }
 
 base::Result<Output> writeReport(const ReportOptions& options) {
-  auto made = buildStudy(options, RulesNeeded::kNo);
-  if (!made) return tl::unexpected(made.error());
-  for (auto& note : acceptedNotes(made->data, made->accepted)) made->built.notes.push_back(std::move(note));
-  const report::StudyReportInputs inputs{.study = made->tables.study,
-                                         .built = made->built,
-                                         .build_settings = made->settings,
+  TACTUS_TRY(auto made, buildStudy(options, RulesNeeded::kNo));
+  for (auto& note : acceptedNotes(made.data, made.accepted)) made.built.notes.push_back(std::move(note));
+  const report::StudyReportInputs inputs{.study = made.tables.study,
+                                         .built = made.built,
+                                         .build_settings = made.settings,
                                          .forms = session::knownForms(),
-                                         .data = made->data,
+                                         .data = made.data,
                                          .settings = {{"Study", options.study},
                                                       {"Program", std::string(kGenerator)},
-                                                      {"Created (UTC)", made->settings.created_utc}},
+                                                      {"Created (UTC)", made.settings.created_utc}},
                                          .replicates = options.replicates,
-                                         .usability = made->usability};
+                                         .usability = made.usability};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
-  const auto experts = made->built.model.experts.size();
+  const auto experts = made.built.model.experts.size();
   if (!options.json) {
     return written(
         options.out, *page,
-        {base::oneLine(options.out) + ": report of " + std::to_string(made->tables.study.participants.size()) +
+        {base::oneLine(options.out) + ": report of " + std::to_string(made.tables.study.participants.size()) +
              " participants, " + std::to_string(experts) + " experts\n",
-         made->warnings()},
+         made.warnings()},
         options.json);
   }
   base::JsonWriter json;
   json.beginObject().key("report").value(options.out);
-  json.key("participants").value(made->tables.study.participants.size()).key("experts").value(experts);
-  json.key("notes").values(made->built.notes).key("notices").values(made->notices).endObject();
-  return written(options.out, *page, {json.text(), made->warnings()}, options.json);
+  json.key("participants").value(made.tables.study.participants.size()).key("experts").value(experts);
+  json.key("notes").values(made.built.notes).key("notices").values(made.notices).endObject();
+  return written(options.out, *page, {json.text(), made.warnings()}, options.json);
 }
 
 }  // namespace tactus::cli

@@ -13,6 +13,7 @@
 #include "app/link/link_server.h"
 #include "app/link/link_sockets.h"
 #include "app/version.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/model_io/model_file.h"
@@ -86,11 +87,10 @@ struct ReadFile {
 };
 
 Result<ReadFile> modelOf(std::string text, const std::string& path) {
-  auto opened = openedModel(text, path);
-  if (!opened) return tl::unexpected(std::move(opened.error()));
+  TACTUS_TRY(auto opened, openedModel(text, path));
   auto shared = std::make_shared<const std::string>(text);
   return ReadFile{
-      std::move(text), {std::move(opened->compiled), [shared] { return *shared; }}, std::move(opened->warnings)};
+      std::move(text), {std::move(opened.compiled), [shared] { return *shared; }}, std::move(opened.warnings)};
 }
 
 Result<std::string> textOf(const std::string& path) { return base::readFile(path, model_io::kMostModelFileBytes); }
@@ -135,25 +135,22 @@ class Watch {
 }  // namespace
 
 Result<Output> serve(const ServeOptions& options, std::ostream& out, std::ostream& err) {
-  auto text = textOf(options.model);
-  if (!text) return tl::unexpected(text.error());
-  auto read = modelOf(std::move(*text), options.model);
-  if (!read) return tl::unexpected(read.error());
+  TACTUS_TRY(auto text, textOf(options.model));
+  TACTUS_TRY(auto read, modelOf(std::move(text), options.model));
   const InterruptSignals signals;
-  auto token =
-      options.token_file.empty() ? link::TokenFile::inPrivateFolder() : link::TokenFile::at(options.token_file);
-  if (!token) return tl::unexpected(token.error());
-  auto server = link::LinkServer::start({options.port, options.socket, token->token(), std::string(kGenerator)},
-                                        std::move(read->model));
-  if (!server) return tl::unexpected(server.error());
-  warn(err, read->warnings);
-  out << "{\"listening\":{\"port\":" << (*server)->port()
+  TACTUS_TRY(auto token,
+             options.token_file.empty() ? link::TokenFile::inPrivateFolder() : link::TokenFile::at(options.token_file));
+  TACTUS_TRY(auto server,
+             link::LinkServer::start({options.port, options.socket, token.token(), std::string(kGenerator)},
+                                     std::move(read.model)));
+  warn(err, read.warnings);
+  out << "{\"listening\":{\"port\":" << (server)->port()
       << ",\"socket\":" << (options.socket.empty() ? "null" : base::jsonString(options.socket))
-      << "},\"token_file\":" << base::jsonString(token->path()) << "}\n"
+      << "},\"token_file\":" << base::jsonString(token.path()) << "}\n"
       << std::flush;
   if (!out.good()) return Output{};  // the caller says so
 
-  Watch watch(options.model, std::move(read->text), **server, err);
+  Watch watch(options.model, std::move(read.text), *server, err);
   while (!signals.raised()) {
     ::poll(nullptr, 0, options.watch ? kLookMs : 5 * kLookMs);
     if (options.watch) watch.look();

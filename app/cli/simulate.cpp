@@ -4,6 +4,7 @@
 #include "app/cli/output_file.h"
 #include "app/cli/terminal.h"
 #include "app/simulation/scenario_run.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -111,22 +112,19 @@ std::vector<std::string> clamped(const simulation::Scenario& scenario, const fuz
 Result<Output> simulate(const SimulateOptions& options) {
   if (auto kept = requireOutput(options.out, {options.model, options.scenario}); !kept)
     return tl::unexpected(kept.error());
-  auto read = model_io::readModel(options.model);
-  if (!read) return tl::unexpected(read.error());
-  const auto scenario = simulation::readScenario(options.scenario);
-  if (!scenario) return tl::unexpected(scenario.error());
+  TACTUS_TRY(auto read, model_io::readModel(options.model));
+  TACTUS_TRY(const auto scenario, simulation::readScenario(options.scenario));
 
-  Output output{{}, std::move(read->warnings)};
-  for (auto& warning : clamped(*scenario, read->model)) output.warnings.push_back(options.scenario + ": " + warning);
+  Output output{{}, std::move(read.warnings)};
+  for (auto& warning : clamped(scenario, read.model)) output.warnings.push_back(options.scenario + ": " + warning);
   const auto folder = std::filesystem::path(options.scenario).parent_path();
   const auto read_other = [&](const std::string& path) -> Result<fuzzy::ForceModel> {
-    auto other = model_io::readModel((folder / path).string());
-    if (!other) return tl::unexpected(other.error());
-    output.warnings.insert(output.warnings.end(), other->warnings.begin(), other->warnings.end());
-    return std::move(other->model);
+    TACTUS_TRY(auto other, model_io::readModel((folder / path).string()));
+    output.warnings.insert(output.warnings.end(), other.warnings.begin(), other.warnings.end());
+    return std::move(other.model);
   };
-  simulation::TraceTable trace(scenario->conditions);
-  const auto run = simulation::runScenario(*scenario, read->model, read_other,
+  simulation::TraceTable trace(scenario.conditions);
+  const auto run = simulation::runScenario(scenario, read.model, read_other,
                                            [&trace](const simulation::TraceTick& tick) { trace.add(tick); });
   if (!run) return base::inFile(run.error(), options.scenario);
   output.text = options.json ? asJson(options, *run) : asText(options, *run);

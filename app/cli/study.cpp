@@ -8,6 +8,7 @@
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/merge.h"
 #include "core/store/study_info.h"
@@ -78,26 +79,22 @@ std::string mergesAsJson(const std::string& file, const std::vector<NamedMerge>&
 
 Result<Output> studyNew(const StudyNewOptions& options) {
   const std::string name = options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
-  auto file = newStudy(options.file, name);
-  if (!file) return tl::unexpected(file.error());
-  const auto info = store::studyInfo(*file);
-  if (!info) return tl::unexpected(info.error());
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  TACTUS_TRY(auto file, newStudy(options.file, name));
+  TACTUS_TRY(const auto info, store::studyInfo(file));
+  if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
   if (options.json) {
     base::JsonWriter json;
-    json.beginObject().key("file").value(options.file).key("id").value(toText(info->id)).key("name").value(name);
+    json.beginObject().key("file").value(options.file).key("id").value(toText(info.id)).key("name").value(name);
     return Output{json.endObject().text(), {}};
   }
   return Output{"Made the study " + base::oneLine(name) + " in " + base::oneLine(options.file) + '\n', {}};
 }
 
 Result<Output> studyInfo(const StudyInfoOptions& options) {
-  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
-  const auto info = store::studyInfo(*file);
-  if (!info) return tl::unexpected(info.error());
-  auto notices = noticesOf(*file);
-  std::string text = options.json ? infoAsJson(options.file, *info, notices) : infoAsText(options.file, *info);
+  TACTUS_TRY(const auto file, store::StudyFile::open(options.file, {store::Access::kReadOnly}));
+  TACTUS_TRY(const auto info, store::studyInfo(file));
+  auto notices = noticesOf(file);
+  std::string text = options.json ? infoAsJson(options.file, info, notices) : infoAsText(options.file, info);
   return Output{std::move(text), std::move(notices)};
 }
 
@@ -106,11 +103,9 @@ Result<Output> studyCheck(const StudyCheckOptions& options) {
   const bool is_folder = std::filesystem::is_directory(options.file, ignored);
   std::vector<std::string> findings;
   if (!is_folder) {
-    const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
-    if (!file) return tl::unexpected(file.error());
-    auto found = store::checkStudy(*file);
-    if (!found) return tl::unexpected(found.error());
-    findings = std::move(*found);
+    TACTUS_TRY(const auto file, store::StudyFile::open(options.file, {store::Access::kReadOnly}));
+    TACTUS_TRY(auto found, store::checkStudy(file));
+    findings = std::move(found);
     for (const auto& leftover : session::leftoversOfStudy(options.file)) findings.push_back(sentence(leftover));
   }
   const auto tables = session::readStudy(options.file, elicitation::ngtInputIds());
@@ -133,8 +128,7 @@ Result<Output> studyCheck(const StudyCheckOptions& options) {
 
 Result<Output> studyMerge(const StudyMergeOptions& options) {
   std::vector<std::string> warnings;
-  auto file = openToWrite(options.file, warnings);
-  if (!file) return tl::unexpected(file.error());
+  TACTUS_TRY(auto file, openToWrite(options.file, warnings));
   study::RecordIds ids;
   std::vector<NamedMerge> merges;
   for (const auto& other : options.others) {
@@ -142,13 +136,12 @@ Result<Output> studyMerge(const StudyMergeOptions& options) {
     if (std::filesystem::equivalent(other, options.file, ignored)) {
       return tl::unexpected(base::Error{ErrorCode::kIo, other, {}, "the study itself", "another study file"});
     }
-    auto merge = store::mergeStudy(*file, other, ids.next(), utcNowMs());
-    if (!merge) return tl::unexpected(merge.error());
-    merges.push_back({other, std::move(*merge)});
+    TACTUS_TRY(auto merge, store::mergeStudy(file, other, ids.next(), utcNowMs()));
+    merges.push_back({other, std::move(merge)});
   }
-  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
+  for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
   std::string text = options.json ? mergesAsJson(options.file, merges, warnings) : mergesAsText(merges);
-  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
+  for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
   return Output{std::move(text), std::move(warnings)};
 }
 

@@ -11,6 +11,7 @@
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/close_match.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
@@ -98,10 +99,9 @@ Result<elicitation::WeightSettings> weightSettings(const std::string& word) {
     if (error.code == base::ErrorCode::kIo) error.wanted = "equal, years, category, column or a CSV file for --weights";
     return tl::unexpected(error);
   }
-  auto weights = elicitation::readWeightTable(*table);
-  if (!weights) return tl::unexpected(weights.error());
+  TACTUS_TRY(auto weights, elicitation::readWeightTable(*table));
   settings.policy = WeightPolicy::kTable;
-  settings.table = std::move(*weights);
+  settings.table = std::move(weights);
   settings.table_file = word;
   return settings;
 }
@@ -128,16 +128,13 @@ std::vector<std::string> StudyBuild::warnings() const {
 
 Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   if (auto ok = requireOutput(options.out, {options.study, options.weights}); !ok) return tl::unexpected(ok.error());
-  auto weights = weightSettings(options.weights);
-  if (!weights) return tl::unexpected(weights.error());
-  auto accepted = acceptedKinds(options.accept);
-  if (!accepted) return tl::unexpected(accepted.error());
-  auto tables = session::readStudy(options.study, elicitation::ngtInputIds());
-  if (!tables) return tl::unexpected(tables.error());
+  TACTUS_TRY(auto weights, weightSettings(options.weights));
+  TACTUS_TRY(auto accepted, acceptedKinds(options.accept));
+  TACTUS_TRY(auto tables, session::readStudy(options.study, elicitation::ngtInputIds()));
   StudyBuild out;
-  for (const auto& notice : tables->notices) out.notices.push_back(options.study + ": " + notice);
-  out.data = session::dataFindings(tables->study);
-  if (auto ok = study::refuseData(out.data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.study);
+  for (const auto& notice : tables.notices) out.notices.push_back(options.study + ": " + notice);
+  out.data = session::dataFindings(tables.study);
+  if (auto ok = study::refuseData(out.data, accepted); !ok) return study::inStudyFolder(ok.error(), options.study);
 
   auto& settings = out.settings;
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
@@ -158,20 +155,20 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
     out.notices.push_back(aside.error().message());
   }
   settings.depths = options.depths;
-  if (auto members = acceptedJson(out.data, *accepted); !members.empty()) {
+  if (auto members = acceptedJson(out.data, accepted); !members.empty()) {
     settings.extra.push_back({"accepted_data", std::move(members)});
   }
-  const std::string weights_file = weights->table_file;
-  settings.weights = std::move(*weights);
+  const std::string weights_file = weights.table_file;
+  settings.weights = std::move(weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
-  const bool terms_only = rules == RulesNeeded::kNo && !elicitation::hasRules(tables->study);
-  auto built = terms_only ? elicitation::buildTerms(tables->study, settings)
-                          : elicitation::buildModel(tables->study, session::knownForms(), settings);
+  const bool terms_only = rules == RulesNeeded::kNo && !elicitation::hasRules(tables.study);
+  auto built = terms_only ? elicitation::buildTerms(tables.study, settings)
+                          : elicitation::buildModel(tables.study, session::knownForms(), settings);
   if (!built) return explainedError(built.error(), options, weights_file);
-  elicitation::noteUnlikePublished(*built, tables->study, session::knownForms(), settings);
+  elicitation::noteUnlikePublished(*built, tables.study, session::knownForms(), settings);
   out.built = std::move(*built);
-  out.tables = std::move(*tables);
-  out.accepted = std::move(*accepted);
+  out.tables = std::move(tables);
+  out.accepted = std::move(accepted);
   return out;
 }
 

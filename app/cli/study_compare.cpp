@@ -3,6 +3,7 @@
 #include "app/cli/study_build.h"
 #include "app/cli/terminal.h"
 #include "app/session/study_source.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "elicitation/agreement/expert_influence.h"
@@ -79,13 +80,12 @@ std::string compareJson(const StudyCompareOptions& options, const StudyBuild& ma
 }  // namespace
 
 base::Result<Output> studyCompare(const StudyCompareOptions& options) {
-  const auto made = buildStudy(options);
-  if (!made) return tl::unexpected(made.error());
+  TACTUS_TRY(const auto made, buildStudy(options));
   const auto forms = session::knownForms();
-  const auto study = elicitation::methodStudy(made->tables.study, forms, made->settings, made->built);
+  const auto study = elicitation::methodStudy(made.tables.study, forms, made.settings, made.built);
   if (!study) return inFile(study.error(), options.study);
-  return Output{options.json ? compareJson(options, *made, *study) : compareText(*study, made->built.model),
-                made->warnings()};
+  return Output{options.json ? compareJson(options, made, *study) : compareText(*study, made.built.model),
+                made.warnings()};
 }
 
 }  // namespace tactus::cli

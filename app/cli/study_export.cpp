@@ -14,6 +14,7 @@
 #include "app/session/study_import.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/record_import.h"
 #include "core/store/study_info.h"
@@ -36,49 +37,43 @@ struct Imported {
 Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
   std::error_code ignored;
   if (!path.empty() && !std::filesystem::exists(path, ignored)) {
-    auto imported = session::importAsNewStudy(tables, path, source, std::string(kGenerator));
-    if (!imported) return tl::unexpected(imported.error());
-    return Imported{std::move(*imported)};
+    TACTUS_TRY(auto imported, session::importAsNewStudy(tables, path, source, std::string(kGenerator)));
+    return Imported{std::move(imported)};
   }
   std::vector<std::string> notices;
-  auto file = openToWrite(path, notices);
-  if (!file) return tl::unexpected(file.error());
-  auto imported = session::importTables(tables, *file, source);
+  TACTUS_TRY(auto file, openToWrite(path, notices));
+  auto imported = session::importTables(tables, file, source);
   if (!imported) return base::inFile(imported.error(), path);
-  for (auto& notice : noticesOf(*file)) notices.push_back(std::move(notice));
-  return Imported{std::move(*imported), std::move(notices), closeSaved(*file)};
+  for (auto& notice : noticesOf(file)) notices.push_back(std::move(notice));
+  return Imported{std::move(*imported), std::move(notices), closeSaved(file)};
 }
 
 Result<Output> importFolder(const StudyImportOptions& options) {
-  const auto accepted = acceptedKinds(options.accept);
-  if (!accepted) return tl::unexpected(accepted.error());
+  TACTUS_TRY(const auto accepted, acceptedKinds(options.accept));
   // Everything that can be wrong with the tables is found before a file is made.
-  const auto tables = session::readTables(options.folder, elicitation::ngtInputIds());
-  if (!tables) return tl::unexpected(tables.error());
-  const auto data = session::dataFindings(tables->study);
-  if (auto ok = study::refuseData(data, *accepted); !ok) return study::inStudyFolder(ok.error(), options.folder);
-  const auto source = session::tablesSource(options.folder, tables->study.name, utcNowMs());
-  if (!source) return tl::unexpected(source.error());
-  auto done = intoStudy(options.file, tables->study, *source);
-  if (!done) return tl::unexpected(done.error());
-  const auto* imported = &done->import;
+  TACTUS_TRY(const auto tables, session::readTables(options.folder, elicitation::ngtInputIds()));
+  const auto data = session::dataFindings(tables.study);
+  if (auto ok = study::refuseData(data, accepted); !ok) return study::inStudyFolder(ok.error(), options.folder);
+  TACTUS_TRY(const auto source, session::tablesSource(options.folder, tables.study.name, utcNowMs()));
+  TACTUS_TRY(auto done, intoStudy(options.file, tables.study, source));
+  const auto* imported = &done.import;
 
-  std::vector<std::string> notes = std::move(done->warnings);
-  notes.insert(notes.end(), tables->notes.begin(), tables->notes.end());
+  std::vector<std::string> notes = std::move(done.warnings);
+  notes.insert(notes.end(), tables.notes.begin(), tables.notes.end());
   notes.insert(notes.end(), imported->notes.begin(), imported->notes.end());
-  for (auto& note : acceptedNotes(data, *accepted)) notes.push_back(std::move(note));
+  for (auto& note : acceptedNotes(data, accepted)) notes.push_back(std::move(note));
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
     json.key("persons").value(imported->persons).key("sessions").value(imported->sessions);
     json.key("records").value(imported->records).key("notes").values(notes);
-    json.key("notices").values(done->notices);
+    json.key("notices").values(done.notices);
     writeData(data, json);
     json.endObject();
-    return Output{json.text(), std::move(done->notices)};
+    return Output{json.text(), std::move(done.notices)};
   }
-  notes.insert(notes.begin(), done->notices.begin(), done->notices.end());
-  return Output{dataAsText(data, *accepted) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
+  notes.insert(notes.begin(), done.notices.begin(), done.notices.end());
+  return Output{dataAsText(data, accepted) + "Added persons " + std::to_string(imported->persons) + ", sessions " +
                     std::to_string(imported->sessions) + ", records " + std::to_string(imported->records) + " to " +
                     base::oneLine(options.file) + '\n',
                 std::move(notes)};
@@ -87,13 +82,11 @@ Result<Output> importFolder(const StudyImportOptions& options) {
 /// Makes the study that a full export was made of.
 Result<Output> restore(const StudyImportOptions& options, const std::string& records) {
   if (auto restored = store::restoreRecords(records, options.file); !restored) return tl::unexpected(restored.error());
-  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
-  auto info = store::studyInfo(*file);
-  if (!info) return tl::unexpected(info.error());
+  TACTUS_TRY(const auto file, store::StudyFile::open(options.file, {store::Access::kReadOnly}));
+  TACTUS_TRY(auto info, store::studyInfo(file));
   if (!options.json) return Output{"Made " + base::oneLine(options.file) + " from the export\n", {}};
   store::Merge merge;
-  merge.added = std::move(info->counts);
+  merge.added = std::move(info.counts);
   std::erase_if(merge.added, [](const store::TableCount& count) { return count.rows == 0; });
   base::JsonWriter json;
   json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
@@ -105,17 +98,15 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
 /// Adds a full export to a study that is there.
 Result<Output> importRecords(const StudyImportOptions& options, const std::string& records) {
   std::vector<std::string> warnings;
-  auto file = openToWrite(options.file, warnings);
-  if (!file) return tl::unexpected(file.error());
-  const auto merge = store::importRecords(*file, records, study::RecordIds().next(), utcNowMs());
-  if (!merge) return tl::unexpected(merge.error());
-  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
+  TACTUS_TRY(auto file, openToWrite(options.file, warnings));
+  TACTUS_TRY(const auto merge, store::importRecords(file, records, study::RecordIds().next(), utcNowMs()));
+  for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
   const auto notices = warnings;
-  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
-  if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(*merge), std::move(warnings)};
+  for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
+  if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(merge), std::move(warnings)};
   base::JsonWriter json;
   json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
-  writeMerge(*merge, json);
+  writeMerge(merge, json);
   json.key("notices").values(notices).endObject();
   return Output{json.text(), std::move(warnings)};
 }
@@ -140,23 +131,21 @@ std::uint64_t secretSeed() {
 }
 
 base::Result<Output> dataSet(const StudyExportOptions& options) {
-  auto tables = session::readStudy(options.file, elicitation::ngtInputIds());
-  if (!tables) return tl::unexpected(tables.error());
+  TACTUS_TRY(auto tables, session::readStudy(options.file, elicitation::ngtInputIds()));
   const auto layout = options.layout == "bids" ? dataset::Layout::kBids : dataset::Layout::kPsychDs;
-  const auto done = dataset::writeDataSet(tables->study, layout, options.folder, secretSeed(), kGenerator);
-  if (!done) return tl::unexpected(done.error());
-  std::vector<std::string> notes = std::move(tables->notes);
-  notes.insert(notes.end(), done->notes.begin(), done->notes.end());
+  TACTUS_TRY(const auto done, dataset::writeDataSet(tables.study, layout, options.folder, secretSeed(), kGenerator));
+  std::vector<std::string> notes = std::move(tables.notes);
+  notes.insert(notes.end(), done.notes.begin(), done.notes.end());
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
     json.key("layout").value(options.layout).key("profile").value("shareable");
-    json.key("participants").value(done->participants).key("files").value(done->files);
-    json.key("notes").values(notes).key("notices").values(tables->notices).endObject();
-    return Output{json.text(), std::move(tables->notices)};
+    json.key("participants").value(done.participants).key("files").value(done.files);
+    json.key("notes").values(notes).key("notices").values(tables.notices).endObject();
+    return Output{json.text(), std::move(tables.notices)};
   }
-  notes.insert(notes.begin(), tables->notices.begin(), tables->notices.end());
-  return Output{"Wrote " + std::to_string(done->participants) + " participants in the layout " + options.layout +
+  notes.insert(notes.begin(), tables.notices.begin(), tables.notices.end());
+  return Output{"Wrote " + std::to_string(done.participants) + " participants in the layout " + options.layout +
                     " to " + base::oneLine(options.folder) +
                     "; read README and enter authors and license before it is published\n",
                 std::move(notes)};
@@ -166,27 +155,25 @@ base::Result<Output> dataSet(const StudyExportOptions& options) {
 
 base::Result<Output> studyExport(const StudyExportOptions& options) {
   if (!options.layout.empty()) return dataSet(options);
-  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
+  TACTUS_TRY(const auto file, store::StudyFile::open(options.file, {store::Access::kReadOnly}));
   session::ExportOptions settings;
   settings.shareable = options.shareable;
   settings.seed = secretSeed();
   settings.mark = options.mark ? store::ByteOrderMark::kWrite : store::ByteOrderMark::kNone;
-  auto done = session::exportStudy(*file, options.folder, settings);
-  if (!done) return tl::unexpected(done.error());
-  auto notices = noticesOf(*file);
+  TACTUS_TRY(auto done, session::exportStudy(file, options.folder, settings));
+  auto notices = noticesOf(file);
   const std::string profile = options.shareable ? "shareable" : "full";
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
-    json.key("profile").value(profile).key("participants").value(done->participants);
-    json.key("notes").values(done->notes).key("notices").values(notices).endObject();
+    json.key("profile").value(profile).key("participants").value(done.participants);
+    json.key("notes").values(done.notes).key("notices").values(notices).endObject();
     return Output{json.text(), std::move(notices)};
   }
-  done->notes.insert(done->notes.begin(), notices.begin(), notices.end());
-  return Output{"Wrote the " + profile + " export of " + std::to_string(done->participants) + " participants to " +
+  done.notes.insert(done.notes.begin(), notices.begin(), notices.end());
+  return Output{"Wrote the " + profile + " export of " + std::to_string(done.participants) + " participants to " +
                     base::oneLine(options.folder) + "; codebook.md describes the tables\n",
-                std::move(done->notes)};
+                std::move(done.notes)};
 }
 
 }  // namespace tactus::cli

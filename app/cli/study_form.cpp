@@ -11,6 +11,7 @@
 #include "app/report/printed_form.h"
 #include "app/session/study_protocol.h"
 #include "app/session/study_source.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
@@ -31,49 +32,43 @@ using questionnaires::SurveyResponses;
 Result<std::map<std::string, std::string>> participantsOf(const std::string& path) {
   std::map<std::string, std::string> out;
   if (path.empty()) return out;
-  const auto table = base::CsvTable::read(path);
-  if (!table) return tl::unexpected(table.error());
-  const auto record = table->require("record");
-  if (!record) return tl::unexpected(record.error());
-  const auto participant = table->require("participant");
-  if (!participant) return tl::unexpected(participant.error());
-  for (std::size_t row = 0; row < table->rowCount(); ++row) {
-    const std::string code(base::trimmed(table->cell(row, *participant)));
+  TACTUS_TRY(const auto table, base::CsvTable::read(path));
+  TACTUS_TRY(const auto record, table.require("record"));
+  TACTUS_TRY(const auto participant, table.require("participant"));
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    const std::string code(base::trimmed(table.cell(row, participant)));
     if (code.empty() || base::looksLikeFormula(code))
-      return table->refuse(row, *participant, base::ErrorCode::kValue, base::kNoFormula);
-    if (!out.try_emplace(std::string(base::trimmed(table->cell(row, *record))), code).second)
-      return table->refuse(row, *record, base::ErrorCode::kSchema, "each record once");
+      return table.refuse(row, participant, base::ErrorCode::kValue, base::kNoFormula);
+    if (!out.try_emplace(std::string(base::trimmed(table.cell(row, record))), code).second)
+      return table.refuse(row, record, base::ErrorCode::kSchema, "each record once");
   }
   return out;
 }
 
 Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const std::string& form) {
   questionnaires::ResponseSettings settings;
-  auto participants = participantsOf(options.participants);
-  if (!participants) return tl::unexpected(participants.error());
-  settings.participants = std::move(*participants);
+  TACTUS_TRY(auto participants, participantsOf(options.participants));
+  settings.participants = std::move(participants);
   settings.missing = options.missing;
   std::vector<questionnaires::Survey> languages;
   for (const std::string& wording : questionnaires::wordingsOf(form)) {
     if (!options.wording.empty() && wording != options.wording) continue;
     for (const std::string& language : questionnaires::languagesOf(form, wording)) {
-      auto one = questionnaires::survey(form, language, wording);
-      if (!one) return tl::unexpected(one.error());
-      languages.push_back(std::move(*one));
+      TACTUS_TRY(auto one, questionnaires::survey(form, language, wording));
+      languages.push_back(std::move(one));
     }
   }
   if (languages.empty()) {
     return base::fail(base::ErrorCode::kReference, "--wording", base::quoted(options.wording),
                       "one of " + base::joined(questionnaires::wordingsOf(form), ", "));
   }
-  const auto table = base::CsvTable::read(options.responses);
-  if (!table) return tl::unexpected(table.error());
-  auto out = questionnaires::surveyResponses(*table, languages, settings);
+  TACTUS_TRY(const auto table, base::CsvTable::read(options.responses));
+  auto out = questionnaires::surveyResponses(table, languages, settings);
   if (!out) return out;
   for (study::Answer& answer : out->answers) answer.wording = options.wording;
   if (options.wording.empty() && questionnaires::wordingsOf(form).size() > 1)
     out->notes.push_back("in which words the items were asked is not known; --wording plain or published says it");
-  if (table->note()) out->notes.insert(out->notes.begin(), *table->note());
+  if (table.note()) out->notes.insert(out->notes.begin(), *table.note());
   return out;
 }
 
@@ -114,15 +109,13 @@ Result<Output> studyResponses(const StudyFormOptions& options, const std::string
   std::error_code ignored;
   const auto has_participants = std::filesystem::path(options.study) / study::kParticipantsTable;
   if (!std::filesystem::is_directory(options.study) || std::filesystem::exists(has_participants, ignored)) {
-    auto study = session::readStudy(options.study, elicitation::ngtInputIds());
-    if (!study) return tl::unexpected(study.error());
-    known = std::move(study->study.participants);
+    TACTUS_TRY(auto study, session::readStudy(options.study, elicitation::ngtInputIds()));
+    known = std::move(study.study.participants);
   }
-  auto responses = responsesOf(options, form);
-  if (!responses) return tl::unexpected(responses.error());
+  TACTUS_TRY(auto responses, responsesOf(options, form));
   std::vector<std::string> warnings = std::move(notices);
-  warnings.insert(warnings.end(), responses->notes.begin(), responses->notes.end());
-  const study::Study tables = tablesOf(std::move(*responses), known);
+  warnings.insert(warnings.end(), responses.notes.begin(), responses.notes.end());
+  const study::Study tables = tablesOf(std::move(responses), known);
   if (tables.participants.empty()) {
     return tl::unexpected(
         base::Error{base::ErrorCode::kData, options.responses, {}, "no row with an answer", "at least one"});
@@ -160,12 +153,11 @@ base::Result<AskedForm> askedForm(const std::string& path) {
   session::StudyProtocol protocol;
   std::vector<std::string> notices;
   if (!std::filesystem::is_directory(path)) {
-    const auto file = store::StudyFile::open(path, {store::Access::kReadOnly});
-    if (!file) return tl::unexpected(file.error());
-    auto current = session::currentProtocol(*file);
+    TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly}));
+    auto current = session::currentProtocol(file);
     if (!current) return base::inFile(current.error(), path);
     if (*current) protocol = std::move(**current);
-    notices = noticesOf(*file);
+    notices = noticesOf(file);
   }
   return AskedForm{protocol.settings.form, protocol.languages, std::move(notices)};
 }
@@ -180,9 +172,8 @@ base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string&
       without.push_back(language);
       continue;
     }
-    auto one = questionnaires::survey(asked.form, language, wording);
-    if (!one) return tl::unexpected(one.error());
-    out.push_back(std::move(*one));
+    TACTUS_TRY(auto one, questionnaires::survey(asked.form, language, wording));
+    out.push_back(std::move(one));
   }
   if (out.empty()) {
     return base::fail(
@@ -221,10 +212,9 @@ NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
 }  // namespace
 
 base::Result<Output> studyForm(const StudyFormOptions& options) {
-  auto asked = askedForm(options.study);
-  if (!asked) return tl::unexpected(asked.error());
-  if (!options.responses.empty()) return studyResponses(options, asked->form, std::move(asked->notices));
-  const auto surveys = surveysOf(*asked, options.wording);
+  TACTUS_TRY(auto asked, askedForm(options.study));
+  if (!options.responses.empty()) return studyResponses(options, asked.form, std::move(asked.notices));
+  const auto surveys = surveysOf(asked, options.wording);
   if (!surveys) return base::inFile(surveys.error(), options.study);
   const NamedFiles files = filesFor(options.to, *surveys);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
@@ -234,7 +224,7 @@ base::Result<Output> studyForm(const StudyFormOptions& options) {
     if (const auto written = base::writeFileAtomically(paths.back(), text); !written)
       return tl::unexpected(written.error());
   }
-  std::vector<std::string> warnings = std::move(asked->notices);
+  std::vector<std::string> warnings = std::move(asked.notices);
   if (options.to == "limesurvey") {
     warnings.push_back("this structure was never imported into a LimeSurvey server; look at it before it is used");
   }
@@ -244,9 +234,9 @@ base::Result<Output> studyForm(const StudyFormOptions& options) {
     return Output{std::move(text), std::move(warnings)};
   }
   base::JsonWriter json;
-  json.beginObject().key("study").value(options.study).key("form").value(asked->form);
+  json.beginObject().key("study").value(options.study).key("form").value(asked.form);
   json.key("wording").value(surveys->front().wording);
-  json.key("languages").values(asked->languages).key("files").values(paths).key("warnings").values(warnings);
+  json.key("languages").values(asked.languages).key("files").values(paths).key("warnings").values(warnings);
   return Output{json.endObject().text(), std::move(warnings)};
 }
 

@@ -4,6 +4,7 @@
 #include "app/cli/commands.h"
 #include "app/cli/study_text.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/copies.h"
 #include "core/store/person_codes.h"
@@ -47,11 +48,10 @@ std::string endJson(base::JsonWriter& json, const std::vector<std::string>& warn
 /// What is left to do for a participant who withdrew already.
 Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptions& options,
                                 const store::Tombstone& tombstone) {
-  const auto unfinished = store::unfinishedErasures(file);
-  if (!unfinished) return tl::unexpected(unfinished.error());
+  TACTUS_TRY(const auto unfinished, store::unfinishedErasures(file));
   Output output;
   output.text = base::oneLine(options.person + " withdrew from " + options.file) + " on " + utcText(tombstone.utc_ms);
-  if (unfinished->empty()) {
+  if (unfinished.empty()) {
     output.text += "; there is nothing left to remove\n";
   } else {
     if (auto erased = store::erase(file); !erased) return tl::unexpected(erased.error());
@@ -71,36 +71,33 @@ Result<Output> finishWithdrawal(store::StudyFile& file, const StudyWithdrawOptio
 
 /// What would go and what would stay; changes nothing.
 Result<Output> previewOf(const StudyWithdrawOptions& options) {
-  const auto file = store::StudyFile::open(options.file, {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
-  const auto person = store::personNamed(*file, options.person);
-  if (!person) return tl::unexpected(person.error());
-  const auto preview = store::previewWithdrawal(*file, person->id);
-  if (!preview) return tl::unexpected(preview.error());
+  TACTUS_TRY(const auto file, store::StudyFile::open(options.file, {store::Access::kReadOnly}));
+  TACTUS_TRY(const auto person, store::personNamed(file, options.person));
+  TACTUS_TRY(const auto preview, store::previewWithdrawal(file, person.id));
   const auto line = [](const char* what, long long count) {
     return std::string("  ") + what + ' ' + std::to_string(count) + '\n';
   };
   Output output;
-  output.text = "A withdrawal of " + base::oneLine(person->code) + " from " + base::oneLine(options.file) +
-                " would remove " + std::to_string(preview->records) + " records for good:\n" +
-                line("sessions", preview->sessions) + line("strokes", preview->strokes) +
-                line("judgements", preview->judgements) + line("answers", preview->answers) +
-                line("rules given directly", preview->rules) + line("profiles", preview->profiles) +
-                line("ratings", preview->ratings) + line("placements felt", preview->placements) +
-                line("recordings of feeling", preview->feel_recordings) +
-                line("versions of models cleaned of the participant's rules", preview->models_cleaned) +
-                "What would stay:\n" + line("versions of models as they are", preview->models_kept);
-  output.warnings = noticesOf(*file);
-  addCopies(options.file, person->id, {person->code}, output);
+  output.text = "A withdrawal of " + base::oneLine(person.code) + " from " + base::oneLine(options.file) +
+                " would remove " + std::to_string(preview.records) + " records for good:\n" +
+                line("sessions", preview.sessions) + line("strokes", preview.strokes) +
+                line("judgements", preview.judgements) + line("answers", preview.answers) +
+                line("rules given directly", preview.rules) + line("profiles", preview.profiles) +
+                line("ratings", preview.ratings) + line("placements felt", preview.placements) +
+                line("recordings of feeling", preview.feel_recordings) +
+                line("versions of models cleaned of the participant's rules", preview.models_cleaned) +
+                "What would stay:\n" + line("versions of models as they are", preview.models_kept);
+  output.warnings = noticesOf(file);
+  addCopies(options.file, person.id, {person.code}, output);
   if (options.json) {
     base::JsonWriter json;
-    beginJson(json, options, person->code, person->id, false);
-    json.key("records").value(preview->records).key("sessions").value(preview->sessions);
-    json.key("strokes").value(preview->strokes).key("judgements").value(preview->judgements);
-    json.key("answers").value(preview->answers).key("rules").value(preview->rules);
-    json.key("profiles").value(preview->profiles).key("ratings").value(preview->ratings);
-    json.key("placements").value(preview->placements).key("feel_recordings").value(preview->feel_recordings);
-    json.key("models_cleaned").value(preview->models_cleaned).key("models_kept").value(preview->models_kept);
+    beginJson(json, options, person.code, person.id, false);
+    json.key("records").value(preview.records).key("sessions").value(preview.sessions);
+    json.key("strokes").value(preview.strokes).key("judgements").value(preview.judgements);
+    json.key("answers").value(preview.answers).key("rules").value(preview.rules);
+    json.key("profiles").value(preview.profiles).key("ratings").value(preview.ratings);
+    json.key("placements").value(preview.placements).key("feel_recordings").value(preview.feel_recordings);
+    json.key("models_cleaned").value(preview.models_cleaned).key("models_kept").value(preview.models_kept);
     output.text = endJson(json, output.warnings);
   }
   return output;
@@ -110,38 +107,35 @@ Result<Output> previewOf(const StudyWithdrawOptions& options) {
 
 Result<Output> studyRecode(const StudyRecodeOptions& options) {
   std::vector<std::string> notices;
-  auto file = openToWrite(options.file, notices);
-  if (!file) return tl::unexpected(file.error());
-  const auto person = store::personNamed(*file, options.person);
-  if (!person) return tl::unexpected(person.error());
-  auto recoded = store::recode(*file, person->id, options.code, study::RecordIds().next(), utcNowMs());
-  if (!recoded) return tl::unexpected(recoded.error());
-  for (auto& notice : noticesOf(*file)) notices.push_back(std::move(notice));
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  return Output{"The participant " + base::oneLine(person->code) + " (" + toText(person->id) + ") has the code " +
+  TACTUS_TRY(auto file, openToWrite(options.file, notices));
+  TACTUS_TRY(const auto person, store::personNamed(file, options.person));
+  if (const auto recoded = store::recode(file, person.id, options.code, study::RecordIds().next(), utcNowMs());
+      !recoded)
+    return tl::unexpected(recoded.error());
+  for (auto& notice : noticesOf(file)) notices.push_back(std::move(notice));
+  if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
+  return Output{"The participant " + base::oneLine(person.code) + " (" + toText(person.id) + ") has the code " +
                     base::oneLine(options.code + " in " + options.file) + " now\n",
                 std::move(notices)};
 }
 
 Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
   if (options.dry_run) return previewOf(options);
-  auto file = store::StudyFile::open(options.file);
-  if (!file) return tl::unexpected(file.error());
-  const auto person = store::personNamed(*file, options.person);
+  TACTUS_TRY(auto file, store::StudyFile::open(options.file));
+  const auto person = store::personNamed(file, options.person);
   if (!person) {
-    const auto withdrawn = store::withdrawnWithCode(*file, options.person);
-    if (withdrawn && *withdrawn) return finishWithdrawal(*file, options, **withdrawn);
+    const auto withdrawn = store::withdrawnWithCode(file, options.person);
+    if (withdrawn && *withdrawn) return finishWithdrawal(file, options, **withdrawn);
     return tl::unexpected(person.error());
   }
-  const auto withdrawal = store::withdraw(*file, person->id, utcNowMs());
-  if (!withdrawal) return tl::unexpected(withdrawal.error());
+  TACTUS_TRY(const auto withdrawal, store::withdraw(file, person->id, utcNowMs()));
   Output output;
-  output.warnings = noticesButErasure(*file);  // what was interrupted before is finished with it
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  output.text = "Removed " + std::to_string(withdrawal->records) + " records of " + base::oneLine(person->code) +
-                " from " + base::oneLine(options.file) + " and cleaned " + std::to_string(withdrawal->models) +
+  output.warnings = noticesButErasure(file);  // what was interrupted before is finished with it
+  if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
+  output.text = "Removed " + std::to_string(withdrawal.records) + " records of " + base::oneLine(person->code) +
+                " from " + base::oneLine(options.file) + " and cleaned " + std::to_string(withdrawal.models) +
                 " versions of models. Backups and exports made before still hold them.\n";
-  for (const auto& code : withdrawal->shared_codes) {
+  for (const auto& code : withdrawal.shared_codes) {
     output.warnings.push_back(base::quoted(code) +
                               " is the code of another participant too: models and texts with it "
                               "were left as they are");
@@ -150,34 +144,30 @@ Result<Output> studyWithdraw(const StudyWithdrawOptions& options) {
   if (options.json) {
     base::JsonWriter json;
     beginJson(json, options, person->code, person->id, true);
-    json.key("records").value(withdrawal->records).key("models_cleaned").value(withdrawal->models);
+    json.key("records").value(withdrawal.records).key("models_cleaned").value(withdrawal.models);
     output.text = endJson(json, output.warnings);
   }
   return output;
 }
 
 Result<Output> studyErase(const StudyEraseOptions& options) {
-  auto file = store::StudyFile::open(options.file);
-  if (!file) return tl::unexpected(file.error());
-  const auto erasure = store::erase(*file);
-  if (!erasure) return tl::unexpected(erasure.error());
-  const auto withdrawn = store::tombstones(*file);
-  if (!withdrawn) return tl::unexpected(withdrawn.error());
+  TACTUS_TRY(auto file, store::StudyFile::open(options.file));
+  TACTUS_TRY(const auto erasure, store::erase(file));
+  TACTUS_TRY(const auto withdrawn, store::tombstones(file));
   Output output;
-  output.warnings = noticesButErasure(*file);
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
-  output.text =
-      base::oneLine(options.file) + ": " +
-      (erasure->unfinished.empty() ? std::string("no erasure was interrupted")
-                                   : "finished the erasure of " + std::to_string(erasure->unfinished.size()) +
-                                         (erasure->unfinished.size() == 1 ? " participant" : " participants")) +
-      "; the file holds no data of withdrawn participants any more\n";
-  for (const auto& tombstone : *withdrawn) addCopies(options.file, tombstone.person, {}, output);
+  output.warnings = noticesButErasure(file);
+  if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
+  output.text = base::oneLine(options.file) + ": " +
+                (erasure.unfinished.empty() ? std::string("no erasure was interrupted")
+                                            : "finished the erasure of " + std::to_string(erasure.unfinished.size()) +
+                                                  (erasure.unfinished.size() == 1 ? " participant" : " participants")) +
+                "; the file holds no data of withdrawn participants any more\n";
+  for (const auto& tombstone : withdrawn) addCopies(options.file, tombstone.person, {}, output);
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("finished").beginArray();
-    for (const auto& person : erasure->unfinished) json.value(toText(person));
-    json.endArray().key("models_cleaned").value(erasure->models).key("withdrawn").value(withdrawn->size());
+    for (const auto& person : erasure.unfinished) json.value(toText(person));
+    json.endArray().key("models_cleaned").value(erasure.models).key("withdrawn").value(withdrawn.size());
     output.text = json.key("warnings").values(output.warnings).endObject().text();
   }
   return output;

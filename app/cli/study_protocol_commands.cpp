@@ -8,6 +8,7 @@
 #include "app/cli/study_text.h"
 #include "app/session/protocol_values.h"
 #include "app/session/study_protocol.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -28,9 +29,8 @@ constexpr std::size_t kLongestKey = 600;
 
 Result<StudyProtocol> startOf(const StudyProtocolOptions& options, const store::ProtocolState& state) {
   if (!options.from.empty()) {
-    const auto text = base::readFile(options.from, kMostBytes);
-    if (!text) return tl::unexpected(text.error());
-    auto read = session::parseStudyProtocol(*text);
+    TACTUS_TRY(const auto text, base::readFile(options.from, kMostBytes));
+    auto read = session::parseStudyProtocol(text);
     if (!read) return base::inFile(read.error(), options.from);
     return read;
   }
@@ -52,9 +52,8 @@ Result<StudyProtocol> changed(StudyProtocol protocol, const StudyProtocolOptions
     if (equals == std::string::npos) {
       return base::fail(ErrorCode::kValue, "--consent", base::quoted(consent), "LANGUAGE=FILE");
     }
-    auto text = base::readFile(consent.substr(equals + 1), kMostBytes);
-    if (!text) return tl::unexpected(text.error());
-    protocol.consent[consent.substr(0, equals)] = std::move(*text);
+    TACTUS_TRY(auto text, base::readFile(consent.substr(equals + 1), kMostBytes));
+    protocol.consent[consent.substr(0, equals)] = std::move(text);
   }
   return protocol;
 }
@@ -89,14 +88,11 @@ std::string asJson(const std::string& file, const store::ProtocolState& state, c
 }
 
 Result<Output> shown(const store::StudyFile& file, const StudyProtocolOptions& options) {
-  const auto state = store::protocolState(file);
-  if (!state) return tl::unexpected(state.error());
-  const auto protocol = session::currentProtocol(file);
-  if (!protocol) return tl::unexpected(protocol.error());
-  const auto records = store::protocols(file);
-  if (!records) return tl::unexpected(records.error());
-  const StudyProtocol now = protocol->value_or(StudyProtocol());
-  return Output{options.json ? asJson(options.file, *state, now, *records) : asText(options.file, *state, now),
+  TACTUS_TRY(const auto state, store::protocolState(file));
+  TACTUS_TRY(const auto protocol, session::currentProtocol(file));
+  TACTUS_TRY(const auto records, store::protocols(file));
+  const StudyProtocol now = protocol.value_or(StudyProtocol());
+  return Output{options.json ? asJson(options.file, state, now, records) : asText(options.file, state, now),
                 noticesOf(file)};
 }
 
@@ -122,38 +118,34 @@ Result<std::string> readKey(const StudyKeyOptions& options) {
 Result<Output> studyProtocol(const StudyProtocolOptions& options) {
   const bool changes = !options.set.empty() || !options.consent.empty() || !options.from.empty();
   std::vector<std::string> copying;
-  auto file = changes ? openToWrite(options.file, copying)
-                      : store::StudyFile::open(options.file, {store::Access::kReadOnly, {}});
-  if (!file) return tl::unexpected(file.error());
-  if (!changes) return shown(*file, options);
-  const auto state = store::protocolState(*file);
-  if (!state) return tl::unexpected(state.error());
-  auto protocol = startOf(options, *state);
+  TACTUS_TRY(auto file, changes ? openToWrite(options.file, copying)
+                                : store::StudyFile::open(options.file, {store::Access::kReadOnly, {}}));
+  if (!changes) return shown(file, options);
+  TACTUS_TRY(const auto state, store::protocolState(file));
+  auto protocol = startOf(options, state);
   if (!protocol) return tl::unexpected(protocol.error());
   protocol = changed(std::move(*protocol), options);
   if (!protocol) return tl::unexpected(protocol.error());
   session::SessionTools tools = session::systemTools();
-  const auto stored = session::setProtocol(*file, *protocol, options.author, options.reason, tools);
-  if (!stored) return tl::unexpected(stored.error());
-  auto output = shown(*file, options);
+  if (const auto stored = session::setProtocol(file, *protocol, options.author, options.reason, tools); !stored)
+    return tl::unexpected(stored.error());
+  auto output = shown(file, options);
   if (output) output->warnings.insert(output->warnings.end(), copying.begin(), copying.end());
-  if (auto closed = file->close(); output && !closed) output->warnings.push_back(closed.error().message());
+  if (auto closed = file.close(); output && !closed) output->warnings.push_back(closed.error().message());
   return output;
 }
 
 Result<Output> studyKey(const StudyKeyOptions& options) {
   std::string key;
   if (!options.remove) {
-    auto read = readKey(options);
-    if (!read) return tl::unexpected(read.error());
-    key = std::move(*read);
+    TACTUS_TRY(auto read, readKey(options));
+    key = std::move(read);
   }
   std::vector<std::string> warnings;
-  auto file = openToWrite(options.file, warnings);
-  if (!file) return tl::unexpected(file.error());
-  if (auto ok = store::setResearchKey(*file, key, utcNowMs()); !ok) return tl::unexpected(ok.error());
-  for (auto& notice : noticesOf(*file)) warnings.push_back(std::move(notice));
-  for (auto& warning : closeSaved(*file)) warnings.push_back(std::move(warning));
+  TACTUS_TRY(auto file, openToWrite(options.file, warnings));
+  if (auto ok = store::setResearchKey(file, key, utcNowMs()); !ok) return tl::unexpected(ok.error());
+  for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
+  for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
   const std::string name = base::oneLine(options.file);
   return Output{options.remove ? "The research key of " + name +
                                      " is removed: anyone can leave the participant's "

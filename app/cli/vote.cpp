@@ -6,6 +6,7 @@
 #include "app/cli/terminal.h"
 #include "app/session/study_source.h"
 #include "app/session/table_words.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
@@ -51,51 +52,36 @@ bool isStudy(const std::string& path) {
 
 Result<Count> countFile(const VoteOptions& options, const std::vector<std::string>& terms) {
   if (isStudy(options.judgements)) {
-    auto study = session::readStudy(options.judgements, elicitation::ngtInputIds());
-    if (!study) return tl::unexpected(study.error());
+    TACTUS_TRY(auto study, session::readStudy(options.judgements, elicitation::ngtInputIds()));
     Count count;
-    for (const auto& notice : study->notices) count.warnings.push_back(options.judgements + ": " + notice);
-    return counted(options, terms, std::move(count), std::move(study->study.judgements));
+    for (const auto& notice : study.notices) count.warnings.push_back(options.judgements + ": " + notice);
+    return counted(options, terms, std::move(count), std::move(study.study.judgements));
   }
-  const auto table = base::CsvTable::read(options.judgements);
-  if (!table) return tl::unexpected(table.error());
+  TACTUS_TRY(const auto table, base::CsvTable::read(options.judgements));
   Count count;
-  if (auto note = table->note()) count.warnings.push_back(std::move(*note));
-  if (elicitation::isVoteTable(*table, terms)) {
-    auto votes = elicitation::readVoteTable(*table, terms);
-    if (!votes) return tl::unexpected(votes.error());
-    count.steps = std::move(votes->steps);
-    for (const auto& column : votes->ignored) {
+  if (auto note = table.note()) count.warnings.push_back(std::move(*note));
+  if (elicitation::isVoteTable(table, terms)) {
+    TACTUS_TRY(auto votes, elicitation::readVoteTable(table, terms));
+    count.steps = std::move(votes.steps);
+    for (const auto& column : votes.ignored) {
       count.warnings.push_back(options.judgements + ": column " + base::quoted(column) + " is ignored");
     }
     return count;
   }
-  auto judgements = session::readJudgementTable(*table, count.warnings);
-  if (!judgements) return tl::unexpected(judgements.error());
-  return counted(options, terms, std::move(count), std::move(*judgements));
+  TACTUS_TRY(auto judgements, session::readJudgementTable(table, count.warnings));
+  return counted(options, terms, std::move(count), std::move(judgements));
 }
 
 /// Why the step has its term, in words; `--json` has the codes.
 std::string why(const VoteStep& step) {
   std::string text;
   switch (step.reason) {
-    case elicitation::VoteReason::kMajority:
-      text = "half of the votes or more";
-      break;
-    case elicitation::VoteReason::kTieHigher:
-      text = "two have half of the votes each: the higher";
-      break;
-    case elicitation::VoteReason::kNextLevel:
-      text = "no half: one above the last force's own term";
-      break;
-    case elicitation::VoteReason::kClamped:
-      text = "no half: one above, kept within the terms voted for";
-      break;
-    case elicitation::VoteReason::kFirstMedian:
-      text = "no half, no force decided before: the lower median";
-      break;
-    case elicitation::VoteReason::kNoVotes:
-      return "no participant chose a term";
+    case elicitation::VoteReason::kMajority: text = "half of the votes or more"; break;
+    case elicitation::VoteReason::kTieHigher: text = "two have half of the votes each: the higher"; break;
+    case elicitation::VoteReason::kNextLevel: text = "no half: one above the last force's own term"; break;
+    case elicitation::VoteReason::kClamped: text = "no half: one above, kept within the terms voted for"; break;
+    case elicitation::VoteReason::kFirstMedian: text = "no half, no force decided before: the lower median"; break;
+    case elicitation::VoteReason::kNoVotes: return "no participant chose a term";
   }
   if (elicitation::isUnsaid(step)) {
     text += "; nobody said it";
@@ -207,14 +193,13 @@ Result<Output> vote(const VoteOptions& options) {
   const auto output = elicitation::ngtOutput();
   std::vector<std::string> ids;
   for (const auto& term : output.terms) ids.push_back(term.id);
-  auto count = countFile(options, ids);
-  if (!count) return tl::unexpected(count.error());
-  const auto steps = elicitation::vote(count->steps, count->enrolled);
-  const auto terms = termsOf(options, output, *count, steps);
+  TACTUS_TRY(auto count, countFile(options, ids));
+  const auto steps = elicitation::vote(count.steps, count.enrolled);
+  const auto terms = termsOf(options, output, count, steps);
   if (!terms) return inFile(terms.error(), options.judgements);
   const auto frequency = elicitation::frequencyTerms(output, steps, options.force_end_n);
   if (!frequency) return inFile(frequency.error(), options.judgements);
-  auto& warnings = count->warnings;
+  auto& warnings = count.warnings;
   warnings.insert(warnings.end(), terms->notes.begin(), terms->notes.end());
   if (options.force_terms == elicitation::ForceTermsFrom::kVote) {
     const auto unsaid = elicitation::unsaidNotes(output, steps, options.force_end_n);

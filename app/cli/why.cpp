@@ -10,6 +10,7 @@
 #include "app/cli/terminal.h"
 #include "core/analysis/counterfactuals.h"
 #include "core/analysis/force_balance.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/force_model.h"
@@ -85,12 +86,9 @@ std::string moreOrLess(double change) { return change < 0 ? "less" : "more"; }
 
 std::string whatOf(const Counterfactual& one) {
   switch (one.kind) {
-    case Counterfactual::Kind::kTerm:
-      return "term " + one.term;
-    case Counterfactual::Kind::kNoticeable:
-      return "one just-noticeable difference";
-    case Counterfactual::Kind::kLargestWord:
-      break;
+    case Counterfactual::Kind::kTerm: return "term " + one.term;
+    case Counterfactual::Kind::kNoticeable: return "one just-noticeable difference";
+    case Counterfactual::Kind::kLargestWord: break;
   }
   if (one.delta == 0) return "largest share: " + one.term + " and " + one.instead + " tie";
   return "largest share: " + one.instead + " instead of " + one.term;
@@ -195,26 +193,21 @@ std::string asJson(const Reasons& reasons) {
 }  // namespace
 
 base::Result<Output> why(const WhyOptions& options) {
-  const auto opened = openedModel(options.model);
-  if (!opened) return tl::unexpected(opened.error());
-  const auto expert = expertOption(opened->model, options.model, options.expert);
-  if (!expert) return tl::unexpected(expert.error());
-  const auto point = pointOption(opened->model, "--at", options.at);
-  if (!point) return tl::unexpected(point.error());
-  const auto explanation = analysis::explain(opened->model, opened->compiled, *point);
-  if (!explanation) return tl::unexpected(explanation.error());
-  auto moves = analysis::counterfactuals(opened->model, opened->compiled, *point, elicitation::justNoticeableDifference,
-                                         *expert);
-  if (!moves) return tl::unexpected(moves.error());
+  TACTUS_TRY(const auto opened, openedModel(options.model));
+  TACTUS_TRY(const auto expert, expertOption(opened.model, options.model, options.expert));
+  TACTUS_TRY(const auto point, pointOption(opened.model, "--at", options.at));
+  TACTUS_TRY(const auto explanation, analysis::explain(opened.model, opened.compiled, point));
+  TACTUS_TRY(auto moves, analysis::counterfactuals(opened.model, opened.compiled, point,
+                                                   elicitation::justNoticeableDifference, expert));
 
-  std::vector<std::string> warnings = opened->warnings;
-  for (const analysis::ExplainedInput& input : explanation->inputs) {
+  std::vector<std::string> warnings = opened.warnings;
+  for (const analysis::ExplainedInput& input : explanation.inputs) {
     if (input.given == input.value) continue;
     warnings.push_back(input.id + " " + base::formatNumber(input.given) + " lies outside its universe; taken as " +
                        base::formatNumber(input.value));
   }
-  const Reasons reasons{opened->model, *expert ? !explanation->experts[**expert].abstains : explanation->fired,
-                        analysis::forceBalance(opened->model, *explanation, *expert), std::move(*moves)};
+  const Reasons reasons{opened.model, expert ? !explanation.experts[*expert].abstains : explanation.fired,
+                        analysis::forceBalance(opened.model, explanation, expert), std::move(moves)};
   return Output{options.json ? asJson(reasons) : asText(reasons), std::move(warnings)};
 }
 

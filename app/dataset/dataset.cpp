@@ -15,6 +15,7 @@
 #include "app/dataset/bids.h"
 #include "app/session/export_folder.h"
 #include "app/session/study_export.h"
+#include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
@@ -178,15 +179,13 @@ Result<void> writePsychDs(const PublishedStudy& published, const std::string& fo
   if (!published.simulated.empty()) codebook.notes.push_back(published.simulated);
   if (!published.without_force.empty()) codebook.notes.push_back(published.without_force);
   for (const std::string_view name : kTables) {
-    const auto table = base::CsvTable::read((fs::path(work) / name).string());
-    if (!table) return tl::unexpected(table.error());
+    TACTUS_TRY(const auto table, base::CsvTable::read((fs::path(work) / name).string()));
     const bool is_participants = name == study::kParticipantsTable;
-    if (table->rowCount() == 0 && !is_participants) continue;
+    if (table.rowCount() == 0 && !is_participants) continue;
     const std::string path = study::publishedTable(name);
-    const auto text = is_participants ? participantsText(*table, published.shared.bands)
-                                      : base::readFile(table->file(), std::size_t{1} << 31U);
-    if (!text) return tl::unexpected(text.error());
-    files.add(path, *text);
+    TACTUS_TRY(const auto text, is_participants ? participantsText(table, published.shared.bands)
+                                                : base::readFile(table.file(), std::size_t{1} << 31U));
+    files.add(path, text);
     const auto it = std::find_if(described.begin(), described.end(), [&](const auto& one) { return one.file == name; });
     if (is_participants) std::erase_if(it->columns, [](const auto& column) { return isEmptied(column.name); });
     codebook.tables.push_back({path, &*it});
@@ -205,22 +204,21 @@ base::Result<DataSet> writeDataSet(const study::Study& study, Layout layout, con
   if (study.participants.empty()) {
     return tl::unexpected(base::Error{base::ErrorCode::kData, study.name, {}, "no participant", "at least one"});
   }
-  auto place = session::ExportFolder::beside(folder, layout == Layout::kBids ? bidsExport() : psychDsExport());
-  if (!place) return tl::unexpected(place.error());
+  TACTUS_TRY(auto place,
+             session::ExportFolder::beside(folder, layout == Layout::kBids ? bidsExport() : psychDsExport()));
   const auto removed = session::removeOurs(session::leftoversOfExport(folder));
   const PublishedStudy published = publishedStudy(study, seed, version);
-  FileSet files(place->path());
+  FileSet files(place.path());
   DataSet done;
   done.participants = study.participants.size();
   if (layout == Layout::kBids) {
     done.notes = writeBids(published, files);
-  } else if (auto ok = writePsychDs(published, place->path(), files); !ok) {
+  } else if (auto ok = writePsychDs(published, place.path(), files); !ok) {
     return tl::unexpected(ok.error());
   }
-  const auto written = files.finish();
-  if (!written) return tl::unexpected(written.error());
-  done.files = *written;
-  if (auto placed = place->place(); !placed) return tl::unexpected(placed.error());
+  TACTUS_TRY(const auto written, files.finish());
+  done.files = written;
+  if (auto placed = place.place(); !placed) return tl::unexpected(placed.error());
   for (const auto& path : removed) done.notes.push_back(path + ": left by a crash; deleted");
   return done;
 }

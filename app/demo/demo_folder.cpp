@@ -12,6 +12,7 @@
 #include "app/simulation/scenario.h"
 #include "app/version.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
@@ -37,23 +38,19 @@ elicitation::BuildSettings settingsNow(std::uint64_t seed) {
 
 /// S4 alone in one reading of Table A2, with the terms that the whole study gave.
 Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, study::Study study, std::uint64_t seed) {
-  auto rules = questionnaires::s4Rules(reading.id);
-  if (!rules) return tl::unexpected(rules.error());
-  study.rules = std::move(*rules);
-  const auto built = elicitation::buildModel(study, session::knownForms(), settingsNow(seed));
-  if (!built) return tl::unexpected(built.error());
-  auto model = elicitation::expertModel(built->model, "S4");
-  if (!model) return tl::unexpected(model.error());
-  return report::S4Reading{reading.title, reading.assumes, std::move(*model)};
+  TACTUS_TRY(auto rules, questionnaires::s4Rules(reading.id));
+  study.rules = std::move(rules);
+  TACTUS_TRY(const auto built, elicitation::buildModel(study, session::knownForms(), settingsNow(seed)));
+  TACTUS_TRY(auto model, elicitation::expertModel(built.model, "S4"));
+  return report::S4Reading{reading.title, reading.assumes, std::move(model)};
 }
 
 Result<std::string> demoReport(const study::Study& study, const BuiltModel& built, const std::string& reading,
                                std::uint64_t seed) {
   std::vector<report::S4Reading> readings;
   for (const auto& one : questionnaires::s4Readings()) {
-    auto s4 = s4In(one, study, seed);
-    if (!s4) return tl::unexpected(s4.error());
-    readings.push_back(std::move(*s4));
+    TACTUS_TRY(auto s4, s4In(one, study, seed));
+    readings.push_back(std::move(s4));
   }
   const report::DemoReportInputs inputs{.study = study,
                                         .built = built,
@@ -109,19 +106,15 @@ Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, con
   // Held until the new one stands in its place, so that none is replaced while a program works on it.
   std::optional<store::StudyFile> older;
   if (std::filesystem::exists(path, problem)) {
-    auto opened = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
-    if (!opened) return tl::unexpected(opened.error());
-    older = std::move(*opened);
+    TACTUS_TRY(auto opened, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+    older = std::move(opened);
   }
   session::removeOurs(session::leftoversOfStudy(path));
-  const auto work = store::WorkFolder::beside(path);
-  if (!work) return tl::unexpected(work.error());
-  const std::string unfinished = work->file(std::filesystem::path(path).filename().string());
-  auto file = session::makeSimulatedNgtStudy(unfinished, seed, reading, std::string(kGenerator));
-  if (!file) return tl::unexpected(file.error());
-  auto view = session::studyForElicitation(*file);
-  if (!view) return tl::unexpected(view.error());
-  if (auto closed = file->close(); !closed) return tl::unexpected(closed.error());
+  TACTUS_TRY(const auto work, store::WorkFolder::beside(path));
+  const std::string unfinished = work.file(std::filesystem::path(path).filename().string());
+  TACTUS_TRY(auto file, session::makeSimulatedNgtStudy(unfinished, seed, reading, std::string(kGenerator)));
+  TACTUS_TRY(auto view, session::studyForElicitation(file));
+  if (auto closed = file.close(); !closed) return tl::unexpected(closed.error());
   for (const char* tail : {"-wal", "-journal", "-shm"}) std::filesystem::remove(path + tail, problem);
   // The study before keeps its mode.
   const auto before = std::filesystem::status(path, problem);
@@ -132,7 +125,7 @@ Result<study::Study> runStudy(const std::string& folder, std::uint64_t seed, con
     return tl::unexpected(
         base::Error{base::ErrorCode::kIo, path, {}, problem.message(), "a writable place for the study file"});
   }
-  return std::move(view->study);
+  return std::move(view.study);
 }
 
 constexpr std::string_view kExportReadme =
@@ -157,9 +150,8 @@ Result<std::vector<DemoFile>> writeModels(const BuiltModel& built, const std::st
     return model_io::writeModel(model, folder + '/' + path);
   };
   for (const auto& expert : built.model.experts) {
-    const auto alone = elicitation::expertModel(built.model, expert.id);
-    if (!alone) return tl::unexpected(alone.error());
-    if (auto ok = write(*alone, "models/" + expert.id + ".tactus.json", "the model of " + expert.id + " alone"); !ok) {
+    TACTUS_TRY(const auto alone, elicitation::expertModel(built.model, expert.id));
+    if (auto ok = write(alone, "models/" + expert.id + ".tactus.json", "the model of " + expert.id + " alone"); !ok) {
       return tl::unexpected(ok.error());
     }
   }
@@ -210,27 +202,23 @@ Result<DemoFolder> writeDemo(const DemoSettings& settings, const std::function<v
   const auto study = runStudy(folder, seed, reading);
   if (!study) return tl::unexpected(study.error());
   begin(DemoPart::kModel);
-  const auto built = elicitation::buildModel(*study, session::knownForms(), settingsNow(seed));
-  if (!built) return tl::unexpected(built.error());
+  TACTUS_TRY(const auto built, elicitation::buildModel(*study, session::knownForms(), settingsNow(seed)));
   begin(DemoPart::kReport);
-  const auto page = demoReport(*study, *built, reading, seed);
-  if (!page) return tl::unexpected(page.error());
+  TACTUS_TRY(const auto page, demoReport(*study, built, reading, seed));
 
   begin(DemoPart::kFiles);
   if (auto ok = study::writeStudyFolder(*study, elicitation::ngtInputIds(), folder + "/study"); !ok)
     return tl::unexpected(ok.error());
-  auto models = writeModels(*built, folder);
-  if (!models) return tl::unexpected(models.error());
-  const auto scenarios = writeScenarios(folder);
-  if (!scenarios) return tl::unexpected(scenarios.error());
-  if (auto ok = base::writeFileAtomically(folder + "/report.html", *page); !ok) return tl::unexpected(ok.error());
+  TACTUS_TRY(auto models, writeModels(built, folder));
+  TACTUS_TRY(const auto scenarios, writeScenarios(folder));
+  if (auto ok = base::writeFileAtomically(folder + "/report.html", page); !ok) return tl::unexpected(ok.error());
 
   DemoFolder demo{{{"report.html", "tables, figures and claims of the paper, recomputed"},
                    {std::string(kStudyFile), "the study: sessions of simulated nurses, record by record"},
                    {"study/", "the data of the model, as tables (CSV)"}},
-                  built->notes};
-  demo.files.insert(demo.files.end(), models->begin(), models->end());
-  demo.files.insert(demo.files.end(), scenarios->begin(), scenarios->end());
+                  built.notes};
+  demo.files.insert(demo.files.end(), models.begin(), models.end());
+  demo.files.insert(demo.files.end(), scenarios.begin(), scenarios.end());
   return demo;
 }
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/openhaptics/openhaptics_device.h"
@@ -20,27 +21,23 @@ constexpr std::string_view kOpenHaptics = "openhaptics";
 std::string calibrateAdvice(const std::string& id) { return "calibrate it: tactus devices calibrate " + id; }
 
 Result<OpenedDevice> openVirtual() {
-  auto device = haptics::VirtualDevice::make();
-  if (!device) return tl::unexpected(device.error());
-  return OpenedDevice{std::move(*device), {}, {}, {}};
+  TACTUS_TRY(auto device, haptics::VirtualDevice::make());
+  return OpenedDevice{std::move(device), {}, {}, {}};
 }
 
 Result<OpenedDevice> openOpenHaptics(const std::string& id, const DeviceSettings& settings,
                                      const std::vector<haptics::DeviceAxis>& axes) {
-  const auto library = haptics::HdLibrary::load(settings.hd_library);
-  if (!library) return tl::unexpected(library.error());
+  TACTUS_TRY(const auto library, haptics::HdLibrary::load(settings.hd_library));
   haptics::OpenHapticsSettings chosen;
   if (id.size() > kOpenHaptics.size()) chosen.name = id.substr(kOpenHaptics.size() + 1);
-  auto device = haptics::OpenHapticsDevice::open(*library, std::move(chosen));
-  if (!device) return tl::unexpected(device.error());
+  TACTUS_TRY(auto device, haptics::OpenHapticsDevice::open(library, std::move(chosen)));
   OpenedDevice opened;
-  opened.calibration_advice = (*device)->calibrationAdvice();
-  opened.device = std::move(*device);
+  opened.calibration_advice = (device)->calibrationAdvice();
+  opened.device = std::move(device);
   const haptics::DeviceInfo& info = opened.device->info();
   if (const auto* const stored = findAxis(axes, info.id, info.serial); stored != nullptr) {
-    const auto axis = haptics::AxisMapping::make(stored->inwards);
-    if (!axis) return tl::unexpected(axis.error());
-    opened.axis = *axis;
+    TACTUS_TRY(const auto axis, haptics::AxisMapping::make(stored->inwards));
+    opened.axis = axis;
   }
   opened.axis_advice = turnAxisAdvice(info.id, opened.axis.inwards());
   return opened;
@@ -58,13 +55,12 @@ Result<haptics::HidDevice> findHid(const std::string& id) {
 
 Result<OpenedDevice> openHid(const std::string& id, const haptics::DeviceCalibration* calibration,
                              const haptics::HidDevice& found) {
-  auto transport = haptics::HidapiTransport::open(found.path);
-  if (!transport) return tl::unexpected(transport.error());
-  auto device = haptics::HidPidDevice::open(std::move(*transport), found.identity,
-                                            calibration == nullptr ? std::nullopt : std::optional(*calibration));
-  if (!device) return tl::unexpected(device.error());
+  TACTUS_TRY(auto transport, haptics::HidapiTransport::open(found.path));
+  TACTUS_TRY(auto device,
+             haptics::HidPidDevice::open(std::move(transport), found.identity,
+                                         calibration == nullptr ? std::nullopt : std::optional(*calibration)));
   OpenedDevice opened;
-  opened.device = std::move(*device);
+  opened.device = std::move(device);
   if (calibration != nullptr) opened.axis = axisOf(*calibration);
   opened.calibration_advice = calibrateAdvice(id);
   opened.axis_advice = "calibrate it again: tactus devices calibrate " + id;
@@ -79,12 +75,10 @@ Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings)
   if (!openhaptics && !id.starts_with("hid:"))
     return base::fail(base::ErrorCode::kReference, "device", base::quoted(id),
                       "an id that `tactus devices` lists: virtual, hid:…, openhaptics");
-  const auto file = haptics::readCalibrationFile(settings.calibrations);
-  if (!file) return tl::unexpected(file.error());
-  if (openhaptics) return openOpenHaptics(id, settings, file->axes);
-  const auto found = findHid(id);
-  if (!found) return tl::unexpected(found.error());
-  return openHid(id, findCalibration(file->calibrations, id, found->identity.serial), *found);
+  TACTUS_TRY(const auto file, haptics::readCalibrationFile(settings.calibrations));
+  if (openhaptics) return openOpenHaptics(id, settings, file.axes);
+  TACTUS_TRY(const auto found, findHid(id));
+  return openHid(id, findCalibration(file.calibrations, id, found.identity.serial), found);
 }
 
 std::string turnAxisAdvice(const std::string& id, const haptics::Vector3& inwards) {
@@ -101,9 +95,8 @@ std::string directionText(const haptics::Vector3& direction) {
 }
 
 Result<OpenedDevice> openRaw(const std::string& id) {
-  const auto found = findHid(id);
-  if (!found) return tl::unexpected(found.error());
-  return openHid(id, nullptr, *found);
+  TACTUS_TRY(const auto found, findHid(id));
+  return openHid(id, nullptr, found);
 }
 
 namespace {

@@ -162,18 +162,12 @@ class SimulatedPerson {
     phase_ = test.phase();
     ++ticks_;
     switch (phase_) {
-      case SelfTest::Phase::kMotion:
-        return device_.setTarget(ticks_ < 1000 ? 50 : 0);
-      case SelfTest::Phase::kButton:
-        return device_.setButton(ticks_ > 1000 && ticks_ < 1300);
+      case SelfTest::Phase::kMotion: return device_.setTarget(ticks_ < 1000 ? 50 : 0);
+      case SelfTest::Phase::kButton: return device_.setButton(ticks_ > 1000 && ticks_ < 1300);
       case SelfTest::Phase::kForceOff:
-      case SelfTest::Phase::kPulse:
-        return device_.setButton(ticks_ > 300 || phase_ == SelfTest::Phase::kPulse);
-      case SelfTest::Phase::kAsk:
-        device_.setButton(false);
-        return test.answer(felt(test));
-      default:
-        return;
+      case SelfTest::Phase::kPulse: return device_.setButton(ticks_ > 300 || phase_ == SelfTest::Phase::kPulse);
+      case SelfTest::Phase::kAsk: device_.setButton(false); return test.answer(felt(test));
+      default: return;
     }
   }
 

@@ -18,12 +18,9 @@ std::string millimeters(double value_mm) { return formatFixed(value_mm, 2) + " m
 
 std::string_view faultAdvice(DeviceFault fault) {
   switch (fault) {
-    case DeviceFault::kSwitchedOff:
-      return "switch the forces on at the device, and close other programs that use it";
-    case DeviceFault::kWarmMotors:
-      return "let it cool down for some minutes";
-    default:
-      return "unplug it, plug it in again, and repeat the test";
+    case DeviceFault::kSwitchedOff: return "switch the forces on at the device, and close other programs that use it";
+    case DeviceFault::kWarmMotors: return "let it cool down for some minutes";
+    default: return "unplug it, plug it in again, and repeat the test";
   }
 }
 
@@ -44,19 +41,14 @@ std::string_view SelfTest::name(Phase phase) noexcept {
 
 std::string SelfTest::instruction() const {
   switch (phase_) {
-    case Phase::kMotion:
-      return "Move the handle about 5 cm away from you, then back.";
-    case Phase::kButton:
-      return "Press a button of the handle and let it go.";
-    case Phase::kForceOff:
-      return "Hold the handle loosely and still. Press the button and keep it pressed.";
+    case Phase::kMotion: return "Move the handle about 5 cm away from you, then back.";
+    case Phase::kButton: return "Press a button of the handle and let it go.";
+    case Phase::kForceOff: return "Hold the handle loosely and still. Press the button and keep it pressed.";
     case Phase::kPulse:
       return "Keep the button pressed. You will feel " + std::to_string(settings_.pulses) + " soft pulls of " +
              formatNumber(settings_.pulse_n) + " N.";
-    case Phase::kAsk:
-      return "Did it pull toward you, push away from you, or did you feel nothing?";
-    default:
-      return {};
+    case Phase::kAsk: return "Did it pull toward you, push away from you, or did you feel nothing?";
+    default: return {};
   }
 }
 
@@ -83,8 +75,7 @@ void SelfTest::lostPatience() {
     case Phase::kForceOff:
       return fail(Check::kForceOff, "the button was not held for 1.3 s" + waited,
                   "press the button and keep it pressed");
-    default:
-      return fail(current(), "no end" + waited, "press the button and keep it pressed");
+    default: return fail(current(), "no end" + waited, "press the button and keep it pressed");
   }
 }
 
@@ -153,18 +144,12 @@ bool SelfTest::passed() const noexcept {
 
 Check SelfTest::current() const noexcept {
   switch (phase_) {
-    case Phase::kSamples:
-      return Check::kSamples;
-    case Phase::kMotion:
-      return Check::kMotion;
-    case Phase::kButton:
-      return Check::kButton;
-    case Phase::kForceOff:
-      return Check::kForceOff;
-    case Phase::kPulse:
-      return Check::kPulse;
-    default:
-      return Check::kDirection;
+    case Phase::kSamples: return Check::kSamples;
+    case Phase::kMotion: return Check::kMotion;
+    case Phase::kButton: return Check::kButton;
+    case Phase::kForceOff: return Check::kForceOff;
+    case Phase::kPulse: return Check::kPulse;
+    default: return Check::kDirection;
   }
 }
 
@@ -177,18 +162,12 @@ void SelfTest::feed(const Sample& sample) {
   if (phase_ != Phase::kAsk && static_cast<double>(sample.time_ns - seen_.since_ns) * 1e-9 > settings_.patience_s)
     return lostPatience();
   switch (phase_) {
-    case Phase::kSamples:
-      return checkSamples(sample);
-    case Phase::kMotion:
-      return checkMotion(sample);
-    case Phase::kButton:
-      return checkButton(sample);
-    case Phase::kForceOff:
-      return checkForceOff(sample);
-    case Phase::kPulse:
-      return checkPulse(sample);
-    default:
-      return;
+    case Phase::kSamples: return checkSamples(sample);
+    case Phase::kMotion: return checkMotion(sample);
+    case Phase::kButton: return checkButton(sample);
+    case Phase::kForceOff: return checkForceOff(sample);
+    case Phase::kPulse: return checkPulse(sample);
+    default: return;
   }
 }
 

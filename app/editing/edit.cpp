@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/base/error.h"
+
 namespace tactus::editing {
 namespace {
 
@@ -59,9 +61,8 @@ bool sameBits(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other) {
 }
 
 base::Result<SharedModel> ready(fuzzy::ForceModel model) {
-  auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(std::move(compiled.error()));
-  return std::make_shared<const ReadyModel>(ReadyModel{std::move(model), std::move(*compiled)});
+  TACTUS_TRY(auto compiled, fuzzy::compile(model));
+  return std::make_shared<const ReadyModel>(ReadyModel{std::move(model), std::move(compiled)});
 }
 
 SharedModel withFreshChecks(SharedModel model) {
@@ -113,9 +114,8 @@ double stepped(double value, double step, int count) {
 }
 
 base::Result<Edit> finished(fuzzy::ForceModel model, std::string label, std::string stopped) {
-  auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(std::move(compiled.error()));
-  return Edit{std::move(model), std::move(*compiled), std::move(label), std::move(stopped)};
+  TACTUS_TRY(auto compiled, fuzzy::compile(model));
+  return Edit{std::move(model), std::move(compiled), std::move(label), std::move(stopped)};
 }
 
 void refreshChecks(fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {

@@ -6,6 +6,7 @@
 
 #include "app/editing/edit.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 
 namespace tactus::editing {
 namespace {
@@ -182,29 +183,21 @@ using fuzzy::ForceModel;
 
 std::string_view name(EventKind kind) noexcept {
   switch (kind) {
-    case EventKind::kOpened:
-      return "opened";
-    case EventKind::kEdit:
-      return "edit";
-    case EventKind::kUndo:
-      return "undo";
-    case EventKind::kRedo:
-      return "redo";
-    case EventKind::kReturn:
-      return "return";
-    case EventKind::kSnapshot:
-      return "snapshot";
-    case EventKind::kSignOff:
-      return "sign-off";
+    case EventKind::kOpened: return "opened";
+    case EventKind::kEdit: return "edit";
+    case EventKind::kUndo: return "undo";
+    case EventKind::kRedo: return "redo";
+    case EventKind::kReturn: return "return";
+    case EventKind::kSnapshot: return "snapshot";
+    case EventKind::kSignOff: return "sign-off";
   }
   return "";
 }
 
 Result<EditHistory> EditHistory::open(const ForceModel& model, const std::string& label, const Stamp& stamp,
                                       study::RecordIds ids) {
-  auto ready = editing::ready(model);
-  if (!ready) return tl::unexpected(std::move(ready.error()));
-  return open(std::move(*ready), label, stamp, ids);
+  TACTUS_TRY(auto ready, editing::ready(model));
+  return open(std::move(ready), label, stamp, ids);
 }
 
 EditHistory EditHistory::open(SharedModel model, const std::string& label, const Stamp& stamp, study::RecordIds ids) {
@@ -270,10 +263,9 @@ void EditHistory::record(EventKind kind, std::string label, const Stamp& stamp, 
 }
 
 Result<void> EditHistory::moveTo(StateId state, EventKind kind, const Stamp& stamp) {
-  auto model = readyOf(state);
-  if (!model) return tl::unexpected(std::move(model.error()));
+  TACTUS_TRY(auto model, readyOf(state));
   const std::string label = labelOf(kind == EventKind::kUndo ? current_ : state);
-  enter(state, std::move(*model));
+  enter(state, std::move(model));
   record(kind, label, stamp, versionOf(state));
   return {};
 }
@@ -340,9 +332,8 @@ Result<SharedModel> EditHistory::readyOf(StateId state) const {
   if (state < states_.size() && states_[state].kept) {
     if (auto held = states_[state].ready.lock()) return held;
   }
-  auto model = modelOf(state);
-  if (!model) return tl::unexpected(std::move(model.error()));
-  auto made = editing::ready(std::move(*model));
+  TACTUS_TRY(auto model, modelOf(state));
+  auto made = editing::ready(std::move(model));
   // Every state was compiled when it was made.
   TACTUS_CHECK(made.has_value());
   states_[state].ready = *made;
@@ -364,11 +355,9 @@ bool EditHistory::include(StateId state, const GhostCurve& curve, std::size_t in
 }
 
 Result<EditImpact> EditHistory::compare(StateId before, StateId after) const {
-  const auto one = readyOf(before);
-  if (!one) return tl::unexpected(one.error());
-  const auto other = readyOf(after);
-  if (!other) return tl::unexpected(other.error());
-  return editImpact((*one)->model, (*one)->compiled, (*other)->model, (*other)->compiled);
+  TACTUS_TRY(const auto one, readyOf(before));
+  TACTUS_TRY(const auto other, readyOf(after));
+  return editImpact((one)->model, (one)->compiled, (other)->model, (other)->compiled);
 }
 
 void EditHistory::markStored(const study::RecordId& id) {

@@ -8,6 +8,7 @@
 
 #include "core/analysis/sample_points.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/fuzzy/batch.h"
 #include "core/fuzzy/scene.h"
 #include "elicitation/force/noticeable_force.h"
@@ -24,10 +25,9 @@ struct GhostForces {
 
 base::Result<GhostForces> along(const fuzzy::CompiledModel& model, const std::vector<std::optional<double>>& fixed,
                                 std::span<const double> places) {
-  const auto scene = fuzzy::Scene::specialize(model, fixed);
-  if (!scene) return tl::unexpected(scene.error());
+  TACTUS_TRY(const auto scene, fuzzy::Scene::specialize(model, fixed));
   GhostForces out{std::vector<double>(places.size()), std::vector<std::uint8_t>(places.size())};
-  scene->evaluateBatch(std::span(&places, 1), {out.force_n, out.fired});
+  scene.evaluateBatch(std::span(&places, 1), {out.force_n, out.fired});
   return out;
 }
 
@@ -45,15 +45,13 @@ base::Result<GhostCurve> ghostCurve(const fuzzy::CompiledModel& compiled_before,
   }
   std::vector<std::optional<double>> fixed(point.begin(), point.end());
   fixed[input].reset();
-  const auto before = along(compiled_before, fixed, places);
-  if (!before) return tl::unexpected(before.error());
-  const auto after = along(compiled_after, fixed, places);
-  if (!after) return tl::unexpected(after.error());
+  TACTUS_TRY(const auto before, along(compiled_before, fixed, places));
+  TACTUS_TRY(const auto after, along(compiled_after, fixed, places));
 
   GhostCurve out;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    const GhostCurve::Point here{places[k], before->force_n[k], after->force_n[k], before->fired[k] != 0,
-                                 after->fired[k] != 0};
+    const GhostCurve::Point here{places[k], before.force_n[k], after.force_n[k], before.fired[k] != 0,
+                                 after.fired[k] != 0};
     out.points.push_back(here);
     if (here.before_fired && !here.after_fired) ++out.opened;
     if (!here.before_fired && here.after_fired) ++out.closed;

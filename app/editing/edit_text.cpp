@@ -16,12 +16,9 @@ std::string pointName(fuzzy::Shape shape, std::size_t point) {
   constexpr const char* kTriangle[] = {"left foot", "peak", "right foot"};
   constexpr const char* kGaussian[] = {"mean", "sigma"};
   switch (shape) {
-    case fuzzy::Shape::kTrapezoid:
-      return kTrapezoid[point];
-    case fuzzy::Shape::kTriangle:
-      return kTriangle[point];
-    case fuzzy::Shape::kGaussian:
-      return kGaussian[point];
+    case fuzzy::Shape::kTrapezoid: return kTrapezoid[point];
+    case fuzzy::Shape::kTriangle: return kTriangle[point];
+    case fuzzy::Shape::kGaussian: return kGaussian[point];
   }
   return {};
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
@@ -34,9 +35,8 @@ std::size_t editsIn(std::span<const ModelVersion> versions) {
 Result<EditHistory> wholeHistory(const KeptVersions& kept, study::RecordIds ids, const Stamp& stamp) {
   auto history = historyFrom(kept.versions, ids, 0);
   if (!history || !kept.unfinished) return history;
-  auto edit = finished(kept.unfinished->model, kept.unfinished->label + " (recovered)");
-  if (!edit) return tl::unexpected(std::move(edit.error()));
-  history->apply(std::move(*edit), stamp);
+  TACTUS_TRY(auto edit, finished(kept.unfinished->model, kept.unfinished->label + " (recovered)"));
+  history->apply(std::move(edit), stamp);
   return history;
 }
 
@@ -62,9 +62,8 @@ Result<KeptVersions> withoutDrags(std::vector<ModelVersion> versions) {
   std::erase_if(versions, isDrag);
   out.versions = std::move(versions);
   if (!drag || (!out.versions.empty() && out.versions.back().sha256 == drag->sha256)) return out;
-  auto model = model_io::parseModel(drag->text, "model version " + study::toText(drag->id));
-  if (!model) return tl::unexpected(std::move(model.error()));
-  out.unfinished = Unfinished{drag->label.substr(kDrag.size()), std::move(model->model)};
+  TACTUS_TRY(auto model, model_io::parseModel(drag->text, "model version " + study::toText(drag->id)));
+  out.unfinished = Unfinished{drag->label.substr(kDrag.size()), std::move(model.model)};
   return out;
 }
 
@@ -86,13 +85,12 @@ Result<EarlierHistory> goOn(KeptVersions kept, const EditHistory& fresh, study::
     in_file.label = std::string(name(EventKind::kEdit)) + ": " + changed_label;
     versions.push_back(std::move(in_file));
   }
-  auto history = historyFrom(versions, ids, 0);
-  if (!history) return tl::unexpected(std::move(history.error()));
-  const auto last = history->modelOf(history->events()[known - 1].state);
+  TACTUS_TRY(auto history, historyFrom(versions, ids, 0));
+  const auto last = history.modelOf(history.events()[known - 1].state);
   if (!last || !haveSameInputs(*last, fresh.base())) {
     return base::fail(base::ErrorCode::kMismatch, "the history", "a model with other inputs", "the inputs of the file");
   }
-  EarlierHistory out{std::move(*history), known, {}, {}, 0, last_utc_ms, changed_elsewhere};
+  EarlierHistory out{std::move(history), known, {}, {}, 0, last_utc_ms, changed_elsewhere};
   if (changed_elsewhere || (later == 0 && !kept.unfinished)) return out;
   // The newest state is offered, and that of the file shown.
   out.lost = out.history.current();
@@ -146,11 +144,11 @@ class HistoryReader {
       }
       addVersion(out, version, versions, events);
     }
-    auto last = model_io::parseModel(versions.back().text, "model version " + study::toText(versions.back().id));
-    if (!last) return tl::unexpected(std::move(last.error()));
+    TACTUS_TRY(auto last,
+               model_io::parseModel(versions.back().text, "model version " + study::toText(versions.back().id)));
     const StateId current = out.events_.back().state;
-    out.states_[current].kept = std::make_shared<const KeptModel>(last->model, nullptr);
-    auto ready = editing::ready(std::move(last->model));
+    out.states_[current].kept = std::make_shared<const KeptModel>(last.model, nullptr);
+    auto ready = editing::ready(std::move(last.model));
     TACTUS_CHECK(ready.has_value());
     out.enter(current, std::move(*ready));
     for (std::size_t v = stored; v < versions.size(); ++v) {
@@ -194,10 +192,9 @@ class HistoryReader {
     event.stored = false;
     State& state = out.states_[event.state];
     if (state.kept) return {};
-    const auto read = model_io::parseModel(version.text, "model version " + study::toText(version.id));
-    if (!read) return tl::unexpected(read.error());
+    TACTUS_TRY(const auto read, model_io::parseModel(version.text, "model version " + study::toText(version.id)));
     const KeptModel* const before = state.parent ? out.states_[*state.parent].kept.get() : nullptr;
-    state.kept = std::make_shared<const KeptModel>(read->model, before);
+    state.kept = std::make_shared<const KeptModel>(read.model, before);
     return {};
   }
 
@@ -207,9 +204,8 @@ class HistoryReader {
 };
 
 Result<ModelVersion> versionOf(const EditHistory& history, const Event& event) {
-  const auto model = history.modelOf(event.state);
-  if (!model) return tl::unexpected(model.error());
-  return versionOf(event, *model);
+  TACTUS_TRY(const auto model, history.modelOf(event.state));
+  return versionOf(event, model);
 }
 
 ModelVersion versionOf(const Event& event, const fuzzy::ForceModel& model) {
@@ -240,9 +236,8 @@ Result<EditHistory> historyFrom(std::span<const ModelVersion> versions, study::R
 }
 
 Result<void> provideVersion(EditHistory& history, StateId state, const ModelVersion& version) {
-  const auto read = model_io::parseModel(version.text, "model version " + study::toText(version.id));
-  if (!read) return tl::unexpected(read.error());
-  return history.provide(state, version.id, read->model);
+  TACTUS_TRY(const auto read, model_io::parseModel(version.text, "model version " + study::toText(version.id)));
+  return history.provide(state, version.id, read.model);
 }
 
 }  // namespace tactus::editing

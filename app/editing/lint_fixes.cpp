@@ -210,23 +210,16 @@ class Fixes {
   std::vector<Fix> run() {
     switch (finding_.kind) {
       case Kind::kHole:
-      case Kind::kAbstentionJump:
-        addHole();
-        break;
-      case Kind::kConflict:
-        addConflict();
-        break;
+      case Kind::kAbstentionJump: addHole(); break;
+      case Kind::kConflict: addConflict(); break;
       case Kind::kRedundantRule:
       case Kind::kUnreachableRule:
         if (!finding_.rules.empty()) disable(finding_.rules.front(), "Disable the rule");
         break;
       case Kind::kUnusedTerm:
-      case Kind::kUnreachableTerm:
-        addTerm();
-        break;
+      case Kind::kUnreachableTerm: addTerm(); break;
       case Kind::kDirectionChange:
-      case Kind::kDisagreement:
-        break;
+      case Kind::kDisagreement: break;
     }
     return std::move(out_);
   }
@@ -296,23 +289,15 @@ std::optional<analysis::Hole> holeAt(const ForceModel& model, const std::string&
 std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
   using From = elicitation::RuleFinding::Kind;
   switch (kind) {
-    case From::kHole:
-      return Kind::kHole;
-    case From::kAbstentionJump:
-      return Kind::kAbstentionJump;
-    case From::kConflict:
-      return Kind::kConflict;
-    case From::kRedundantRule:
-      return Kind::kRedundantRule;
-    case From::kUnreachableRule:
-      return Kind::kUnreachableRule;
+    case From::kHole: return Kind::kHole;
+    case From::kAbstentionJump: return Kind::kAbstentionJump;
+    case From::kConflict: return Kind::kConflict;
+    case From::kRedundantRule: return Kind::kRedundantRule;
+    case From::kUnreachableRule: return Kind::kUnreachableRule;
     case From::kUnusedTerm:
-    case From::kRegionWithoutRule:
-      return Kind::kUnusedTerm;
-    case From::kUnreachableTerm:
-      return Kind::kUnreachableTerm;
-    default:
-      return std::nullopt;
+    case From::kRegionWithoutRule: return Kind::kUnusedTerm;
+    case From::kUnreachableTerm: return Kind::kUnreachableTerm;
+    default: return std::nullopt;
   }
 }
 

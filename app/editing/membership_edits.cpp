@@ -12,6 +12,7 @@
 #include "app/editing/term_edits.h"
 #include "app/editing/term_list.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::editing {
@@ -286,12 +287,10 @@ struct Moving {
 /// Fills `moving`, which must stay where it is: its list points into its model.
 Result<void> open(Moving& moving, const ForceModel& model, const TermPlace& place, bool sum_to_one) {
   moving.model = model;
-  auto list = openList(moving.model, place.list);
-  if (!list) return tl::unexpected(list.error());
-  moving.list = *list;
-  const auto term = findTermIn(moving.list, place.term);
-  if (!term) return tl::unexpected(term.error());
-  moving.term = *term;
+  TACTUS_TRY(auto list, openList(moving.model, place.list));
+  moving.list = list;
+  TACTUS_TRY(const auto term, findTermIn(moving.list, place.term));
+  moving.term = term;
   if (!sum_to_one) return {};
   moving.order = partitionOrder(*moving.list.variable, *moving.list.terms);
   if (moving.order) return {};

@@ -7,6 +7,7 @@
 
 #include "app/editing/edit_text.h"
 #include "app/editing/term_list.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/takes_part.h"
 
@@ -53,12 +54,11 @@ template <class Change>
 Result<Edit> changed(const ForceModel& model, const std::string& expert_id, std::span<const std::size_t> indices,
                      const Change& change) {
   ForceModel out = model;
-  const auto expert = findExpert(out, expert_id);
-  if (!expert) return tl::unexpected(expert.error());
+  TACTUS_TRY(const auto expert, findExpert(out, expert_id));
   for (const std::size_t index : indices) {
-    if (auto ok = checkIndex(**expert, index); !ok) return tl::unexpected(ok.error());
+    if (auto ok = checkIndex(*expert, index); !ok) return tl::unexpected(ok.error());
   }
-  std::string label = change(out, **expert);
+  std::string label = change(out, *expert);
   return finished(std::move(out), std::move(label));
 }
 

@@ -9,6 +9,7 @@
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_list.h"
 #include "core/base/close_match.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/takes_part.h"
 
@@ -52,9 +53,8 @@ class LineReader {
     rule.enabled = !take("off ");
     if (!take("if ")) return wanted("IF or OFF IF");
     do {
-      auto condition = readCondition();
-      if (!condition) return tl::unexpected(condition.error());
-      rule.conditions.push_back(std::move(*condition));
+      TACTUS_TRY(auto condition, readCondition());
+      rule.conditions.push_back(std::move(condition));
     } while (take(" and "));
     if (!take(" then ")) return wanted("AND or THEN");
     // The output's name may be left out, as on the screen.
@@ -62,9 +62,8 @@ class LineReader {
       at_ += length;
       if (!take(" is ")) return wanted("\"is\" behind " + labelOf(model_.output));
     }
-    const auto then = readTerm(model_.output);
-    if (!then) return tl::unexpected(then.error());
-    rule.then = *then;
+    TACTUS_TRY(const auto then, readTerm(model_.output));
+    rule.then = then;
     if (take(" with ")) {
       const auto weight = base::parseNumber(std::string_view(line_).substr(at_));
       if (!weight) return wanted("a weight from 0 to 1");
@@ -109,9 +108,8 @@ class LineReader {
     if (input == nullptr) return unknown("an input", namesOf(model_.inputs), " is ");
     at_ += longest;
     if (!take(" is ")) return wanted("\"is\" behind " + labelOf(*input));
-    auto term = readTerm(*input);
-    if (!term) return tl::unexpected(term.error());
-    return Condition{input->id, *term};
+    TACTUS_TRY(auto term, readTerm(*input));
+    return Condition{input->id, term};
   }
 
   base::Result<std::string> readTerm(const Variable& variable) {
@@ -187,9 +185,8 @@ base::Result<std::vector<Rule>> rulesFromText(const ForceModel& model, const Exp
       return fail(ErrorCode::kLimit, "line " + std::to_string(number), "one more rule",
                   "at most " + std::to_string(kMostRules));
     }
-    auto rule = LineReader(model, expert, line, number).read();
-    if (!rule) return tl::unexpected(rule.error());
-    rules.push_back(std::move(*rule));
+    TACTUS_TRY(auto rule, LineReader(model, expert, line, number).read());
+    rules.push_back(std::move(rule));
   }
   if (rules.empty()) return fail(ErrorCode::kData, "text", "no line with a rule", "IF … THEN …, one rule a line");
   return rules;
@@ -212,17 +209,15 @@ struct OpenGrid {
 
 Result<OpenGrid> open(const ForceModel& model, const GridId& grid) {
   OpenGrid out;
-  const auto expert = findExpert(model, grid.expert);
-  if (!expert) return tl::unexpected(expert.error());
-  out.expert = *expert;
+  TACTUS_TRY(const auto expert, findExpert(model, grid.expert));
+  out.expert = expert;
   for (const auto& [id, variable] :
        {std::pair{&grid.condition, &out.condition}, std::pair{&grid.region, &out.region}}) {
-    const auto found = findVariable(model, *id);
-    if (!found) return tl::unexpected(found.error());
-    if (*found == &model.output) {
+    TACTUS_TRY(const auto found, findVariable(model, *id));
+    if (found == &model.output) {
       return fail(ErrorCode::kReference, "grid", "the output " + *id, "an input");
     }
-    *variable = *found;
+    *variable = found;
   }
   if (out.condition == out.region) {
     return fail(ErrorCode::kValue, "grid", "the input " + grid.region + " twice", "two inputs");
@@ -306,13 +301,12 @@ std::vector<GridId> gridsOf(const ForceModel& model, const std::string& expert, 
 }
 
 Result<RuleGrid> ruleGrid(const ForceModel& model, const GridId& grid) {
-  const auto found = open(model, grid);
-  if (!found) return tl::unexpected(found.error());
+  TACTUS_TRY(const auto found, open(model, grid));
   RuleGrid out;
-  for (const auto& term : termsFor(*found->expert, *found->condition)) out.rows.push_back(term.id);
-  for (const auto& term : termsFor(*found->expert, *found->region)) out.columns.push_back(term.id);
+  for (const auto& term : termsFor(*found.expert, *found.condition)) out.rows.push_back(term.id);
+  for (const auto& term : termsFor(*found.expert, *found.region)) out.columns.push_back(term.id);
   out.cells.resize(out.rows.size() * out.columns.size());
-  const std::vector<Rule>& rules = found->expert->rules;
+  const std::vector<Rule>& rules = found.expert->rules;
   for (std::size_t r = 0; r < rules.size(); ++r) {
     const auto place = cellOf(out, grid, rules[r]);
     if (!place) continue;

@@ -6,6 +6,7 @@
 
 #include "app/editing/edit_text.h"
 #include "core/analysis/term_conversion.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 
@@ -43,12 +44,11 @@ void putInOrder(std::vector<Ramp>& ramps, double narrowest) {
 
 base::Result<Edit> makeSumToOne(const fuzzy::ForceModel& model, const TermListId& list) {
   fuzzy::ForceModel out = model;
-  const auto open = openList(out, list);
-  if (!open) return tl::unexpected(open.error());
-  auto& terms = *open->terms;
-  const fuzzy::Variable& variable = *open->variable;
+  TACTUS_TRY(const auto open, openList(out, list));
+  auto& terms = *open.terms;
+  const fuzzy::Variable& variable = *open.variable;
   if (anyGaussian(terms)) {
-    return fail(ErrorCode::kValue, open->title(), "a Gaussian", "trapezoids and triangles, which can sum to one");
+    return fail(ErrorCode::kValue, open.title(), "a Gaussian", "trapezoids and triangles, which can sum to one");
   }
   const TermOrder order = analysis::byMiddleOfCore(terms);
   std::vector<Ramp> ramps;
@@ -69,7 +69,7 @@ base::Result<Edit> makeSumToOne(const fuzzy::ForceModel& model, const TermListId
     term.points = stays_triangle ? std::vector{left.from, left.to, right.to}
                                  : std::vector{left.from, left.to, right.from, right.to};
   }
-  return finished(std::move(out), open->title() + ": terms sum to one");
+  return finished(std::move(out), open.title() + ": terms sum to one");
 }
 
 bool names(const fuzzy::Rule& rule, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
@@ -108,16 +108,13 @@ base::Result<void> letGo(fuzzy::Expert& expert, const fuzzy::ForceModel& model, 
 
 base::Result<Edit> convertShape(const fuzzy::ForceModel& model, const TermPlace& place, fuzzy::Shape shape) {
   fuzzy::ForceModel out = model;
-  const auto list = openList(out, place.list);
-  if (!list) return tl::unexpected(list.error());
-  const auto index = findTermIn(*list, place.term);
-  if (!index) return tl::unexpected(index.error());
-  fuzzy::Term& term = (*list->terms)[*index];
-  auto other = analysis::convertedTerm(term, shape, list->variable->min, list->variable->max);
-  if (!other) return tl::unexpected(other.error());
+  TACTUS_TRY(const auto list, openList(out, place.list));
+  TACTUS_TRY(const auto index, findTermIn(list, place.term));
+  fuzzy::Term& term = (*list.terms)[index];
+  TACTUS_TRY(auto other, analysis::convertedTerm(term, shape, list.variable->min, list.variable->max));
   std::string label =
-      list->title() + " / " + labelOf(term) + ": " + std::string(name(term.shape)) + " to " + std::string(name(shape));
-  term = std::move(*other);
+      list.title() + " / " + labelOf(term) + ": " + std::string(name(term.shape)) + " to " + std::string(name(shape));
+  term = std::move(other);
   return finished(std::move(out), std::move(label));
 }
 
@@ -171,8 +168,7 @@ Result<double> overlapFor(const OpenList& list, const Term& term, const SplitOpt
 }
 
 Result<std::vector<Term>> partsOf(const OpenList& list, const Term& term, const SplitOptions& options) {
-  const auto overlap = overlapFor(list, term, options);
-  if (!overlap) return tl::unexpected(overlap.error());
+  TACTUS_TRY(const auto overlap, overlapFor(list, term, options));
   const std::size_t count = options.cuts.size() + 1;
   if (!options.names.empty() && options.names.size() != count) {
     return fail(ErrorCode::kValue, list.title() + " / " + labelOf(term),
@@ -188,8 +184,8 @@ Result<std::vector<Term>> partsOf(const OpenList& list, const Term& term, const 
     part.id = options.names.empty() ? freeTermId(taken, term.id + '_' + number) : options.names[k].id;
     part.label = options.names.empty() ? labelOf(term) + ' ' + number : options.names[k].label;
     const bool last = k + 1 == count;
-    const double next_from = last ? term.points[2] : options.cuts[k] - *overlap / 2;
-    const double next_to = last ? term.points[3] : options.cuts[k] + *overlap / 2;
+    const double next_from = last ? term.points[2] : options.cuts[k] - overlap / 2;
+    const double next_to = last ? term.points[3] : options.cuts[k] + overlap / 2;
     // Rounding must not put a shoulder before the one in front of it.
     part.points = {from, to, std::max(to, next_from), std::max(to, next_to)};
     from = part.points[2];
@@ -209,38 +205,35 @@ std::size_t partInTheMiddle(const Term& term, const std::vector<double>& cuts) {
 
 Result<Edit> splitTerm(const ForceModel& model, const TermPlace& place, const SplitOptions& options) {
   ForceModel out = model;
-  const auto open = openList(out, place.list);
-  if (!open) return tl::unexpected(open.error());
-  const auto index = findTermIn(*open, place.term);
-  if (!index) return tl::unexpected(index.error());
-  auto& terms = *open->terms;
-  const Term term = terms[*index];
-  auto parts = partsOf(*open, term, options);
-  if (!parts) return tl::unexpected(parts.error());
+  TACTUS_TRY(const auto open, openList(out, place.list));
+  TACTUS_TRY(const auto index, findTermIn(open, place.term));
+  auto& terms = *open.terms;
+  const Term term = terms[index];
+  TACTUS_TRY(auto parts, partsOf(open, term, options));
 
-  const bool copy = options.copy_rules && open->variable != &out.output;
-  const std::string middle = (*parts)[partInTheMiddle(term, options.cuts)].id;
+  const bool copy = options.copy_rules && open.variable != &out.output;
+  const std::string middle = parts[partInTheMiddle(term, options.cuts)].id;
   for (auto& expert : out.experts) {
     if (!reads(expert, place.list)) continue;
     std::vector<fuzzy::Rule> rules;
     for (const auto& rule : expert.rules) {
-      if (!names(rule, out, *open->variable, term.id)) {
+      if (!names(rule, out, *open.variable, term.id)) {
         rules.push_back(rule);
       } else if (!copy) {
-        rules.push_back(withTerm(rule, out, *open->variable, term.id, middle));
+        rules.push_back(withTerm(rule, out, *open.variable, term.id, middle));
       } else {
-        for (const Term& part : *parts) rules.push_back(withTerm(rule, out, *open->variable, term.id, part.id));
+        for (const Term& part : parts) rules.push_back(withTerm(rule, out, *open.variable, term.id, part.id));
       }
     }
     expert.rules = std::move(rules);
   }
 
   std::vector<std::string> cuts;
-  for (const double cut : options.cuts) cuts.push_back(numberText(*open->variable, cut));
-  std::string label = open->title() + " / " + labelOf(term) + ": split at " + base::joined(cuts, ", ");
-  if (!open->variable->unit.empty() && open->variable->unit != "1") label += ' ' + open->variable->unit;
-  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(*index));
-  terms.insert(terms.begin() + static_cast<std::ptrdiff_t>(*index), parts->begin(), parts->end());
+  for (const double cut : options.cuts) cuts.push_back(numberText(*open.variable, cut));
+  std::string label = open.title() + " / " + labelOf(term) + ": split at " + base::joined(cuts, ", ");
+  if (!open.variable->unit.empty() && open.variable->unit != "1") label += ' ' + open.variable->unit;
+  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(index));
+  terms.insert(terms.begin() + static_cast<std::ptrdiff_t>(index), parts.begin(), parts.end());
   return finished(std::move(out), std::move(label));
 }
 
@@ -318,54 +311,49 @@ Result<Edit> addTerm(const ForceModel& model, const TermListId& list, const Term
                 std::to_string(pointCount(term.shape)) + " for a " + std::string(name(term.shape)));
   }
   ForceModel out = model;
-  const auto open = openList(out, list);
-  if (!open) return tl::unexpected(open.error());
-  auto& terms = *open->terms;
+  TACTUS_TRY(const auto open, openList(out, list));
+  auto& terms = *open.terms;
   const double middle = middleOf(term);
   const auto next =
       std::find_if(terms.begin(), terms.end(), [middle](const Term& other) { return middleOf(other) > middle; });
   terms.insert(next, term);
-  std::string label = open->title() + ": " + labelOf(term) + " added";
+  std::string label = open.title() + ": " + labelOf(term) + " added";
   return finished(std::move(out), std::move(label));
 }
 
 Result<Edit> renameTerm(const ForceModel& model, const TermPlace& place, const std::string& id,
                         const std::string& label) {
   ForceModel out = model;
-  const auto open = openList(out, place.list);
-  if (!open) return tl::unexpected(open.error());
-  const auto index = findTermIn(*open, place.term);
-  if (!index) return tl::unexpected(index.error());
-  if (id != place.term && findTerm(*open->terms, id) != nullptr) {
-    return fail(ErrorCode::kSchema, open->title(), base::quoted(id) + " twice", "an id that no other term has");
+  TACTUS_TRY(const auto open, openList(out, place.list));
+  TACTUS_TRY(const auto index, findTermIn(open, place.term));
+  if (id != place.term && findTerm(*open.terms, id) != nullptr) {
+    return fail(ErrorCode::kSchema, open.title(), base::quoted(id) + " twice", "an id that no other term has");
   }
-  Term& term = (*open->terms)[*index];
-  std::string what = open->title() + " / " + labelOf(term);
+  Term& term = (*open.terms)[index];
+  std::string what = open.title() + " / " + labelOf(term);
   term.id = id;
   term.label = label;
   what += ": renamed to " + labelOf(term);
   for (auto& expert : out.experts) {
     if (!reads(expert, place.list)) continue;
-    for (auto& rule : expert.rules) rule = withTerm(std::move(rule), out, *open->variable, place.term, id);
+    for (auto& rule : expert.rules) rule = withTerm(std::move(rule), out, *open.variable, place.term, id);
   }
   return finished(std::move(out), std::move(what));
 }
 
 Result<Edit> removeTerm(const ForceModel& model, const TermPlace& place, const RemoveOptions& options) {
   ForceModel out = model;
-  const auto open = openList(out, place.list);
-  if (!open) return tl::unexpected(open.error());
-  const auto index = findTermIn(*open, place.term);
-  if (!index) return tl::unexpected(index.error());
-  auto& terms = *open->terms;
-  std::string label = open->title() + " / " + labelOf(terms[*index]) + ": removed";
+  TACTUS_TRY(const auto open, openList(out, place.list));
+  TACTUS_TRY(const auto index, findTermIn(open, place.term));
+  auto& terms = *open.terms;
+  std::string label = open.title() + " / " + labelOf(terms[index]) + ": removed";
   if (terms.size() == 1) {
-    return fail(ErrorCode::kValue, open->title(), "the last term", "a list that keeps one or more");
+    return fail(ErrorCode::kValue, open.title(), "the last term", "a list that keeps one or more");
   }
   for (auto& expert : out.experts) {
     if (!reads(expert, place.list)) continue;
     const std::size_t before = expert.rules.size();
-    if (auto ok = letGo(expert, out, *open->variable, place.term, options.rules); !ok) {
+    if (auto ok = letGo(expert, out, *open.variable, place.term, options.rules); !ok) {
       return tl::unexpected(ok.error());
     }
     if (const std::size_t gone = before - expert.rules.size(); gone > 0) {
@@ -373,14 +361,14 @@ Result<Edit> removeTerm(const ForceModel& model, const TermPlace& place, const R
     }
   }
   if (options.sum_to_one) {
-    const auto order = partitionOrder(*open->variable, terms);
+    const auto order = partitionOrder(*open.variable, terms);
     if (!order) {
-      return fail(ErrorCode::kValue, open->title(), "terms that do not sum to one",
+      return fail(ErrorCode::kValue, open.title(), "terms that do not sum to one",
                   "terms that do, or to edit without that mode");
     }
-    closeGap(terms, *order, static_cast<std::size_t>(std::find(order->begin(), order->end(), *index) - order->begin()));
+    closeGap(terms, *order, static_cast<std::size_t>(std::find(order->begin(), order->end(), index) - order->begin()));
   }
-  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(*index));
+  terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(index));
   return finished(std::move(out), std::move(label));
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/editing/edit_text.h"
 #include "app/editing/term_edits.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::editing {
@@ -59,14 +60,13 @@ Result<Expert*> findExpert(ForceModel& model, std::string_view id) { return expe
 Result<const Expert*> findExpert(const ForceModel& model, std::string_view id) { return expertIn(model, id); }
 
 Result<OpenList> openList(ForceModel& model, const TermListId& list) {
-  const auto variable = findVariable(model, list.variable);
-  if (!variable) return tl::unexpected(variable.error());
+  TACTUS_TRY(const auto variable, findVariable(model, list.variable));
   OpenList out;
-  out.variable = *variable;
+  out.variable = variable;
   if (list.expert.empty()) {
-    const bool output = *variable == &model.output;
+    const bool output = variable == &model.output;
     out.terms =
-        output ? &model.output.terms : &model.inputs[static_cast<std::size_t>(*variable - model.inputs.data())].terms;
+        output ? &model.output.terms : &model.inputs[static_cast<std::size_t>(variable - model.inputs.data())].terms;
     // A model of one expert has one scope, so there is nothing to ask.
     if (model.experts.size() > 1) {
       const std::string readers = readersText(model, list);
@@ -74,14 +74,13 @@ Result<OpenList> openList(ForceModel& model, const TermListId& list) {
     }
     return out;
   }
-  const auto expert = findExpert(model, list.expert);
-  if (!expert) return tl::unexpected(expert.error());
-  const auto own = overrideOf(**expert, list.variable);
-  if (own == (*expert)->overrides.end()) {
+  TACTUS_TRY(const auto expert, findExpert(model, list.expert));
+  const auto own = overrideOf(*expert, list.variable);
+  if (own == (expert)->overrides.end()) {
     return fail(ErrorCode::kReference, "terms of " + quoted(list.variable),
                 "the shared list for expert " + quoted(list.expert), "an own list of that expert");
   }
-  out.expert = *expert;
+  out.expert = expert;
   out.terms = &own->terms;
   return out;
 }
@@ -123,32 +122,29 @@ bool reads(const Expert& expert, const TermListId& list) { return listOf(expert,
 
 Result<Edit> makeOwn(const ForceModel& model, const TermListId& list) {
   ForceModel out = model;
-  const auto variable = findVariable(out, list.variable);
-  if (!variable) return tl::unexpected(variable.error());
-  const auto expert = findExpert(out, list.expert);
-  if (!expert) return tl::unexpected(expert.error());
-  if (overrideOf(**expert, list.variable) != (*expert)->overrides.end()) {
-    return fail(ErrorCode::kValue, labelOf(**expert), "an own list for " + quoted(list.variable) + " already",
+  TACTUS_TRY(const auto variable, findVariable(out, list.variable));
+  TACTUS_TRY(const auto expert, findExpert(out, list.expert));
+  if (overrideOf(*expert, list.variable) != (expert)->overrides.end()) {
+    return fail(ErrorCode::kValue, labelOf(*expert), "an own list for " + quoted(list.variable) + " already",
                 "the shared list");
   }
-  const std::string label = labelOf(**expert) + ", " + labelOf(**variable) + ": own terms";
-  (*expert)->overrides.push_back({list.variable, (*variable)->terms});
+  const std::string label = labelOf(*expert) + ", " + labelOf(*variable) + ": own terms";
+  (expert)->overrides.push_back({list.variable, (variable)->terms});
   return finished(std::move(out), label);
 }
 
 Result<Edit> backToShared(const ForceModel& model, const TermListId& list, RulesOfTerm rules) {
   ForceModel out = model;
-  auto open = openList(out, list);
-  if (!open) return tl::unexpected(open.error());
-  if (open->expert == nullptr) {
-    return fail(ErrorCode::kValue, open->title(), "the shared list", "an expert's own list");
+  TACTUS_TRY(auto open, openList(out, list));
+  if (open.expert == nullptr) {
+    return fail(ErrorCode::kValue, open.title(), "the shared list", "an expert's own list");
   }
-  const std::string label = open->title() + ": back to the shared terms";
-  for (const auto& term : *open->terms) {
-    if (findTerm(open->variable->terms, term.id) != nullptr) continue;
-    if (auto ok = letGo(*open->expert, out, *open->variable, term.id, rules); !ok) return tl::unexpected(ok.error());
+  const std::string label = open.title() + ": back to the shared terms";
+  for (const auto& term : *open.terms) {
+    if (findTerm(open.variable->terms, term.id) != nullptr) continue;
+    if (auto ok = letGo(*open.expert, out, *open.variable, term.id, rules); !ok) return tl::unexpected(ok.error());
   }
-  open->expert->overrides.erase(overrideOf(*open->expert, list.variable));
+  open.expert->overrides.erase(overrideOf(*open.expert, list.variable));
   return finished(std::move(out), label);
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/close_match.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/json/json_document.h"
 #include "core/base/json/json_members.h"
@@ -73,15 +74,13 @@ Result<base::JsonDocument> parseLine(std::string_view line) {
 }  // namespace
 
 Result<Hello> readHello(std::string_view line) {
-  const auto document = parseLine(line);
-  if (!document) return tl::unexpected(document.error());
-  const auto greeting = valueOf(*document, "hello");
-  if (!greeting) return tl::unexpected(greeting.error());
+  TACTUS_TRY(const auto document, parseLine(line));
+  TACTUS_TRY(const auto greeting, valueOf(document, "hello"));
   std::optional<base::Error> error;
-  JsonMembers members(document->root(), error);
+  JsonMembers members(document.root(), error);
   Hello hello;
   std::string name;
-  if (greeting->kind() != JsonKind::kString || greeting->text() != kProtocol) {
+  if (greeting.kind() != JsonKind::kString || greeting.text() != kProtocol) {
     members.refuse("hello", "'" + std::string(kProtocol) + "'");
   }
   members.version(required("version"));
@@ -95,12 +94,10 @@ Result<Hello> readHello(std::string_view line) {
 }
 
 Result<Ask> readAsk(std::string_view line) {
-  const auto document = parseLine(line);
-  if (!document) return tl::unexpected(document.error());
-  const auto question = valueOf(*document, "ask");
-  if (!question) return tl::unexpected(question.error());
+  TACTUS_TRY(const auto document, parseLine(line));
+  TACTUS_TRY(const auto question, valueOf(document, "ask"));
   std::optional<base::Error> error;
-  JsonMembers members(*question, error);
+  JsonMembers members(question, error);
   Ask ask;
   if (const auto id = members.child(required("id"))) {
     const bool fits = id->kind() == JsonKind::kNumber || id->kind() == JsonKind::kString;

@@ -21,6 +21,7 @@
 #include "app/link/link_lines.h"
 #include "app/link/link_sockets.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/system_reason.h"
@@ -334,10 +335,9 @@ class LinkServer::Loop {
 base::Result<std::unique_ptr<LinkServer>> LinkServer::start(LinkSettings settings, LinkModel model,
                                                             std::function<void()> clients_changed) {
   TACTUS_CHECK(!settings.token.empty() && model.text);
-  auto sockets = LinkSockets::open(settings.port, settings.socket_path);
-  if (!sockets) return tl::unexpected(sockets.error());
+  TACTUS_TRY(auto sockets, LinkSockets::open(settings.port, settings.socket_path));
   std::unique_ptr<LinkServer> server(
-      new LinkServer(std::move(settings), std::move(*sockets), std::move(clients_changed)));
+      new LinkServer(std::move(settings), std::move(sockets), std::move(clients_changed)));
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0)
     return base::fail(base::ErrorCode::kIo, {}, base::systemReason(errno), "a pipe");

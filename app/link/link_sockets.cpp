@@ -16,6 +16,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/file.h"
 #include "core/base/files/system_reason.h"
@@ -74,9 +75,8 @@ Result<std::string> readToken(const std::string& path) {
     std::snprintf(mode.data(), mode.size(), "%04o", info.st_mode & 07777U);
     return fileError(path, "a token file that others may read (mode " + std::string(mode.data()) + ")", "mode 0600");
   }
-  const auto text = base::readFile(path, 2 * kMostTokenBytes);
-  if (!text) return tl::unexpected(text.error());
-  std::string_view token = *text;
+  TACTUS_TRY(const auto text, base::readFile(path, 2 * kMostTokenBytes));
+  std::string_view token = text;
   while (token.ends_with('\n') || token.ends_with('\r')) token.remove_suffix(1);
   const bool fits = token.size() >= kFewestTokenBytes && token.size() <= kMostTokenBytes &&
                     std::all_of(token.begin(), token.end(), [](char c) { return c > ' ' && c < '\x7f'; });
@@ -111,14 +111,12 @@ TokenFile::~TokenFile() {
 Result<TokenFile> TokenFile::at(const std::string& path) {
   struct stat info {};
   if (::lstat(path.c_str(), &info) == 0) {
-    auto token = readToken(path);
-    if (!token) return tl::unexpected(token.error());
-    return TokenFile(path, std::move(*token), {});
+    TACTUS_TRY(auto token, readToken(path));
+    return TokenFile(path, std::move(token), {});
   }
-  auto token = makeToken();
-  if (!token) return tl::unexpected(token.error());
-  if (auto written = writePrivately(path, *token); !written) return tl::unexpected(written.error());
-  return TokenFile(path, std::move(*token), {});
+  TACTUS_TRY(auto token, makeToken());
+  if (auto written = writePrivately(path, token); !written) return tl::unexpected(written.error());
+  return TokenFile(path, std::move(token), {});
 }
 
 Result<TokenFile> TokenFile::inPrivateFolder() {
@@ -130,9 +128,8 @@ Result<TokenFile> TokenFile::inPrivateFolder() {
   std::string folder = (parent / "tactus-link-XXXXXX").string();
   if (::mkdtemp(folder.data()) == nullptr)
     return fileError(parent.string(), base::systemReason(errno), "a folder for a token file");
-  auto token = makeToken();
-  if (!token) return tl::unexpected(token.error());
-  TokenFile file(folder + "/token", std::move(*token), folder);
+  TACTUS_TRY(auto token, makeToken());
+  TokenFile file(folder + "/token", std::move(token), folder);
   if (auto written = writePrivately(file.path(), file.token()); !written) return tl::unexpected(written.error());
   return file;
 }

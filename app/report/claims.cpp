@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::report {
@@ -58,10 +59,9 @@ std::string peakText(const ClaimContext& context, const std::vector<CurvePoint>&
 }
 
 base::Result<std::vector<Claim>> checkClaims(const fuzzy::ForceModel& model, const ClaimSubjects& subjects) {
-  const auto curves = ForceCurves::of(model);
-  if (!curves) return tl::unexpected(curves.error());
+  TACTUS_TRY(const auto curves, ForceCurves::of(model));
   ClaimContext context{.model = model,
-                       .curves = *curves,
+                       .curves = curves,
                        .regions = {},
                        .published_expert = model.experts.size(),
                        .highest_peak_expert = subjects.highest_peak_expert};

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/figures/force_curves.h"
+#include "core/base/error.h"
 
 namespace tactus::report {
 
@@ -25,13 +26,12 @@ base::Result<std::size_t> placeOf(const fuzzy::ForceModel& model, std::string_vi
 }  // namespace
 
 base::Result<ForceCurves> ForceCurves::of(const fuzzy::ForceModel& model) {
-  auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(auto compiled, fuzzy::compile(model));
   if (model.inputs.size() != kInputs) {
     return base::fail(ErrorCode::kSchema, "/inputs", std::to_string(model.inputs.size()) + " inputs",
                       "the four inputs lubrication, neck_flexion, depth and speed");
   }
-  ForceCurves curves(std::move(*compiled));
+  ForceCurves curves(std::move(compiled));
   struct Slot {
     std::string_view id;
     std::size_t ForceCurves::*place;
@@ -41,9 +41,8 @@ base::Result<ForceCurves> ForceCurves::of(const fuzzy::ForceModel& model) {
                                             {"depth", &ForceCurves::depth_},
                                             {"speed", &ForceCurves::speed_}}};
   for (const Slot& slot : slots) {
-    const auto place = placeOf(model, slot.id);
-    if (!place) return tl::unexpected(place.error());
-    curves.*slot.place = *place;
+    TACTUS_TRY(const auto place, placeOf(model, slot.id));
+    curves.*slot.place = place;
   }
   const fuzzy::Variable& depth = model.inputs[curves.depth_];
   const auto steps = static_cast<std::size_t>(std::ceil(depth.max - depth.min));

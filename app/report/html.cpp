@@ -12,20 +12,13 @@ namespace {
 /// Name of the badge's style in the page's style sheet.
 std::string_view cssClass(Badge badge) noexcept {
   switch (badge) {
-    case Badge::kPublished:
-      return "published";
-    case Badge::kSimulated:
-      return "simulated";
-    case Badge::kComputed:
-      return "computed";
-    case Badge::kByConstruction:
-      return "construction";
-    case Badge::kYes:
-      return "yes";
-    case Badge::kNo:
-      return "no";
-    case Badge::kNotApplicable:
-      return "none";
+    case Badge::kPublished: return "published";
+    case Badge::kSimulated: return "simulated";
+    case Badge::kComputed: return "computed";
+    case Badge::kByConstruction: return "construction";
+    case Badge::kYes: return "yes";
+    case Badge::kNo: return "no";
+    case Badge::kNotApplicable: return "none";
   }
   return "none";
 }
@@ -34,20 +27,13 @@ std::string_view cssClass(Badge badge) noexcept {
 
 std::string_view name(Badge badge) noexcept {
   switch (badge) {
-    case Badge::kPublished:
-      return "published";
-    case Badge::kSimulated:
-      return "simulated";
-    case Badge::kComputed:
-      return "computed";
-    case Badge::kByConstruction:
-      return "by construction";
-    case Badge::kYes:
-      return "yes";
-    case Badge::kNo:
-      return "no";
-    case Badge::kNotApplicable:
-      return "not asked";
+    case Badge::kPublished: return "published";
+    case Badge::kSimulated: return "simulated";
+    case Badge::kComputed: return "computed";
+    case Badge::kByConstruction: return "by construction";
+    case Badge::kYes: return "yes";
+    case Badge::kNo: return "no";
+    case Badge::kNotApplicable: return "not asked";
   }
   return "";
 }

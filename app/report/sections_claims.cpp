@@ -6,12 +6,9 @@ namespace {
 
 Markup basisBadges(const Verdict& verdict) {
   switch (verdict.basis) {
-    case ClaimBasis::kPublishedRules:
-      return badge(Badge::kPublished);
-    case ClaimBasis::kSimulated:
-      return badge(Badge::kSimulated);
-    case ClaimBasis::kByConstruction:
-      return badge(Badge::kByConstruction);
+    case ClaimBasis::kPublishedRules: return badge(Badge::kPublished);
+    case ClaimBasis::kSimulated: return badge(Badge::kSimulated);
+    case ClaimBasis::kByConstruction: return badge(Badge::kByConstruction);
   }
   return {};
 }

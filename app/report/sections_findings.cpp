@@ -19,36 +19,21 @@ constexpr std::size_t kMostRows = 5;
 std::string_view words(RuleFinding::Kind kind) {
   using Kind = RuleFinding::Kind;
   switch (kind) {
-    case Kind::kHole:
-      return "Hole";
-    case Kind::kAbstentionJump:
-      return "Jump of the mean";
-    case Kind::kForceStep:
-      return "Step of the force";
-    case Kind::kRegionWithoutRule:
-      return "Region without a rule";
-    case Kind::kMissingItem:
-      return "Missing answer";
-    case Kind::kConflict:
-      return "Contradiction";
-    case Kind::kExpertsApart:
-      return "Experts far apart";
-    case Kind::kAgainstDeclaration:
-      return "Against the declared direction";
-    case Kind::kLevelJump:
-      return "Jump between neighboring answers";
-    case Kind::kDirectionChange:
-      return "Change of direction";
-    case Kind::kDisagreement:
-      return "Opposite direction";
-    case Kind::kRedundantRule:
-      return "Rule without effect";
-    case Kind::kUnreachableRule:
-      return "Rule that never fires";
-    case Kind::kUnreachableTerm:
-      return "Term out of reach";
-    case Kind::kUnusedTerm:
-      return "Unused term";
+    case Kind::kHole: return "Hole";
+    case Kind::kAbstentionJump: return "Jump of the mean";
+    case Kind::kForceStep: return "Step of the force";
+    case Kind::kRegionWithoutRule: return "Region without a rule";
+    case Kind::kMissingItem: return "Missing answer";
+    case Kind::kConflict: return "Contradiction";
+    case Kind::kExpertsApart: return "Experts far apart";
+    case Kind::kAgainstDeclaration: return "Against the declared direction";
+    case Kind::kLevelJump: return "Jump between neighboring answers";
+    case Kind::kDirectionChange: return "Change of direction";
+    case Kind::kDisagreement: return "Opposite direction";
+    case Kind::kRedundantRule: return "Rule without effect";
+    case Kind::kUnreachableRule: return "Rule that never fires";
+    case Kind::kUnreachableTerm: return "Term out of reach";
+    case Kind::kUnusedTerm: return "Unused term";
   }
   return "";
 }

@@ -55,14 +55,10 @@ std::string curvePlot(const ReportContext& context, const elicitation::Frequency
 
 std::string_view modelTermsFrom(const ReportContext& context) {
   switch (context.in.build_settings.force_terms) {
-    case elicitation::ForceTermsFrom::kFrequency:
-      return "frequency curve";
-    case elicitation::ForceTermsFrom::kThresholds:
-      return "participants’ thresholds";
-    case elicitation::ForceTermsFrom::kProbit:
-      return "ordered probit";
-    case elicitation::ForceTermsFrom::kVote:
-      break;
+    case elicitation::ForceTermsFrom::kFrequency: return "frequency curve";
+    case elicitation::ForceTermsFrom::kThresholds: return "participants’ thresholds";
+    case elicitation::ForceTermsFrom::kProbit: return "ordered probit";
+    case elicitation::ForceTermsFrom::kVote: break;
   }
   return "vote";
 }

@@ -24,12 +24,9 @@ constexpr std::size_t kMany = 40;  // participants
 
 std::string_view whatOf(BandKind kind) {
   switch (kind) {
-    case BandKind::kAgain:
-      return "these participants once more";
-    case BandKind::kOthers:
-      return "as many other participants like these";
-    case BandKind::kNext:
-      return "one more participant";
+    case BandKind::kAgain: return "these participants once more";
+    case BandKind::kOthers: return "as many other participants like these";
+    case BandKind::kNext: return "one more participant";
   }
   return "";
 }

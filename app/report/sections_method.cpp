@@ -86,12 +86,9 @@ namespace {
 
 std::string_view words(elicitation::Averaging averaging) {
   switch (averaging) {
-    case elicitation::Averaging::kMean:
-      return "mean over the participants";
-    case elicitation::Averaging::kWeightedMean:
-      return "mean weighted as the experts";
-    case elicitation::Averaging::kMedian:
-      return "median over the participants";
+    case elicitation::Averaging::kMean: return "mean over the participants";
+    case elicitation::Averaging::kWeightedMean: return "mean weighted as the experts";
+    case elicitation::Averaging::kMedian: return "median over the participants";
   }
   return "";
 }

@@ -13,18 +13,12 @@ namespace {
 /// A reason in a word or two, for the table.
 std::string_view words(elicitation::VoteReason reason) {
   switch (reason) {
-    case elicitation::VoteReason::kMajority:
-      return "majority";
-    case elicitation::VoteReason::kTieHigher:
-      return "tie, higher wins";
-    case elicitation::VoteReason::kNextLevel:
-      return "next level";
-    case elicitation::VoteReason::kClamped:
-      return "next level, limited";
-    case elicitation::VoteReason::kFirstMedian:
-      return "median";
-    case elicitation::VoteReason::kNoVotes:
-      return "no votes";
+    case elicitation::VoteReason::kMajority: return "majority";
+    case elicitation::VoteReason::kTieHigher: return "tie, higher wins";
+    case elicitation::VoteReason::kNextLevel: return "next level";
+    case elicitation::VoteReason::kClamped: return "next level, limited";
+    case elicitation::VoteReason::kFirstMedian: return "median";
+    case elicitation::VoteReason::kNoVotes: return "no votes";
   }
   return "";
 }
@@ -32,18 +26,13 @@ std::string_view words(elicitation::VoteReason reason) {
 /// What a reason means, for the note below the table.
 std::string_view explain(elicitation::VoteReason reason) {
   switch (reason) {
-    case elicitation::VoteReason::kMajority:
-      return "one term has half of the votes or more";
-    case elicitation::VoteReason::kTieHigher:
-      return "two terms have half of the votes each, the higher wins";
-    case elicitation::VoteReason::kNextLevel:
-      return "no term has half, so one above the own term of the force before";
-    case elicitation::VoteReason::kClamped:
-      return "the same, kept within the terms that were voted for";
+    case elicitation::VoteReason::kMajority: return "one term has half of the votes or more";
+    case elicitation::VoteReason::kTieHigher: return "two terms have half of the votes each, the higher wins";
+    case elicitation::VoteReason::kNextLevel: return "no term has half, so one above the own term of the force before";
+    case elicitation::VoteReason::kClamped: return "the same, kept within the terms that were voted for";
     case elicitation::VoteReason::kFirstMedian:
       return "no term has half and no force was decided before, so the lower median";
-    case elicitation::VoteReason::kNoVotes:
-      return "no votes";
+    case elicitation::VoteReason::kNoVotes: return "no votes";
   }
   return "";
 }
@@ -78,8 +67,7 @@ std::string termsOrigin(const ReportContext& context) {
       return " From one ordered probit over all answers: a ramp around each force at which the words change, as wide "
              "as "
              "their spread.";
-    case elicitation::ForceTermsFrom::kVote:
-      break;
+    case elicitation::ForceTermsFrom::kVote: break;
   }
   return std::string(context.demo != nullptr ? " From the published votes:" : " From the vote:") +
          " the core of a term runs from the first to the last force it won, ramps join neighboring cores.";

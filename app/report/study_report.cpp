@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "app/report/report_sections.h"
+#include "core/base/error.h"
 
 namespace tactus::report {
 
 base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
-  const auto curves = ForceCurves::of(inputs.built.model);
-  if (!curves) return tl::unexpected(curves.error());
-  auto claims = checkClaims(inputs.built.model, {inputs.published_expert, inputs.highest_peak_expert});
-  if (!claims) return tl::unexpected(claims.error());
+  TACTUS_TRY(const auto curves, ForceCurves::of(inputs.built.model));
+  TACTUS_TRY(auto claims, checkClaims(inputs.built.model, {inputs.published_expert, inputs.highest_peak_expert}));
   const StudyReportInputs of_study{.study = inputs.study,
                                    .built = inputs.built,
                                    .build_settings = inputs.build_settings,
@@ -18,9 +17,9 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
                                    .settings = inputs.settings};
   const ReportContext context{.in = of_study,
                               .demo = &inputs,
-                              .curves = &*curves,
+                              .curves = &curves,
                               .regions = depthRegions(depthVariable(inputs.built.model)),
-                              .claims = std::move(*claims),
+                              .claims = std::move(claims),
                               .speed_intervals = speedIntervals(of_study)};
 
   HtmlPage page(
@@ -129,9 +128,8 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
   const bool with_experts = !inputs.built.model.experts.empty();
   std::optional<ForceCurves> curves;
   if (with_experts) {
-    auto made = ForceCurves::of(inputs.built.model);
-    if (!made) return tl::unexpected(made.error());
-    curves = std::move(*made);
+    TACTUS_TRY(auto made, ForceCurves::of(inputs.built.model));
+    curves = std::move(made);
   }
   const ReportContext context{.in = inputs,
                               .curves = curves ? &*curves : nullptr,

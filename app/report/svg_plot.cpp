@@ -165,14 +165,10 @@ constexpr double kPixelsPerTickY = 44;
 
 std::string_view dashArray(Dash dash) {
   switch (dash) {
-    case Dash::kSolid:
-      return "";
-    case Dash::kDashed:
-      return "7 4";
-    case Dash::kDotted:
-      return "2.5 2.5";
-    case Dash::kDashDot:
-      return "8 3.5 1.5 3.5";
+    case Dash::kSolid: return "";
+    case Dash::kDashed: return "7 4";
+    case Dash::kDotted: return "2.5 2.5";
+    case Dash::kDashDot: return "8 3.5 1.5 3.5";
   }
   return "";
 }

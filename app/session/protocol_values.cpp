@@ -75,19 +75,13 @@ ValueKind kindOf(const std::string& name, const Json& now) {
 
 const char* wantedOf(ValueKind kind) {
   switch (kind) {
-    case ValueKind::kFlag:
-      return "true or false";
-    case ValueKind::kWhole:
-      return "a whole number";
-    case ValueKind::kNumber:
-      return "a number";
-    case ValueKind::kNumberOrNone:
-      return "a number, or nothing";
-    case ValueKind::kNumbers:
-      return "numbers with commas between them";
+    case ValueKind::kFlag: return "true or false";
+    case ValueKind::kWhole: return "a whole number";
+    case ValueKind::kNumber: return "a number";
+    case ValueKind::kNumberOrNone: return "a number, or nothing";
+    case ValueKind::kNumbers: return "numbers with commas between them";
     case ValueKind::kText:
-    case ValueKind::kTexts:
-      break;
+    case ValueKind::kTexts: break;
   }
   return "text";
 }

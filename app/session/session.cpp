@@ -6,6 +6,7 @@
 
 #include "app/session/judged_forces.h"
 #include "app/session/session_state.h"
+#include "core/base/error.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
@@ -58,11 +59,10 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   }
   auto settings = start.settings;
   settings.force.device_friction_n = start.device_friction_n;
-  const auto persons = store::persons(file);
-  if (!persons) return tl::unexpected(persons.error());
+  TACTUS_TRY(const auto persons, store::persons(file));
   const auto person =
-      std::find_if(persons->begin(), persons->end(), [&](const study::Person& p) { return p.id == start.person; });
-  if (person == persons->end()) {
+      std::find_if(persons.begin(), persons.end(), [&](const study::Person& p) { return p.id == start.person; });
+  if (person == persons.end()) {
     return fail(ErrorCode::kReference, "session", "an unknown participant", "a participant of this study");
   }
 
@@ -70,9 +70,8 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   if (auto ok = validate(settings); !ok) return tl::unexpected(ok.error());
 
   if (start.protocol) {
-    const auto state = store::protocolState(file);
-    if (!state) return tl::unexpected(state.error());
-    if (!state->current || state->current->id != *start.protocol) {
+    TACTUS_TRY(const auto state, store::protocolState(file));
+    if (!state.current || state.current->id != *start.protocol) {
       return fail(ErrorCode::kReference, "session", "a protocol that does not count",
                   "the latest protocol of the study");
     }
@@ -97,37 +96,32 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   state->simulated = person->simulated;
   // Everything that can be refused is refused before the session is in the file.
   if (auto ok = state->makeProtocols(file); !ok) return tl::unexpected(ok.error());
-  const auto latest = latestSession(file, start.person);
-  if (!latest) return tl::unexpected(latest.error());
+  TACTUS_TRY(const auto latest, latestSession(file, start.person));
   // The session and the first line of its log are stored together or not at all.
   auto begun = store::inOneBatch(file, [&] {
-    return store::append(file, record).and_then([&] { return state->log(kBegan, afterDetail(*latest)); });
+    return store::append(file, record).and_then([&] { return state->log(kBegan, afterDetail(latest)); });
   });
   if (!begun) return tl::unexpected(begun.error());
   return Session(std::move(state));
 }
 
 Result<Session> Session::resume(store::StudyFile& file, const study::RecordId& session, SessionTools tools) {
-  const auto sessions = store::sessions(file);
-  if (!sessions) return tl::unexpected(sessions.error());
+  TACTUS_TRY(const auto sessions, store::sessions(file));
   const auto record =
-      std::find_if(sessions->begin(), sessions->end(), [&](const study::SessionRecord& s) { return s.id == session; });
-  if (record == sessions->end()) {
+      std::find_if(sessions.begin(), sessions.end(), [&](const study::SessionRecord& s) { return s.id == session; });
+  if (record == sessions.end()) {
     return fail(ErrorCode::kReference, "session", toText(session), "a session of this study");
   }
-  const auto persons = store::persons(file);
-  if (!persons) return tl::unexpected(persons.error());
-  auto settings = parseSessionSettings(record->settings);
-  if (!settings) return tl::unexpected(settings.error());
+  TACTUS_TRY(const auto persons, store::persons(file));
+  TACTUS_TRY(auto settings, parseSessionSettings(record->settings));
 
   auto state = std::make_unique<SessionState>(file, std::move(tools), *record);
-  state->settings = std::move(*settings);
-  for (const auto& person : *persons) {
+  state->settings = std::move(settings);
+  for (const auto& person : persons) {
     if (person.id == record->person) state->simulated = person.simulated;
   }
-  const auto events = store::events(file, {{}, record->id, true});
-  if (!events) return tl::unexpected(events.error());
-  if (auto ok = state->readBack(file, *events); !ok) return tl::unexpected(ok.error());
+  TACTUS_TRY(const auto events, store::events(file, {{}, record->id, true}));
+  if (auto ok = state->readBack(file, events); !ok) return tl::unexpected(ok.error());
   state->announced = state->part();
   if (auto ok = state->log(kResumed, detail("stage", name(state->announced))); !ok) return tl::unexpected(ok.error());
   return Session(std::move(state));
@@ -178,17 +172,16 @@ Result<void> Session::addStroke(const experiments::Stroke& stroke, study::Record
 
 Result<void> Session::rejectStroke(const study::RecordId& stroke, const std::string& reason) {
   if (!state_->speed || state_->aborted) return notNow("a stroke taken back", part());
-  const auto strokes = store::strokes(state_->file, {{}, state_->record.id, false}, store::Recordings::kLeaveOut);
-  if (!strokes) return tl::unexpected(strokes.error());
-  const auto it = std::find_if(strokes->begin(), strokes->end(),
+  TACTUS_TRY(const auto strokes,
+             store::strokes(state_->file, {{}, state_->record.id, false}, store::Recordings::kLeaveOut));
+  const auto it = std::find_if(strokes.begin(), strokes.end(),
                                [&](const study::StrokeRecord& one) { return one.entry.id == stroke; });
-  if (it == strokes->end()) {
+  if (it == strokes.end()) {
     return fail(ErrorCode::kReference, "session", "stroke " + toText(stroke), "a stroke of this session");
   }
-  auto recording = store::recordingOf(state_->file, stroke);
-  if (!recording) return tl::unexpected(recording.error());
+  TACTUS_TRY(auto recording, store::recordingOf(state_->file, stroke));
   auto record = *it;
-  record.recording = std::move(*recording);
+  record.recording = std::move(recording);
   record.entry = state_->entry();
   record.entry.supersedes = stroke;
   record.entry.reason = reason;
@@ -203,15 +196,14 @@ Result<void> Session::judge(const experiments::ForceAnswer& answer, const std::o
   if (input) {
     if (auto ok = validate(*input); !ok) return ok;
   }
-  auto record = state_->force->record(answer);
-  if (!record) return tl::unexpected(record.error());
-  record->entry = state_->entry();
+  TACTUS_TRY(auto record, state_->force->record(answer));
+  record.entry = state_->entry();
   auto after = *state_->force;
-  if (auto ok = after.add(*record); !ok) return ok;
+  if (auto ok = after.add(record); !ok) return ok;
   const bool asked = answer.kind != study::ForceJudgement::Kind::kNoAnswer;
-  const auto mark = asked ? responseMark(record->response_s) : std::nullopt;
+  const auto mark = asked ? responseMark(record.response_s) : std::nullopt;
   return state_->store(
-      *record, [&] { state_->force = std::move(after); }, notesOf(record->entry.id, input, mark));
+      record, [&] { state_->force = std::move(after); }, notesOf(record.entry.id, input, mark));
 }
 
 Result<void> Session::correctJudgement(study::ForceJudgement::Kind kind, const std::string& term,
@@ -221,15 +213,14 @@ Result<void> Session::correctJudgement(study::ForceJudgement::Kind kind, const s
   if (input) {
     if (auto ok = validate(*input); !ok) return ok;
   }
-  auto record = state_->force->correction(kind, term);
-  if (!record) return tl::unexpected(record.error());
-  const auto supersedes = record->entry.supersedes;
-  record->entry = state_->entry();
-  record->entry.supersedes = supersedes;
+  TACTUS_TRY(auto record, state_->force->correction(kind, term));
+  const auto supersedes = record.entry.supersedes;
+  record.entry = state_->entry();
+  record.entry.supersedes = supersedes;
   auto after = *state_->force;
-  if (auto ok = after.add(*record); !ok) return ok;
+  if (auto ok = after.add(record); !ok) return ok;
   return state_->store(
-      *record, [&] { state_->force = std::move(after); }, notesOf(record->entry.id, input, std::nullopt));
+      record, [&] { state_->force = std::move(after); }, notesOf(record.entry.id, input, std::nullopt));
 }
 
 Result<void> Session::reply(const questionnaires::Reply& reply, double response_s,
@@ -238,16 +229,15 @@ Result<void> Session::reply(const questionnaires::Reply& reply, double response_
   if (input) {
     if (auto ok = validate(*input); !ok) return ok;
   }
-  auto record = state_->form->draft(reply);
-  if (!record) return tl::unexpected(record.error());
-  const auto supersedes = record->entry.supersedes;
-  record->entry = state_->entry();
-  record->entry.supersedes = supersedes;
-  record->response_s = response_s;
+  TACTUS_TRY(auto record, state_->form->draft(reply));
+  const auto supersedes = record.entry.supersedes;
+  record.entry = state_->entry();
+  record.entry.supersedes = supersedes;
+  record.response_s = response_s;
   auto after = *state_->form;
-  if (auto ok = after.add(*record); !ok) return ok;
+  if (auto ok = after.add(record); !ok) return ok;
   return state_->store(
-      *record, [&] { state_->form = std::move(after); }, notesOf(record->entry.id, input, responseMark(response_s)));
+      record, [&] { state_->form = std::move(after); }, notesOf(record.entry.id, input, responseMark(response_s)));
 }
 
 void Session::back() {

@@ -198,12 +198,9 @@ class Reader {
 
 std::string_view name(Block block) noexcept {
   switch (block) {
-    case Block::kSpeed:
-      return "speed";
-    case Block::kForce:
-      return "force";
-    case Block::kForm:
-      return "form";
+    case Block::kSpeed: return "speed";
+    case Block::kForce: return "force";
+    case Block::kForm: return "form";
   }
   return "";
 }
@@ -245,12 +242,8 @@ Result<void> validate(const SessionSettings& settings) {
     }
     Result<void> ok;
     switch (block) {
-      case Block::kSpeed:
-        ok = experiments::validate(settings.speed);
-        break;
-      case Block::kForce:
-        ok = experiments::validate(settings.force);
-        break;
+      case Block::kSpeed: ok = experiments::validate(settings.speed); break;
+      case Block::kForce: ok = experiments::validate(settings.force); break;
       case Block::kForm:
         if (const auto form = questionnaires::questionnaire(settings.form, "en"); !form) {
           ok = tl::unexpected(form.error());

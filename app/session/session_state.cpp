@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/session/session_notes.h"
+#include "core/base/error.h"
 #include "core/base/json/json_members.h"
 #include "core/store/entries.h"
 #include "core/store/sessions.h"
@@ -38,10 +39,9 @@ std::string afterDetail(const std::optional<RecordId>& latest) {
 Result<std::vector<study::SessionRecord>> sessionsInOrder(const store::StudyFile& file, const RecordId& person) {
   auto waiting = store::sessions(file, person);  // by time and id
   if (!waiting || waiting->size() < 2) return waiting;
-  const auto events = store::events(file, {person, {}, false});
-  if (!events) return tl::unexpected(events.error());
+  TACTUS_TRY(const auto events, store::events(file, {person, {}, false}));
   std::map<RecordId, RecordId> after;
-  for (const auto& event : *events) {
+  for (const auto& event : events) {
     if (const auto before = afterIn(event.detail); before && event.kind == kBegan) {
       after.emplace(event.entry.session, *before);
     }
@@ -64,9 +64,8 @@ Result<std::vector<study::SessionRecord>> sessionsInOrder(const store::StudyFile
 }
 
 Result<std::optional<RecordId>> latestSession(const store::StudyFile& file, const RecordId& person) {
-  const auto ordered = sessionsInOrder(file, person);
-  if (!ordered) return tl::unexpected(ordered.error());
-  return ordered->empty() ? std::nullopt : std::optional(ordered->back().id);
+  TACTUS_TRY(const auto ordered, sessionsInOrder(file, person));
+  return ordered.empty() ? std::nullopt : std::optional(ordered.back().id);
 }
 
 namespace {
@@ -107,13 +106,11 @@ void countReplies(const questionnaires::Progress& progress, SessionProgress& out
 }  // namespace
 
 Result<SessionProgress> sessionProgress(const store::StudyFile& file, const study::SessionRecord& session) {
-  auto settings = parseSessionSettings(session.settings);
-  if (!settings) return tl::unexpected(settings.error());
-  const auto events = store::events(file, {{}, session.id, true});
-  if (!events) return tl::unexpected(events.error());
+  TACTUS_TRY(auto settings, parseSessionSettings(session.settings));
+  TACTUS_TRY(const auto events, store::events(file, {{}, session.id, true}));
   SessionRecords records(session);
-  records.settings = std::move(*settings);
-  if (auto ok = records.readBack(file, *events); !ok) return tl::unexpected(ok.error());
+  records.settings = std::move(settings);
+  if (auto ok = records.readBack(file, events); !ok) return tl::unexpected(ok.error());
 
   SessionProgress out;
   out.part = records.part();
@@ -123,15 +120,14 @@ Result<SessionProgress> sessionProgress(const store::StudyFile& file, const stud
   out.skipped = records.skipped;
   if (records.speed) {
     planStrokes(records.settings, out);
-    const auto strokes = store::strokes(file, {{}, session.id, false}, store::Recordings::kLeaveOut);
-    if (!strokes) return tl::unexpected(strokes.error());
-    countStrokes(*strokes, out);
+    TACTUS_TRY(const auto strokes, store::strokes(file, {{}, session.id, false}, store::Recordings::kLeaveOut));
+    countStrokes(strokes, out);
   }
   if (records.force) countForces(*records.force, out);
   if (records.form) countReplies(records.form->progress(), out);
   out.sealed = records.form && records.rated.contains(Block::kForm);
   out.last_utc_ms = session.started.utc_ms;
-  for (const study::EventRecord& event : *events) {
+  for (const study::EventRecord& event : events) {
     out.last_utc_ms = std::max(out.last_utc_ms, event.entry.when.utc_ms);
     const auto own = ownModelIn(event);
     if (own && *own && (*own)->verdict) ++out.own_model_verdicts;
@@ -148,20 +144,13 @@ std::string detail(const char* key, std::string_view value) {
 
 std::string_view name(SessionPart part) noexcept {
   switch (part) {
-    case SessionPart::kProfile:
-      return "profile";
-    case SessionPart::kSpeed:
-      return "speed";
-    case SessionPart::kForce:
-      return "force";
-    case SessionPart::kForm:
-      return "form";
-    case SessionPart::kRating:
-      return "rating";
-    case SessionPart::kFinished:
-      return "finished";
-    case SessionPart::kAborted:
-      return "aborted";
+    case SessionPart::kProfile: return "profile";
+    case SessionPart::kSpeed: return "speed";
+    case SessionPart::kForce: return "force";
+    case SessionPart::kForm: return "form";
+    case SessionPart::kRating: return "rating";
+    case SessionPart::kFinished: return "finished";
+    case SessionPart::kAborted: return "aborted";
   }
   return "";
 }
@@ -177,12 +166,9 @@ study::Entry SessionState::entry() {
 
 bool SessionRecords::isDone(Block block) const {
   switch (block) {
-    case Block::kSpeed:
-      return speed->next().finished;
-    case Block::kForce:
-      return force->next().finished;
-    case Block::kForm:
-      return form->isAtEnd() && form->isComplete();
+    case Block::kSpeed: return speed->next().finished;
+    case Block::kForce: return force->next().finished;
+    case Block::kForm: return form->isAtEnd() && form->isComplete();
   }
   return true;
 }
@@ -201,12 +187,9 @@ SessionPart SessionRecords::part() const {
   if (!at) return SessionPart::kFinished;
   if (isDone(*at)) return SessionPart::kRating;
   switch (*at) {
-    case Block::kSpeed:
-      return SessionPart::kSpeed;
-    case Block::kForce:
-      return SessionPart::kForce;
-    case Block::kForm:
-      return SessionPart::kForm;
+    case Block::kSpeed: return SessionPart::kSpeed;
+    case Block::kForce: return SessionPart::kForce;
+    case Block::kForm: return SessionPart::kForm;
   }
   return SessionPart::kFinished;
 }
@@ -229,21 +212,17 @@ Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {
   for (const Block block : settings.blocks) {
     const std::uint64_t seed = blockSeed(record.seed, block);
     if (block == Block::kSpeed) {
-      const auto strokes = store::strokes(file, history, store::Recordings::kLeaveOut);
-      if (!strokes) return tl::unexpected(strokes.error());
+      TACTUS_TRY(const auto strokes, store::strokes(file, history, store::Recordings::kLeaveOut));
       experiments::SpeedSettings speeds = settings.speed;
       speeds.counts = settings.felt || settings.virtual_strokes == VirtualStrokes::kAccepted;
-      auto made = experiments::SpeedProtocol::create(speeds, seed, *strokes);
-      if (!made) return tl::unexpected(made.error());
-      speed = std::move(*made);
+      TACTUS_TRY(auto made, experiments::SpeedProtocol::create(speeds, seed, strokes));
+      speed = std::move(made);
     } else if (block == Block::kForce) {
-      const auto judgements = store::judgements(file, history);
-      if (!judgements) return tl::unexpected(judgements.error());
+      TACTUS_TRY(const auto judgements, store::judgements(file, history));
       experiments::ForceSettings forces = settings.force;
       forces.delivered = settings.felt;
-      auto made = experiments::ForceProtocol::create(forces, seed, *judgements);
-      if (!made) return tl::unexpected(made.error());
-      force = std::move(*made);
+      TACTUS_TRY(auto made, experiments::ForceProtocol::create(forces, seed, judgements));
+      force = std::move(made);
     } else if (auto ok = makeForm(file, seed, history); !ok) {
       return ok;
     }
@@ -253,12 +232,10 @@ Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {
 
 Result<void> SessionRecords::makeForm(const store::StudyFile& file, std::uint64_t seed,
                                       const store::Selection& history) {
-  auto worded = questionnaires::questionnaire(settings.form, record.language);
-  if (!worded) return tl::unexpected(worded.error());
-  form.emplace(std::move(*worded), settings.item_order, seed);
-  const auto answers = store::answers(file, history);
-  if (!answers) return tl::unexpected(answers.error());
-  for (const auto& answer : *answers) {
+  TACTUS_TRY(auto worded, questionnaires::questionnaire(settings.form, record.language));
+  form.emplace(std::move(worded), settings.item_order, seed);
+  TACTUS_TRY(const auto answers, store::answers(file, history));
+  for (const auto& answer : answers) {
     if (auto ok = form->add(answer); !ok) return ok;
   }
   return {};
@@ -266,13 +243,11 @@ Result<void> SessionRecords::makeForm(const store::StudyFile& file, std::uint64_
 
 Result<void> SessionRecords::readBack(const store::StudyFile& file, const std::vector<study::EventRecord>& events) {
   const store::Selection all{{}, record.id, true};
-  const auto profiles = store::profiles(file, {{}, record.id, false});
-  if (!profiles) return tl::unexpected(profiles.error());
-  if (!profiles->empty()) profile = profiles->back();
-  const auto ratings = store::ratings(file, all);
-  if (!ratings) return tl::unexpected(ratings.error());
+  TACTUS_TRY(const auto profiles, store::profiles(file, {{}, record.id, false}));
+  if (!profiles.empty()) profile = profiles.back();
+  TACTUS_TRY(const auto ratings, store::ratings(file, all));
   for (const Block block : settings.blocks) {
-    for (const auto& rating : *ratings) {
+    for (const auto& rating : ratings) {
       if (rating.block == name(block)) rated.insert(block);
     }
     for (const auto& event : events) {

@@ -9,6 +9,7 @@
 
 #include "app/session/stroke_capture.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "experiments/published_tables.h"
 #include "experiments/stroke.h"
 
@@ -183,20 +184,13 @@ base::Random SimulatedNurse::randomFor(const std::string& step) const {
 
 Result<void> SimulatedNurse::doNext(Session& session) {
   switch (session.part()) {
-    case SessionPart::kProfile:
-      pass_time_(60);
-      return session.tell(traits_.profile);
-    case SessionPart::kSpeed:
-      return doStroke(session);
-    case SessionPart::kForce:
-      return doJudgement(session);
-    case SessionPart::kForm:
-      return doAnswer(session);
-    case SessionPart::kRating:
-      return doRating(session);
+    case SessionPart::kProfile: pass_time_(60); return session.tell(traits_.profile);
+    case SessionPart::kSpeed: return doStroke(session);
+    case SessionPart::kForce: return doJudgement(session);
+    case SessionPart::kForm: return doAnswer(session);
+    case SessionPart::kRating: return doRating(session);
     case SessionPart::kFinished:
-    case SessionPart::kAborted:
-      break;
+    case SessionPart::kAborted: break;
   }
   return fail(ErrorCode::kValue, "session", "its end", "a session that asks for something");
 }
@@ -271,15 +265,13 @@ Result<bool> SimulatedNurse::correct(Session& session) const {
     session.back();
   } while (form.page()->question->number != *item && form.page()->position > 1);
   pass_time_(4);
-  const auto replied = session.reply(replyTo(*item), 4);
-  if (!replied) return tl::unexpected(replied.error());
+  if (const auto replied = session.reply(replyTo(*item), 4); !replied) return tl::unexpected(replied.error());
   return true;
 }
 
 Result<void> SimulatedNurse::doAnswer(Session& session) const {
-  const auto corrected = correct(session);
-  if (!corrected) return tl::unexpected(corrected.error());
-  if (*corrected) return {};
+  TACTUS_TRY(const auto corrected, correct(session));
+  if (corrected) return {};
   const auto page = session.form()->page();
   if (!page) return fail(ErrorCode::kValue, "simulated nurse", "a form without a page", "an open page");
   const int item = page->question->number;
@@ -296,9 +288,8 @@ Result<void> SimulatedNurse::doAnswer(Session& session) const {
 
 Result<void> SimulatedNurse::doRating(Session& session) const {
   if (session.block() == Block::kForm) {
-    const auto corrected = correct(session);
-    if (!corrected) return tl::unexpected(corrected.error());
-    if (*corrected) return {};
+    TACTUS_TRY(const auto corrected, correct(session));
+    if (corrected) return {};
   }
   auto random = randomFor("rating " + std::string(name(*session.block())));
   const int effort = 1 + random.below(4);

@@ -15,6 +15,7 @@
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_strokes.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
@@ -182,8 +183,7 @@ class Simulation {
 
   /// The whole visit of one nurse, all or nothing; `rules` are given instead of a form where there are any.
   Result<void> visit(const NurseTraits& nurse, const std::vector<study::GivenRule>& rules) {
-    auto batch = store::Batch::begin(file_);
-    if (!batch) return tl::unexpected(batch.error());
+    TACTUS_TRY(auto batch, store::Batch::begin(file_));
     const study::Person person{nextId(), nurse.responder.code, true};
     if (auto ok = store::append(file_, person); !ok) return ok;
 
@@ -195,19 +195,18 @@ class Simulation {
     start.program = program_;
     start.device = "simulated, steps of 0.055 mm";
     if (!rules.empty()) start.settings.blocks = {Block::kSpeed, Block::kForce};
-    auto session = Session::begin(file_, start, clock_.tools(seed_));
-    if (!session) return tl::unexpected(session.error());
+    TACTUS_TRY(auto session, Session::begin(file_, start, clock_.tools(seed_)));
     SimulatedNurse simulated(nurse, seed_, [this](double seconds) { clock_.pass(seconds); });
-    if (auto ok = simulated.finish(*session); !ok) return ok;
+    if (auto ok = simulated.finish(session); !ok) return ok;
     for (const auto& rule : rules) {
       study::RuleRecord record;
-      record.entry = {nextId(), session->record().id, clock_.look(), study::EnteredBy::kProgram, {}, {}};
+      record.entry = {nextId(), session.record().id, clock_.look(), study::EnteredBy::kProgram, {}, {}};
       record.rule = rule;
       record.rule.participant.clear();
       if (auto ok = store::append(file_, record); !ok) return ok;
     }
     clock_.pass(kBetweenSessionsS);
-    return batch->commit();
+    return batch.commit();
   }
 
  private:
@@ -222,8 +221,7 @@ class Simulation {
 
 Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, std::uint64_t seed, std::string_view reading,
                                                const std::string& program) {
-  const auto rules = questionnaires::s4Rules(reading);
-  if (!rules) return tl::unexpected(rules.error());
+  TACTUS_TRY(const auto rules, questionnaires::s4Rules(reading));
   // The numbers after a seed are the seeds of its sessions; those of the next seed must not be among them.
   const std::uint64_t first_seed = seed * kSeedsOfOne;
   study::RecordIds ids(first_seed);
@@ -236,8 +234,8 @@ Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, std::uin
   if (!file) return file;
   Simulation simulation(*file, std::move(ids), first_seed, program);
   for (const auto& nurse : simulatedNurses(seed)) {
-    const bool published = rules->front().participant == nurse.responder.code;
-    if (auto ok = simulation.visit(nurse, published ? *rules : std::vector<study::GivenRule>{}); !ok) {
+    const bool published = rules.front().participant == nurse.responder.code;
+    if (auto ok = simulation.visit(nurse, published ? rules : std::vector<study::GivenRule>{}); !ok) {
       return tl::unexpected(inFile(ok.error(), path));
     }
   }

@@ -7,6 +7,7 @@
 #include "app/session/export_folder.h"
 #include "app/session/shareable.h"
 #include "app/session/study_view.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
@@ -155,13 +156,12 @@ constexpr const char* kNotGuarded =
 
 /// Adds the column of the bands of experience to the table of participants.
 Result<void> addBands(const std::string& path, const std::vector<std::string>& bands) {
-  const auto table = base::CsvTable::read(path);
-  if (!table) return tl::unexpected(table.error());
-  auto columns = table->columns();
+  TACTUS_TRY(const auto table, base::CsvTable::read(path));
+  auto columns = table.columns();
   columns.emplace_back("years_experience_band");
   base::CsvWriter csv{std::span<const std::string>(columns)};
-  for (std::size_t row = 0; row < table->rowCount(); ++row) {
-    for (std::size_t column = 0; column < table->columns().size(); ++column) csv.cell(table->cell(row, column));
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
+    for (std::size_t column = 0; column < table.columns().size(); ++column) csv.cell(table.cell(row, column));
     csv.cell(std::string_view(bands[row])).endRow();
   }
   return base::writeFileAtomically(path, csv.text());
@@ -169,19 +169,18 @@ Result<void> addBands(const std::string& path, const std::vector<std::string>& b
 
 /// Makes the table one for spreadsheet programs: with a byte order mark, and guards before what looks like a formula.
 Result<void> addMark(const std::string& path, const store::RecordTable& description) {
-  const auto table = base::CsvTable::read(path);
-  if (!table) return tl::unexpected(table.error());
+  TACTUS_TRY(const auto table, base::CsvTable::read(path));
   const auto is_text = [&](const std::string& name) {
     return std::any_of(description.columns.begin(), description.columns.end(), [&](const store::RecordColumn& column) {
       return column.name == name && column.kind == store::ColumnKind::kText;
     });
   };
   std::vector<bool> texts;
-  for (const auto& name : table->columns()) texts.push_back(is_text(name));
-  base::CsvWriter csv{std::span<const std::string>(table->columns())};
-  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+  for (const auto& name : table.columns()) texts.push_back(is_text(name));
+  base::CsvWriter csv{std::span<const std::string>(table.columns())};
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
     for (std::size_t column = 0; column < texts.size(); ++column) {
-      const auto cell = table->cell(row, column);
+      const auto cell = table.cell(row, column);
       csv.cell(std::string_view(texts[column] ? base::guarded(cell) : std::string(cell)));
     }
     csv.endRow();
@@ -281,13 +280,12 @@ class Exporter {
 }  // namespace
 
 Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder, const ExportOptions& options) {
-  auto place = ExportFolder::beside(folder);
-  if (!place) return tl::unexpected(place.error());
+  TACTUS_TRY(auto place, ExportFolder::beside(folder));
   std::vector<std::string> removed = removeOurs(leftoversOfStudy(file.path()));
   for (auto& path : removeOurs(leftoversOfExport(folder))) removed.push_back(std::move(path));
-  auto done = Exporter(file, place->path(), options).write();
+  auto done = Exporter(file, place.path(), options).write();
   if (!done) return done;
-  if (auto placed = place->place(); !placed) return tl::unexpected(placed.error());
+  if (auto placed = place.place(); !placed) return tl::unexpected(placed.error());
   for (const auto& path : removed) done->notes.push_back(path + ": left by a crash; deleted");
   return done;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/session/session_state.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
@@ -176,15 +177,13 @@ class Importer {
 
   /// Looks what was imported before; once, before the first `add`.
   Result<void> look() {
-    const auto persons = store::persons(file_);
-    if (!persons) return tl::unexpected(persons.error());
-    for (const auto& person : *persons) {
-      const auto known = sessionsInOrder(file_, person.id);
-      if (!known) return tl::unexpected(known.error());
-      const auto latest = std::find_if(known->rbegin(), known->rend(), [](const study::SessionRecord& session) {
+    TACTUS_TRY(const auto persons, store::persons(file_));
+    for (const auto& person : persons) {
+      TACTUS_TRY(const auto known, sessionsInOrder(file_, person.id));
+      const auto latest = std::find_if(known.rbegin(), known.rend(), [](const study::SessionRecord& session) {
         return session.kind == study::SessionKind::kImport;
       });
-      if (latest != known->rend()) latest_imports_.push_back(*latest);
+      if (latest != known.rend()) latest_imports_.push_back(*latest);
     }
     return {};
   }
@@ -194,28 +193,26 @@ class Importer {
       import.notes.push_back(participant.code + "'s rows are in the study already.");
       return {};
     }
-    const auto person = personOf(participant, rows.digest());
-    if (!person) return tl::unexpected(person.error());
-    const auto known = sessionsInOrder(file_, *person);
-    if (!known) return tl::unexpected(known.error());
+    TACTUS_TRY(const auto person, personOf(participant, rows.digest()));
+    TACTUS_TRY(const auto known, sessionsInOrder(file_, person));
     study::SessionRecord session;
-    session.person = *person;
+    session.person = person;
     session.kind = study::SessionKind::kImport;
     session.program = "import";
     session.started.utc_ms = source_.utc_ms;
     const std::string digest = rows.digest();
-    session.id = idAt(*person, digest, session.started.utc_ms);
+    session.id = idAt(person, digest, session.started.utc_ms);
     // Where the clock stood still, the same rows may have come at this time before.
-    while (std::any_of(known->begin(), known->end(), [&](const auto& other) { return other.id == session.id; })) {
-      session.id = idAt(*person, digest, ++session.started.utc_ms);
+    while (std::any_of(known.begin(), known.end(), [&](const auto& other) { return other.id == session.id; })) {
+      session.id = idAt(person, digest, ++session.started.utc_ms);
     }
     if (auto ok = store::append(file_, session); !ok) return ok;
     ++import.sessions;
     session_ = session.id;
     all_sessions_ += toText(session.id);
     next_ = 0;
-    if (!known->empty()) {
-      study::EventRecord began{entry(" began"), kBegan, afterDetail(known->back().id)};
+    if (!known.empty()) {
+      study::EventRecord began{entry(" began"), kBegan, afterDetail(known.back().id)};
       if (auto ok = store::append(file_, began); !ok) return ok;
     }
     return appendAll(rows.profiles)
@@ -260,10 +257,9 @@ class Importer {
 
   /// The person in this file with the participant's code, or a new one, whose id no other study gives.
   Result<RecordId> personOf(const study::Participant& participant, const std::string& digest) {
-    const auto known = store::findPerson(file_, participant.code);
-    if (!known) return tl::unexpected(known.error());
-    if (*known) {
-      if ((*known)->simulated == participant.simulated) return (*known)->id;
+    TACTUS_TRY(const auto known, store::findPerson(file_, participant.code));
+    if (known) {
+      if ((known)->simulated == participant.simulated) return (known)->id;
       return fail(ErrorCode::kData, participant.code,
                   participant.simulated ? "simulated rows for a real participant" : "real rows for a simulated one",
                   "another code");
@@ -298,8 +294,7 @@ class Importer {
 }  // namespace
 
 Result<StudyImport> importTables(const study::Study& study, store::StudyFile& file, const ImportSource& source) {
-  auto batch = store::Batch::begin(file);
-  if (!batch) return tl::unexpected(batch.error());
+  TACTUS_TRY(auto batch, store::Batch::begin(file));
   Importer importer(file, source);
   if (auto ok = importer.look(); !ok) return tl::unexpected(ok.error());
   auto rows = rowsOfAll(study);
@@ -307,7 +302,7 @@ Result<StudyImport> importTables(const study::Study& study, store::StudyFile& fi
     if (auto ok = importer.add(study.participants[i], std::move(rows[i])); !ok) return tl::unexpected(ok.error());
   }
   if (auto ok = importer.remember(); !ok) return tl::unexpected(ok.error());
-  if (auto ok = batch->commit(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = batch.commit(); !ok) return tl::unexpected(ok.error());
   return std::move(importer.import);
 }
 
@@ -318,9 +313,8 @@ Result<ImportSource> tablesSource(const std::string& folder, const std::string& 
     names.emplace_back(table);
     names.push_back(study::publishedTable(table));  // only one of the two is there
   }
-  auto hash = base::listingSha256(folder, names);
-  if (!hash) return tl::unexpected(hash.error());
-  return ImportSource{name, std::move(*hash), utc_ms};
+  TACTUS_TRY(auto hash, base::listingSha256(folder, names));
+  return ImportSource{name, std::move(hash), utc_ms};
 }
 
 Result<StudyImport> importAsNewStudy(const study::Study& study, const std::string& path, const ImportSource& source,
@@ -329,10 +323,9 @@ Result<StudyImport> importAsNewStudy(const study::Study& study, const std::strin
     error.file = path;
     return tl::unexpected(std::move(error));
   };
-  auto work = store::WorkFolder::beside(path);
-  if (!work) return tl::unexpected(work.error());
+  TACTUS_TRY(auto work, store::WorkFolder::beside(path));
   auto file =
-      store::StudyFile::create(work->file("study"), {study::RecordIds().next(), study.name, source.utc_ms, program});
+      store::StudyFile::create(work.file("study"), {study::RecordIds().next(), study.name, source.utc_ms, program});
   if (!file) return said_of_path(file.error());
   auto imported = importTables(study, *file, source);
   if (!imported) return said_of_path(imported.error());

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/judged_forces.h"
+#include "core/base/error.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"
 #include "questionnaires/questionnaire.h"
@@ -129,46 +130,41 @@ Result<StudyProtocol> parseStudyProtocol(std::string_view text) {
 Result<study::ProtocolRecord> setProtocol(store::StudyFile& file, const StudyProtocol& protocol,
                                           const std::string& author, const std::string& reason, SessionTools& tools) {
   if (auto ok = validate(protocol); !ok) return tl::unexpected(ok.error());
-  const auto state = store::protocolState(file);
-  if (!state) return tl::unexpected(state.error());
-  study::ProtocolRecord record{tools.ids.next(), state->nextVersion(), tools.now().utc_ms, author,
+  TACTUS_TRY(const auto state, store::protocolState(file));
+  study::ProtocolRecord record{tools.ids.next(), state.nextVersion(), tools.now().utc_ms, author,
                                reason,           toJson(protocol)};
   // The latest draft counts by its time, whatever the clock does.
-  if (state->current && state->current->version == record.version) {
-    record.utc_ms = std::max(record.utc_ms, state->current->utc_ms + 1);
+  if (state.current && state.current->version == record.version) {
+    record.utc_ms = std::max(record.utc_ms, state.current->utc_ms + 1);
   }
   if (auto added = store::append(file, record); !added) return tl::unexpected(added.error());
   return record;
 }
 
 Result<std::optional<StudyProtocol>> currentProtocol(const store::StudyFile& file) {
-  const auto state = store::protocolState(file);
-  if (!state) return tl::unexpected(state.error());
-  if (!state->current) return std::nullopt;
-  auto protocol = parseStudyProtocol(state->current->text);
-  if (!protocol) return tl::unexpected(protocol.error());
-  return std::move(*protocol);
+  TACTUS_TRY(const auto state, store::protocolState(file));
+  if (!state.current) return std::nullopt;
+  TACTUS_TRY(auto protocol, parseStudyProtocol(state.current->text));
+  return protocol;
 }
 
 Result<SessionStart> startUnderProtocol(const store::StudyFile& file, const study::RecordId& person,
                                         const std::string& language, std::uint64_t seed) {
-  const auto state = store::protocolState(file);
-  if (!state) return tl::unexpected(state.error());
-  if (!state->current) return fail(ErrorCode::kReference, "session", "a study without a protocol", "one that was set");
-  auto protocol = parseStudyProtocol(state->current->text);
-  if (!protocol) return tl::unexpected(protocol.error());
-  if (!protocol->consent.contains(language)) {
+  TACTUS_TRY(const auto state, store::protocolState(file));
+  if (!state.current) return fail(ErrorCode::kReference, "session", "a study without a protocol", "one that was set");
+  TACTUS_TRY(auto protocol, parseStudyProtocol(state.current->text));
+  if (!protocol.consent.contains(language)) {
     return fail(ErrorCode::kValue, "language", base::quoted(language),
-                "one of " + base::joined(protocol->languages, ", "));
+                "one of " + base::joined(protocol.languages, ", "));
   }
   SessionStart start;
   start.person = person;
-  start.consent_version = protocol->consent_version;
+  start.consent_version = protocol.consent_version;
   start.seed = seed;
   start.language = language;
-  start.device_friction_n = protocol->device.friction_n;
-  start.settings = std::move(protocol->settings);
-  start.protocol = state->current->id;
+  start.device_friction_n = protocol.device.friction_n;
+  start.settings = std::move(protocol.settings);
+  start.protocol = state.current->id;
   return start;
 }
 

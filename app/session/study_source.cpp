@@ -6,6 +6,7 @@
 
 #include "app/session/study_view.h"
 #include "app/session/table_words.h"
+#include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/study_file.h"
 #include "core/store/study_records.h"
@@ -16,16 +17,13 @@ namespace tactus::session {
 
 base::Result<StudyAside> asideOf(const store::StudyFile& file) {
   StudyAside out;
-  const auto measured = store::depthMeasurement(file);
-  if (!measured) return tl::unexpected(measured.error());
-  if (*measured) {
-    auto depths = elicitation::readMeasurement((*measured)->text);
-    if (!depths) return tl::unexpected(depths.error());
-    out.measured_depths = std::move(*depths);
+  TACTUS_TRY(const auto measured, store::depthMeasurement(file));
+  if (measured) {
+    TACTUS_TRY(auto depths, elicitation::readMeasurement((measured)->text));
+    out.measured_depths = std::move(depths);
   }
-  const auto answers = store::answers(file);
-  if (!answers) return tl::unexpected(answers.error());
-  auto rows = questionnaires::summarize(questionnaires::usabilityForm(), *answers);
+  TACTUS_TRY(const auto answers, store::answers(file));
+  auto rows = questionnaires::summarize(questionnaires::usabilityForm(), answers);
   if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.n > 0; })) out.usability = std::move(rows);
   return out;
 }
@@ -33,9 +31,8 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file) {
 base::Result<StudyAside> readAside(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) return StudyAside{};
-  const auto file = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
-  if (!file) return tl::unexpected(file.error());
-  return asideOf(*file);
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return asideOf(file);
 }
 
 std::vector<study::Form> knownForms() {
@@ -70,12 +67,10 @@ base::Result<study::StudyTables> readStudy(const std::string& path, const std::v
                                       is_there ? "a device or a pipe" : "nothing of this name",
                                       "a study file, or a folder with participants.csv"});
   }
-  const auto file = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
-  if (!file) return tl::unexpected(file.error());
-  auto view = studyForElicitation(*file);
-  if (!view) return tl::unexpected(view.error());
-  study::StudyTables tables{std::move(view->study), std::move(view->notes)};
-  for (const auto& notice : file->notices()) tables.notices.push_back(notice.sentence);
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  TACTUS_TRY(auto view, studyForElicitation(file));
+  study::StudyTables tables{std::move(view.study), std::move(view.notes)};
+  for (const auto& notice : file.notices()) tables.notices.push_back(notice.sentence);
   return tables;
 }
 

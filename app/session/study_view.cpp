@@ -82,10 +82,9 @@ std::size_t placeOf(const std::string& series) {
 
 Result<bool> isSeriesDone(const store::StudyFile& file, const study::SessionRecord& session,
                           const SessionSettings& settings, const std::string& series) {
-  const auto judgements = store::judgements(file, {{}, session.id, true});
-  if (!judgements) return tl::unexpected(judgements.error());
+  TACTUS_TRY(const auto judgements, store::judgements(file, {{}, session.id, true}));
   const auto protocol =
-      experiments::ForceProtocol::create(settings.force, blockSeed(session.seed, Block::kForce), *judgements);
+      experiments::ForceProtocol::create(settings.force, blockSeed(session.seed, Block::kForce), judgements);
   if (!protocol) return false;
   const auto plan = protocol->next();
   return plan.finished || placeOf(plan.step.series) > placeOf(series);
@@ -94,10 +93,9 @@ Result<bool> isSeriesDone(const store::StudyFile& file, const study::SessionReco
 Result<bool> isFormDone(const store::StudyFile& file, const study::SessionRecord& session, const std::string& form) {
   const auto worded = questionnaires::questionnaire(form, session.language);
   if (!worded) return false;
-  const auto answers = store::answers(file, {{}, session.id, false});
-  if (!answers) return tl::unexpected(answers.error());
+  TACTUS_TRY(const auto answers, store::answers(file, {{}, session.id, false}));
   std::set<int> items;
-  for (const auto& answer : *answers) {
+  for (const auto& answer : answers) {
     if (answer.form == form && answer.status != study::Answer::Status::kCleared) items.insert(answer.item);
   }
   return items.size() >= worded->questions.size();
@@ -117,14 +115,10 @@ std::string sessionText(const BlockInSession& one) {
 
 std::string text(const ElicitedBlock& block) {
   switch (block.kind) {
-    case BlockKind::kSpeedLevel:
-      return "the speed " + base::quoted(block.id);
-    case BlockKind::kForceSeries:
-      return "the series " + base::quoted(block.id);
-    case BlockKind::kForm:
-      return "the form " + base::quoted(block.id);
-    case BlockKind::kRules:
-      return "the rules";
+    case BlockKind::kSpeedLevel: return "the speed " + base::quoted(block.id);
+    case BlockKind::kForceSeries: return "the series " + base::quoted(block.id);
+    case BlockKind::kForm: return "the form " + base::quoted(block.id);
+    case BlockKind::kRules: return "the rules";
   }
   return {};
 }
@@ -135,14 +129,10 @@ Result<bool> isComplete(const store::StudyFile& file, const study::SessionRecord
   const auto settings = parseSessionSettings(session.settings);
   if (!settings || session.settings.empty()) return false;
   switch (block.kind) {
-    case BlockKind::kSpeedLevel:
-      return scored >= static_cast<std::size_t>(std::max(settings->speed.strokes, 0));
-    case BlockKind::kForceSeries:
-      return isSeriesDone(file, session, *settings, block.id);
-    case BlockKind::kForm:
-      return isFormDone(file, session, block.id);
-    case BlockKind::kRules:
-      break;
+    case BlockKind::kSpeedLevel: return scored >= static_cast<std::size_t>(std::max(settings->speed.strokes, 0));
+    case BlockKind::kForceSeries: return isSeriesDone(file, session, *settings, block.id);
+    case BlockKind::kForm: return isFormDone(file, session, block.id);
+    case BlockKind::kRules: break;
   }
   return true;
 }
@@ -196,9 +186,8 @@ class StudyReader {
 
   Result<StudyView> read() {
     if (auto distinct = store::requireDistinctCodes(file_); !distinct) return tl::unexpected(distinct.error());
-    const auto info = store::studyInfo(file_);
-    if (!info) return tl::unexpected(info.error());
-    view_.study.name = info->name;
+    TACTUS_TRY(const auto info, store::studyInfo(file_));
+    view_.study.name = info.name;
     using Step = Result<void> (StudyReader::*)();
     for (const Step step : {&StudyReader::addParticipants, &StudyReader::addSpeeds, &StudyReader::addJudgements,
                             &StudyReader::addAnswers, &StudyReader::addRules, &StudyReader::addNotes}) {
@@ -209,21 +198,18 @@ class StudyReader {
 
  private:
   Result<void> addParticipants() {
-    const auto persons = store::persons(file_);
-    if (!persons) return tl::unexpected(persons.error());
-    const auto sessions = store::sessions(file_);
-    if (!sessions) return tl::unexpected(sessions.error());
-    auto profiles = store::profiles(file_);
-    if (!profiles) return tl::unexpected(profiles.error());
+    TACTUS_TRY(const auto persons, store::persons(file_));
+    TACTUS_TRY(const auto sessions, store::sessions(file_));
+    TACTUS_TRY(auto profiles, store::profiles(file_));
 
     // Who only felt models, such as the researcher, is no participant of the elicitation.
     std::map<RecordId, bool> only_felt;
-    for (const auto& session : *sessions) {
+    for (const auto& session : sessions) {
       const bool felt = session.kind == study::SessionKind::kUsability;
       const auto [it, is_new] = only_felt.try_emplace(session.person, felt);
       it->second = it->second && felt;
     }
-    for (const auto& person : *persons) {
+    for (const auto& person : persons) {
       if (const auto it = only_felt.find(person.id); it != only_felt.end() && it->second) continue;
       place_of_[person.id] = view_.study.participants.size();
       study::Participant participant;
@@ -234,19 +220,18 @@ class StudyReader {
     std::map<RecordId, Visit> all;
     for (const auto& [person, place] : place_of_) {
       codes_[person] = view_.study.participants[place].code;
-      const auto ordered = sessionsInOrder(file_, person);
-      if (!ordered) return tl::unexpected(ordered.error());
-      for (std::size_t i = 0; i < ordered->size(); ++i) {
-        const auto& session = (*ordered)[i];
+      TACTUS_TRY(const auto ordered, sessionsInOrder(file_, person));
+      for (std::size_t i = 0; i < ordered.size(); ++i) {
+        const auto& session = ordered[i];
         all[session.id] = {person, i, session};
         if (session.kind != study::SessionKind::kUsability) visits_[session.id] = all[session.id];
       }
     }
-    std::erase_if(*profiles, [&](const auto& profile) { return !all.contains(profile.entry.session); });
-    std::stable_sort(profiles->begin(), profiles->end(), [&](const auto& a, const auto& b) {
+    std::erase_if(profiles, [&](const auto& profile) { return !all.contains(profile.entry.session); });
+    std::stable_sort(profiles.begin(), profiles.end(), [&](const auto& a, const auto& b) {
       return all.at(a.entry.session).place < all.at(b.entry.session).place;
     });
-    for (const auto& profile : *profiles) {  // the latest holds
+    for (const auto& profile : profiles) {  // the latest holds
       auto& participant = view_.study.participants[place_of_.at(all.at(profile.entry.session).person)];
       participant.years_experience = profile.years_experience;
       participant.category = profile.category;
@@ -314,38 +299,34 @@ class StudyReader {
   }
 
   Result<void> addSpeeds() {
-    auto strokes = store::strokes(file_, {}, store::Recordings::kLeaveOut);
-    if (!strokes) return tl::unexpected(strokes.error());
-    leaveOutWithoutForce(*strokes);
-    std::erase_if(*strokes, [](const study::StrokeRecord& stroke) {
+    TACTUS_TRY(auto strokes, store::strokes(file_, {}, store::Recordings::kLeaveOut));
+    leaveOutWithoutForce(strokes);
+    std::erase_if(strokes, [](const study::StrokeRecord& stroke) {
       return stroke.practice || stroke.verdict != name(experiments::StrokeVerdict::kAccepted);
     });
     const auto level = [](const study::StrokeRecord& stroke) {
       return ElicitedBlock{ElicitedBlock::Kind::kSpeedLevel, stroke.level};
     };
-    auto counted = ofCountedSession(std::move(*strokes), level, [](const auto&) { return true; });
+    auto counted = ofCountedSession(std::move(strokes), level, [](const auto&) { return true; });
     if (!counted) return tl::unexpected(counted.error());
     for (auto& stroke : *counted) {
-      auto recording = store::recordingOf(file_, stroke.entry.id);
-      if (!recording) return tl::unexpected(recording.error());
-      stroke.recording = std::move(*recording);
-      const auto samples = speedSamples(stroke, codeOf(stroke.entry));
-      if (!samples) return tl::unexpected(samples.error());
-      view_.study.speeds.insert(view_.study.speeds.end(), samples->begin(), samples->end());
+      TACTUS_TRY(auto recording, store::recordingOf(file_, stroke.entry.id));
+      stroke.recording = std::move(recording);
+      TACTUS_TRY(const auto samples, speedSamples(stroke, codeOf(stroke.entry)));
+      view_.study.speeds.insert(view_.study.speeds.end(), samples.begin(), samples.end());
     }
     return {};
   }
 
   Result<void> addJudgements() {
-    auto judgements = store::judgements(file_);
-    if (!judgements) return tl::unexpected(judgements.error());
-    leaveOutWithoutForce(*judgements);
-    std::erase_if(*judgements,
+    TACTUS_TRY(auto judgements, store::judgements(file_));
+    leaveOutWithoutForce(judgements);
+    std::erase_if(judgements,
                   [](const study::JudgementRecord& judgement) { return !judgement.scored || judgement.catch_trial; });
     const auto series = [](const study::JudgementRecord& judgement) {
       return ElicitedBlock{ElicitedBlock::Kind::kForceSeries, judgement.series};
     };
-    auto counted = ofCountedSession(std::move(*judgements), series, [](const auto&) { return true; });
+    auto counted = ofCountedSession(std::move(judgements), series, [](const auto&) { return true; });
     if (!counted) return tl::unexpected(counted.error());
     for (auto& judgement : *counted) {
       study::ForceJudgement out;
@@ -362,17 +343,15 @@ class StudyReader {
   }
 
   Result<void> addAnswers() {
-    auto answers = store::answers(file_);
-    if (!answers) return tl::unexpected(answers.error());
+    TACTUS_TRY(auto answers, store::answers(file_));
     const auto form = [](const study::AnswerRecord& answer) {
       return ElicitedBlock{ElicitedBlock::Kind::kForm, answer.form};
     };
     const auto is_answered = [](const study::AnswerRecord& answer) {
       return answer.status == study::Answer::Status::kAnswered;
     };
-    auto counted = ofCountedSession(std::move(*answers), form, is_answered);
-    if (!counted) return tl::unexpected(counted.error());
-    for (auto& answer : *counted) {
+    TACTUS_TRY(auto counted, ofCountedSession(std::move(answers), form, is_answered));
+    for (auto& answer : counted) {
       study::Answer out;
       out.participant = codeOf(answer.entry);
       out.form = std::move(answer.form);
@@ -387,10 +366,9 @@ class StudyReader {
   }
 
   Result<void> addRules() {
-    auto rules = store::rules(file_);
-    if (!rules) return tl::unexpected(rules.error());
+    TACTUS_TRY(auto rules, store::rules(file_));
     const auto all = [](const study::RuleRecord&) { return ElicitedBlock{}; };
-    auto counted = ofCountedSession(std::move(*rules), all, [](const auto&) { return true; });
+    auto counted = ofCountedSession(std::move(rules), all, [](const auto&) { return true; });
     if (!counted) return tl::unexpected(counted.error());
     for (auto& record : *counted) {
       record.rule.participant = codeOf(record.entry);
@@ -425,9 +403,8 @@ class StudyReader {
       for (const auto& [place, one] : by_place) sessions.push_back(one);
       if (sessions.size() > 1) {
         for (auto& one : sessions) {
-          const auto complete = isComplete(file_, one.session, what.second, one.scored);
-          if (!complete) return tl::unexpected(complete.error());
-          one.complete = *complete;
+          TACTUS_TRY(const auto complete, isComplete(file_, one.session, what.second, one.scored));
+          one.complete = complete;
         }
         const std::string& code = codes_.at(what.first);
         notes.emplace_back(code, note(code, what.second, sessions));

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"
@@ -203,10 +204,9 @@ base::Result<void> checkTimes(const Scenario& scenario) {
 }  // namespace
 
 base::Result<Scenario> parseScenario(std::string_view text) {
-  const auto document = base::JsonDocument::parse(text);
-  if (!document) return tl::unexpected(document.error());
+  TACTUS_TRY(const auto document, base::JsonDocument::parse(text));
   Problem error;
-  Scenario scenario = readWhole(document->root(), error);
+  Scenario scenario = readWhole(document.root(), error);
   if (error) return tl::unexpected(*error);
   if (auto checked = checkTimes(scenario); !checked) return tl::unexpected(checked.error());
   if (auto checked = haptics::check(scenario.device); !checked) return tl::unexpected(checked.error());
@@ -217,9 +217,8 @@ base::Result<Scenario> parseScenario(std::string_view text) {
 }
 
 base::Result<Scenario> readScenario(const std::string& path) {
-  const auto text = base::readFile(path, kMostScenarioBytes);
-  if (!text) return tl::unexpected(text.error());
-  auto scenario = parseScenario(*text);
+  TACTUS_TRY(const auto text, base::readFile(path, kMostScenarioBytes));
+  auto scenario = parseScenario(text);
   if (!scenario) return base::inFile(scenario.error(), path);
   return scenario;
 }
@@ -255,16 +254,11 @@ struct Leg {
 
 HandPlan wayOf(const MotionStep& step, double start_mm) {
   switch (step.kind) {
-    case Kind::kStroke:
-      return haptics::stroke(step.length_mm, step.duration_s);
-    case Kind::kGoTo:
-      return haptics::stroke(step.position_mm - start_mm, step.duration_s);
-    case Kind::kPush:
-      return haptics::push(step.speed_mm_s);
-    case Kind::kSwing:
-      return haptics::swing(step.amplitude_mm, step.frequency_hz);
-    default:
-      return {};
+    case Kind::kStroke: return haptics::stroke(step.length_mm, step.duration_s);
+    case Kind::kGoTo: return haptics::stroke(step.position_mm - start_mm, step.duration_s);
+    case Kind::kPush: return haptics::push(step.speed_mm_s);
+    case Kind::kSwing: return haptics::swing(step.amplitude_mm, step.frequency_hz);
+    default: return {};
   }
 }
 

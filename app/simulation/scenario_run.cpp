@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/haptics/simulated/virtual_device.h"
 
@@ -108,9 +109,8 @@ class Orders {
     haptics::SceneSettings settings;
     settings.fade_s = fade_s;
     settings.largest_cost_s = std::numeric_limits<double>::infinity();  // nothing may depend on this machine's clock
-    auto scene = haptics::ServoScene::make(*model_, conditions_, settings);
-    if (!scene) return tl::unexpected(std::move(scene.error()));
-    orders_.scene = std::move(*scene);
+    TACTUS_TRY(auto scene, haptics::ServoScene::make(*model_, conditions_, settings));
+    orders_.scene = std::move(scene);
     return {};
   }
 
@@ -139,9 +139,8 @@ class Orders {
 
  private:
   base::Result<void> takeModel(const std::string& path) {
-    auto read = read_model_(path);
-    if (!read) return tl::unexpected(std::move(read.error()));
-    other_ = std::move(*read);
+    TACTUS_TRY(auto read, read_model_(path));
+    other_ = std::move(read);
     model_ = &other_;
     return {};
   }
@@ -206,13 +205,12 @@ base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::Forc
   const auto plan = handPlan(scenario);
   auto settings = scenario.device;
   settings.plan = plan;
-  auto device = haptics::VirtualDevice::make(std::move(settings));
-  if (!device) return tl::unexpected(std::move(device.error()));
-  if (auto started = (*device)->start(); !started) return tl::unexpected(std::move(started.error()));
+  TACTUS_TRY(auto device, haptics::VirtualDevice::make(std::move(settings)));
+  if (auto started = (device)->start(); !started) return tl::unexpected(std::move(started.error()));
 
-  Orders orders(scenario, (*device)->info(), model, read_model);
+  Orders orders(scenario, (device)->info(), model, read_model);
   if (auto taken = orders.takeScene(0); !taken) return tl::unexpected(std::move(taken.error()));
-  haptics::ServoCore core((*device)->info());
+  haptics::ServoCore core((device)->info());
   Watch watch;
   bool alive = true;
   std::int64_t heartbeat_ns = kTickNs;  // alive at the start, whatever happens then
@@ -230,15 +228,14 @@ base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::Forc
     if (alive && now_ns - heartbeat_ns >= kHeartbeatNs) heartbeat_ns = now_ns;
 
     TraceTick tick;
-    haptics::ServoTick input{now_ns,      (*device)->read(now_ns), &orders.now(), orders.number(), false, stop,
-                             heartbeat_ns};
+    haptics::ServoTick input{now_ns, (device)->read(now_ns), &orders.now(), orders.number(), false, stop, heartbeat_ns};
     tick.sample = core.tick(input);
-    (*device)->write(core.axis().forceOnHand(tick.sample.force_n), now_ns);
+    (device)->write(core.axis().forceOnHand(tick.sample.force_n), now_ns);
     tick.sample.time_ns = now_ns - kTickNs;
     tick.wish = plan(time_s);
-    tick.true_position_mm = (*device)->truePositionMm();
-    tick.true_speed_mm_s = (*device)->trueSpeedMmS();
-    tick.device_force_n = (*device)->trueForceN();
+    tick.true_position_mm = (device)->truePositionMm();
+    tick.true_speed_mm_s = (device)->trueSpeedMmS();
+    tick.device_force_n = (device)->trueForceN();
     tick.conditions = &orders.conditions();
     watch.see(tick, core.tripped());
     each(tick);

@@ -176,14 +176,10 @@ DeliverFindings summary(const FindingsController& findings) {
 
 bool isAbout(const ShownFinding& shown, ReadinessTopic topic) {
   switch (topic) {
-    case ReadinessTopic::kHoles:
-      return holeOfMean(shown) != nullptr;
-    case ReadinessTopic::kForceSteps:
-      return shown.finding.kind == Kind::kForceStep;
-    case ReadinessTopic::kConflicts:
-      return shown.finding.kind == Kind::kConflict;
-    default:
-      return shown.finding.kind == Kind::kExpertsApart;
+    case ReadinessTopic::kHoles: return holeOfMean(shown) != nullptr;
+    case ReadinessTopic::kForceSteps: return shown.finding.kind == Kind::kForceStep;
+    case ReadinessTopic::kConflicts: return shown.finding.kind == Kind::kConflict;
+    default: return shown.finding.kind == Kind::kExpertsApart;
   }
 }
 
@@ -227,23 +223,15 @@ void DeliverParts::lead(ReadinessTopic topic) {
     case ReadinessTopic::kHoles:
     case ReadinessTopic::kForceSteps:
     case ReadinessTopic::kConflicts:
-    case ReadinessTopic::kExpertsApart:
-      showFindings(topic);
-      break;
+    case ReadinessTopic::kExpertsApart: showFindings(topic); break;
     case ReadinessTopic::kSignOff:
       window_.enter(Stage::kTune);
       history_.askSignOff();
       break;
-    case ReadinessTopic::kData:
-      showNotes();
-      break;
+    case ReadinessTopic::kData: showNotes(); break;
     case ReadinessTopic::kMethod:
-    case ReadinessTopic::kOrigin:
-      showOrigin();
-      break;
-    case ReadinessTopic::kChecks:
-      readBack();
-      break;
+    case ReadinessTopic::kOrigin: showOrigin(); break;
+    case ReadinessTopic::kChecks: readBack(); break;
   }
 }
 

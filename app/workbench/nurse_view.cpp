@@ -15,46 +15,27 @@ struct NurseViewText {
 
 QString screenText(const ParticipantState& state) {
   switch (state.screen) {
-    case Screen::kWelcome:
-      return NurseViewText::tr("Welcome");
-    case Screen::kConsent:
-      return NurseViewText::tr("Consent");
-    case Screen::kAboutYou:
-      return NurseViewText::tr("About the participant");
-    case Screen::kDeviceCheck:
-      return NurseViewText::tr("Device check");
-    case Screen::kPractice:
-      return NurseViewText::tr("Practice");
-    case Screen::kSpeed:
-      return NurseViewText::tr("Speed");
-    case Screen::kForce:
-      return NurseViewText::tr("Forces");
-    case Screen::kRest:
-      return NurseViewText::tr("Rest");
-    case Screen::kRating:
-      return NurseViewText::tr("Effort and comfort");
-    case Screen::kGlossary:
-      return NurseViewText::tr("The words of the questions");
-    case Screen::kQuestion:
-      return NurseViewText::tr("Questions");
-    case Screen::kReview:
-      return NurseViewText::tr("Review");
-    case Screen::kScale:
-      return NurseViewText::tr("Usability form");
-    case Screen::kOwnModel:
-      return NurseViewText::tr("Own model");
-    case Screen::kThanks:
-      return NurseViewText::tr("Done");
-    case Screen::kStopped:
-      break;
+    case Screen::kWelcome: return NurseViewText::tr("Welcome");
+    case Screen::kConsent: return NurseViewText::tr("Consent");
+    case Screen::kAboutYou: return NurseViewText::tr("About the participant");
+    case Screen::kDeviceCheck: return NurseViewText::tr("Device check");
+    case Screen::kPractice: return NurseViewText::tr("Practice");
+    case Screen::kSpeed: return NurseViewText::tr("Speed");
+    case Screen::kForce: return NurseViewText::tr("Forces");
+    case Screen::kRest: return NurseViewText::tr("Rest");
+    case Screen::kRating: return NurseViewText::tr("Effort and comfort");
+    case Screen::kGlossary: return NurseViewText::tr("The words of the questions");
+    case Screen::kQuestion: return NurseViewText::tr("Questions");
+    case Screen::kReview: return NurseViewText::tr("Review");
+    case Screen::kScale: return NurseViewText::tr("Usability form");
+    case Screen::kOwnModel: return NurseViewText::tr("Own model");
+    case Screen::kThanks: return NurseViewText::tr("Done");
+    case Screen::kStopped: break;
   }
   switch (state.stop) {
-    case StopReason::kForToday:
-      return NurseViewText::tr("Stopped for today");
-    case StopReason::kWithdrawn:
-      return NurseViewText::tr("Withdrawn");
-    case StopReason::kNoConsent:
-      return NurseViewText::tr("No consent");
+    case StopReason::kForToday: return NurseViewText::tr("Stopped for today");
+    case StopReason::kWithdrawn: return NurseViewText::tr("Withdrawn");
+    case StopReason::kNoConsent: return NurseViewText::tr("No consent");
   }
   return {};
 }
@@ -67,10 +48,8 @@ QString forceText(const ForceState& state, const experiments::ForcePlan& plan) {
     case ForceState::Phase::kPause:
       return state.warm ? NurseViewText::tr("The device rests before %1").arg(force)
                         : NurseViewText::tr("Pause before %1").arg(force);
-    case ForceState::Phase::kFeel:
-      return NurseViewText::tr("Feels %1").arg(force);
-    case ForceState::Phase::kAnswer:
-      return NurseViewText::tr("Answers %1").arg(force);
+    case ForceState::Phase::kFeel: return NurseViewText::tr("Feels %1").arg(force);
+    case ForceState::Phase::kAnswer: return NurseViewText::tr("Answers %1").arg(force);
   }
   return {};
 }
@@ -85,34 +64,26 @@ QString nowText(const ParticipantState& state, const experiments::ForcePlan* for
     case Screen::kPractice:
       if (!state.feels_force) return state.speed.level;
       [[fallthrough]];
-    case Screen::kForce:
-      return force != nullptr && !force->finished ? forceText(state.force, *force) : QString();
+    case Screen::kForce: return force != nullptr && !force->finished ? forceText(state.force, *force) : QString();
     case Screen::kQuestion:
       return NurseViewText::tr("Question %1, the form's item %2").arg(state.question.position).arg(state.question.item);
     case Screen::kOwnModel:
       return state.own.count > 0 ? NurseViewText::tr("Region %1 of %2").arg(state.own.number).arg(state.own.count)
                                  : QString();
-    default:
-      return {};
+    default: return {};
   }
 }
 
 QString deviceText(DeviceStep step) {
   switch (step) {
-    case DeviceStep::kWait:
-      return NurseViewText::tr("not in use");
-    case DeviceStep::kHold:
-      return NurseViewText::tr("ready, not held");
+    case DeviceStep::kWait: return NurseViewText::tr("not in use");
+    case DeviceStep::kHold: return NurseViewText::tr("ready, not held");
     case DeviceStep::kStill:
     case DeviceStep::kPush:
-    case DeviceStep::kRelease:
-      return NurseViewText::tr("being checked");
-    case DeviceStep::kReady:
-      return NurseViewText::tr("ready");
-    case DeviceStep::kWrong:
-      return NurseViewText::tr("stopped for safety");
-    case DeviceStep::kLost:
-      return NurseViewText::tr("not connected");
+    case DeviceStep::kRelease: return NurseViewText::tr("being checked");
+    case DeviceStep::kReady: return NurseViewText::tr("ready");
+    case DeviceStep::kWrong: return NurseViewText::tr("stopped for safety");
+    case DeviceStep::kLost: return NurseViewText::tr("not connected");
   }
   return {};
 }

@@ -1,5 +1,6 @@
 #include "app/workbench/picture_album.h"
 
+#include <QAbstractAnimation>
 #include <QDialog>
 #include <QElapsedTimer>
 #include <QEventLoop>
@@ -24,7 +25,17 @@ void pass(int ms) {
   loop.exec();
 }
 
+/// What moves for ever stands at its beginning.
+void holdStill(const QWidget& window) {
+  for (QAbstractAnimation* moving : window.findChildren<QAbstractAnimation*>()) {
+    if (moving->loopCount() != -1) continue;
+    moving->pause();
+    moving->setCurrentTime(0);
+  }
+}
+
 QImage settledPicture(QWidget& window) {
+  holdStill(window);
   QElapsedTimer clock;
   clock.start();
   QImage last;

@@ -6,6 +6,7 @@
 
 #include "core/analysis/explain.h"
 #include "core/analysis/smallest_move.h"
+#include "core/base/error.h"
 
 namespace tactus::analysis {
 namespace {
@@ -148,10 +149,9 @@ base::Result<std::vector<Counterfactual>> counterfactuals(const fuzzy::ForceMode
                                                           std::span<const double> inputs,
                                                           const NoticeableDifference& noticeable,
                                                           std::optional<std::size_t> expert) {
-  const auto explanation = explain(model, compiled, inputs);
-  if (!explanation) return tl::unexpected(explanation.error());
+  TACTUS_TRY(const auto explanation, explain(model, compiled, inputs));
   std::vector<double> point;
-  for (const ExplainedInput& input : explanation->inputs) point.push_back(input.value);
+  for (const ExplainedInput& input : explanation.inputs) point.push_back(input.value);
   const Explorer explorer(model, compiled, point, expert);
   std::vector<Counterfactual> out;
   const auto now_n = explorer.force(0, point[0]);

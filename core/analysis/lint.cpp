@@ -427,24 +427,15 @@ class Linter {
 
 std::string_view name(Kind kind) noexcept {
   switch (kind) {
-    case Kind::kHole:
-      return "hole";
-    case Kind::kAbstentionJump:
-      return "abstention_jump";
-    case Kind::kConflict:
-      return "conflict";
-    case Kind::kRedundantRule:
-      return "redundant_rule";
-    case Kind::kDirectionChange:
-      return "direction_change";
-    case Kind::kDisagreement:
-      return "disagreement";
-    case Kind::kUnusedTerm:
-      return "unused_term";
-    case Kind::kUnreachableTerm:
-      return "unreachable_term";
-    case Kind::kUnreachableRule:
-      return "unreachable_rule";
+    case Kind::kHole: return "hole";
+    case Kind::kAbstentionJump: return "abstention_jump";
+    case Kind::kConflict: return "conflict";
+    case Kind::kRedundantRule: return "redundant_rule";
+    case Kind::kDirectionChange: return "direction_change";
+    case Kind::kDisagreement: return "disagreement";
+    case Kind::kUnusedTerm: return "unused_term";
+    case Kind::kUnreachableTerm: return "unreachable_term";
+    case Kind::kUnreachableRule: return "unreachable_rule";
   }
   return "";
 }

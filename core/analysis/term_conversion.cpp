@@ -129,12 +129,8 @@ base::Result<Term> convertedTerm(const Term& term, Shape shape, double min, doub
   }
   const Outline outline = outlineOf(term, min, max);
   switch (shape) {
-    case Shape::kTrapezoid:
-      out.points = trapezoid(outline);
-      break;
-    case Shape::kTriangle:
-      out.points = triangle(outline);
-      break;
+    case Shape::kTrapezoid: out.points = trapezoid(outline); break;
+    case Shape::kTriangle: out.points = triangle(outline); break;
     case Shape::kGaussian:
       out.points = gaussian(outline);
       if (!(out.points[1] > 0)) {

@@ -46,26 +46,16 @@ std::string escaped(std::string_view text, bool keeps_lines) {
 
 std::string_view describe(ErrorCode code) noexcept {
   switch (code) {
-    case ErrorCode::kIo:
-      return "a file or folder cannot be read or written";
-    case ErrorCode::kSyntax:
-      return "the text is not of its format";
-    case ErrorCode::kSchema:
-      return "something is missing, doubled or of the wrong type";
-    case ErrorCode::kValue:
-      return "a value is outside what its place allows";
-    case ErrorCode::kReference:
-      return "a name refers to nothing";
-    case ErrorCode::kLimit:
-      return "a limit is exceeded";
-    case ErrorCode::kVersion:
-      return "the file is newer than this program";
-    case ErrorCode::kMismatch:
-      return "a verification failed";
-    case ErrorCode::kData:
-      return "the data do not determine an answer";
-    case ErrorCode::kCancelled:
-      return "stopped before the end";
+    case ErrorCode::kIo: return "a file or folder cannot be read or written";
+    case ErrorCode::kSyntax: return "the text is not of its format";
+    case ErrorCode::kSchema: return "something is missing, doubled or of the wrong type";
+    case ErrorCode::kValue: return "a value is outside what its place allows";
+    case ErrorCode::kReference: return "a name refers to nothing";
+    case ErrorCode::kLimit: return "a limit is exceeded";
+    case ErrorCode::kVersion: return "the file is newer than this program";
+    case ErrorCode::kMismatch: return "a verification failed";
+    case ErrorCode::kData: return "the data do not determine an answer";
+    case ErrorCode::kCancelled: return "stopped before the end";
   }
   return "unknown error";
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <utility>
 
 namespace tactus::base {
 
@@ -38,6 +39,16 @@ struct Error {
 
 template <class T>
 using Result = tl::expected<T, Error>;
+
+#define TACTUS_TRY_JOIN_(a, b) a##b
+#define TACTUS_TRY_NAME_(line) TACTUS_TRY_JOIN_(tried_, line)
+
+/// `TACTUS_TRY(const auto model, readModel(path));` declares `model` as the value of the Result. The function around it
+/// returns the error where there is none.
+#define TACTUS_TRY(declaration, ...)                                                                     \
+  auto TACTUS_TRY_NAME_(__LINE__) = (__VA_ARGS__);                                                       \
+  if (!TACTUS_TRY_NAME_(__LINE__)) return tl::unexpected(std::move(TACTUS_TRY_NAME_(__LINE__)).error()); \
+  declaration = *std::move(TACTUS_TRY_NAME_(__LINE__))
 
 /// `tl::unexpected` of an error without a file. The layer that knows the file adds it with `inFile`.
 tl::unexpected<Error> fail(ErrorCode code, std::string place, std::string found, std::string wanted);

@@ -20,25 +20,13 @@ std::string xmlEscaped(std::string_view text) {
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
       case '\t':
-      case '\n':
-        out += c;
-        break;
+      case '\n': out += c; break;
       default:
         if (byte < 0x20 || byte == 0x7F || (byte >= 0x80 && !utf8)) {
           out += kReplacement;

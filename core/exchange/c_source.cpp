@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/exchange/c_parts.h"
 
@@ -201,9 +202,8 @@ std::string SourceWriter::source() const {
 }
 
 base::Result<CSource> cSource(const fuzzy::ForceModel& model, std::span<const FixedInput> fixed) {
-  const auto inputs = fixedInputs(model, fixed);
-  if (!inputs) return tl::unexpected(inputs.error());
-  const SourceWriter writer(model, *inputs);
+  TACTUS_TRY(const auto inputs, fixedInputs(model, fixed));
+  const SourceWriter writer(model, inputs);
   return CSource{writer.header(), writer.source()};
 }
 

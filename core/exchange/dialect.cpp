@@ -17,14 +17,10 @@ std::string_view suffix(Dialect dialect) noexcept {
 ReaderRule readerRule(Dialect dialect) noexcept {
   switch (dialect) {
     case Dialect::kFll:
-    case Dialect::kFclFuzzylite:
-      return {true, 1000, 1e-5};
-    case Dialect::kFclIec:
-      return {false, 1000, 1e-3};
-    case Dialect::kFis:
-      return {false, 101, 5e-3};
-    case Dialect::kFml:
-      return {false, 2000, 1e-3};
+    case Dialect::kFclFuzzylite: return {true, 1000, 1e-5};
+    case Dialect::kFclIec: return {false, 1000, 1e-3};
+    case Dialect::kFis: return {false, 101, 5e-3};
+    case Dialect::kFml: return {false, 2000, 1e-3};
   }
   return {true, 1000, 1e-5};
 }
@@ -32,16 +28,11 @@ ReaderRule readerRule(Dialect dialect) noexcept {
 base::Result<std::string> format(const fuzzy::ForceModel& model, std::size_t expert, Dialect dialect) {
   const ExpertView view = viewOf(model, expert);
   switch (dialect) {
-    case Dialect::kFll:
-      return fllText(view);
-    case Dialect::kFclIec:
-      return fclIecText(view);
-    case Dialect::kFclFuzzylite:
-      return fclFuzzyliteText(view);
-    case Dialect::kFis:
-      return fisText(view);
-    case Dialect::kFml:
-      return fmlText(view);
+    case Dialect::kFll: return fllText(view);
+    case Dialect::kFclIec: return fclIecText(view);
+    case Dialect::kFclFuzzylite: return fclFuzzyliteText(view);
+    case Dialect::kFis: return fisText(view);
+    case Dialect::kFml: return fmlText(view);
   }
   return base::fail(base::ErrorCode::kValue, "format", "an unknown one", "one of those of this version");
 }

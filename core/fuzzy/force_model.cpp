@@ -8,12 +8,9 @@ namespace tactus::fuzzy {
 
 std::string_view name(Shape shape) noexcept {
   switch (shape) {
-    case Shape::kTrapezoid:
-      return "trapezoid";
-    case Shape::kTriangle:
-      return "triangle";
-    case Shape::kGaussian:
-      return "gaussian";
+    case Shape::kTrapezoid: return "trapezoid";
+    case Shape::kTriangle: return "triangle";
+    case Shape::kGaussian: return "gaussian";
   }
   return "";
 }
@@ -22,12 +19,9 @@ std::string_view name(Implication implication) noexcept { return implication == 
 
 std::size_t pointCount(Shape shape) noexcept {
   switch (shape) {
-    case Shape::kTrapezoid:
-      return 4;
-    case Shape::kTriangle:
-      return 3;
-    case Shape::kGaussian:
-      return 2;
+    case Shape::kTrapezoid: return 4;
+    case Shape::kTriangle: return 3;
+    case Shape::kGaussian: return 2;
   }
   return 0;
 }

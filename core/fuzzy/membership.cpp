@@ -18,12 +18,8 @@ MembershipFunction MembershipFunction::of(const Term& term) noexcept {
   MembershipFunction f;
   const auto& p = term.points;
   switch (term.shape) {
-    case Shape::kTrapezoid:
-      f.a = p[0], f.b = p[1], f.c = p[2], f.d = p[3];
-      break;
-    case Shape::kTriangle:
-      f.a = p[0], f.b = f.c = p[1], f.d = p[2];
-      break;
+    case Shape::kTrapezoid: f.a = p[0], f.b = p[1], f.c = p[2], f.d = p[3]; break;
+    case Shape::kTriangle: f.a = p[0], f.b = f.c = p[1], f.d = p[2]; break;
     case Shape::kGaussian:
       f.gaussian = true;
       f.mean = p[0], f.sigma = p[1];

@@ -83,12 +83,9 @@ class Teams {
   /// How many Weights each rest has.
   static std::size_t partsOf(const Team& team) {
     switch (team.layout) {
-      case Team::Layout::kAlone:
-        return kLanes / kTeam;
-      case Team::Layout::kDense:
-        return team.lanes;
-      case Team::Layout::kSparse:
-        return 1;
+      case Team::Layout::kAlone: return kLanes / kTeam;
+      case Team::Layout::kDense: return team.lanes;
+      case Team::Layout::kSparse: return 1;
     }
     return 1;
   }

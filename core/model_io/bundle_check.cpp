@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_members.h"
@@ -181,31 +182,27 @@ bool BundleCheck::ok() const {
 }
 
 base::Result<TableError> errorOfChecks(const fuzzy::ForceModel& model, std::string text, const std::string& file) {
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  const auto table = base::CsvTable::parse(std::move(text), file);
-  if (!table) return tl::unexpected(table.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
+  TACTUS_TRY(const auto table, base::CsvTable::parse(std::move(text), file));
   std::vector<std::size_t> columns;
   std::vector<std::string> names;
   for (const fuzzy::Variable& input : model.inputs) names.push_back(input.id);
   names.insert(names.end(), {"force", "fired"});
   for (const std::string& name : names) {
-    const auto column = table->require(name);
-    if (!column) return tl::unexpected(column.error());
-    columns.push_back(*column);
+    TACTUS_TRY(const auto column, table.require(name));
+    columns.push_back(column);
   }
   TableError out;
   std::vector<double> row(columns.size());
-  for (std::size_t r = 0; r < table->rowCount(); ++r) {
+  for (std::size_t r = 0; r < table.rowCount(); ++r) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
-      const auto value = table->number(r, columns[c]);
-      if (!value) return tl::unexpected(value.error());
-      row[c] = *value;
+      TACTUS_TRY(const auto value, table.number(r, columns[c]));
+      row[c] = value;
     }
     const std::span point = std::span(row).first(model.inputs.size());
-    const fuzzy::Evaluation force = compiled->evaluate(point);
+    const fuzzy::Evaluation force = compiled.evaluate(point);
     if (force.fired != (row.back() != 0)) {
-      return table->refuse(
+      return table.refuse(
           r, columns.back(), base::ErrorCode::kMismatch,
           std::string(force.fired ? "1" : "0") + ", because " + (force.fired ? "a" : "no") + " rule fires there");
     }
@@ -227,13 +224,11 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
   }
   const std::string path = folder + "/" + std::string(kManifestName);
   if (const auto itself = requireNoLink(path); !itself) return tl::unexpected(itself.error());
-  const auto text = base::readFile(path, kMostManifestBytes);
-  if (!text) return tl::unexpected(text.error());
-  const auto manifest = parseManifest(*text, path);
-  if (!manifest) return tl::unexpected(manifest.error());
+  TACTUS_TRY(const auto text, base::readFile(path, kMostManifestBytes));
+  TACTUS_TRY(const auto manifest, parseManifest(text, path));
   BundleCheck out;
-  const auto own = std::find_if(manifest->files.begin(), manifest->files.end(),
-                                [&](const BundleFile& one) { return one.path == manifest->model; });
+  const auto own = std::find_if(manifest.files.begin(), manifest.files.end(),
+                                [&](const BundleFile& one) { return one.path == manifest.model; });
   const auto bytes = unaltered(folder, *own);
   if (!bytes) {
     // Missing or altered: nothing can be evaluated, and the bundle is not what it says.
@@ -241,13 +236,12 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
     error.code = base::ErrorCode::kMismatch;
     return tl::unexpected(error);
   }
-  auto read = parseModel(*bytes, folder + "/" + manifest->model);
-  if (!read) return tl::unexpected(read.error());
-  out.model = std::move(read->model);
-  out.generator = manifest->generator;
-  out.fingerprint = base::sha256(*text);
-  for (const BundleFile& file : manifest->files) out.files.push_back(checked(out.model, folder, file));
-  for (FileCheck& check : unnamedIn(folder, *manifest)) out.files.push_back(std::move(check));
+  TACTUS_TRY(auto read, parseModel(*bytes, folder + "/" + manifest.model));
+  out.model = std::move(read.model);
+  out.generator = manifest.generator;
+  out.fingerprint = base::sha256(text);
+  for (const BundleFile& file : manifest.files) out.files.push_back(checked(out.model, folder, file));
+  for (FileCheck& check : unnamedIn(folder, manifest)) out.files.push_back(std::move(check));
   return out;
 }
 

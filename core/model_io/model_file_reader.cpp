@@ -31,12 +31,11 @@ std::string outcome(double force, bool fired) {
 /// Evaluates each of `model.checks`. Returns an error of kind kMismatch at `/checks/N` if a force differs by more than
 /// 1e-12 of the output range, or `fired` differs. Returns the error of `fuzzy::validate` if the model is invalid.
 base::Result<void> verifyChecks(const fuzzy::ForceModel& model) {
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
   const double most = kTolerance * (model.output.max - model.output.min);
   for (std::size_t i = 0; i < model.checks.size(); ++i) {
     const fuzzy::Check& check = model.checks[i];
-    const auto now = compiled->evaluate(check.in);
+    const auto now = compiled.evaluate(check.in);
     if (now.fired == check.fired && std::abs(now.force_n - check.force) <= most) continue;
     return base::fail(base::ErrorCode::kMismatch, "/checks/" + std::to_string(i), outcome(now.force_n, now.fired),
                       outcome(check.force, check.fired) + ", as the file says");
@@ -257,9 +256,8 @@ base::Result<ReadModel> parseModel(std::string_view text, const std::string& fil
 }
 
 base::Result<ReadModel> readModel(const std::string& path) {
-  const auto text = base::readFile(path, kMostModelFileBytes);
-  if (!text) return tl::unexpected(text.error());
-  return parseModel(*text, path);
+  TACTUS_TRY(const auto text, base::readFile(path, kMostModelFileBytes));
+  return parseModel(text, path);
 }
 
 }  // namespace tactus::model_io

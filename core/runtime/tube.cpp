@@ -14,12 +14,9 @@ constexpr double kLongestFadeS = 60;
 
 int phaseOf(render::Phase phase) noexcept {
   switch (phase) {
-    case render::Phase::kReleased:
-      return 0;
-    case render::Phase::kStuck:
-      return 1;
-    default:
-      return 2;
+    case render::Phase::kReleased: return 0;
+    case render::Phase::kStuck: return 1;
+    default: return 2;
   }
 }
 

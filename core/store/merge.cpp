@@ -241,20 +241,11 @@ class TableMerge {
       }
       const auto column = rows_.getColumn(i);
       switch (column.getType()) {
-        case SQLITE_INTEGER:
-          statement.bind(i + 1, static_cast<std::int64_t>(column.getInt64()));
-          break;
-        case SQLITE_FLOAT:
-          statement.bind(i + 1, column.getDouble());
-          break;
-        case SQLITE_TEXT:
-          statement.bind(i + 1, column.getString());
-          break;
-        case SQLITE_BLOB:
-          statement.bind(i + 1, column.getBlob(), column.getBytes());
-          break;
-        default:
-          statement.bind(i + 1);
+        case SQLITE_INTEGER: statement.bind(i + 1, static_cast<std::int64_t>(column.getInt64())); break;
+        case SQLITE_FLOAT: statement.bind(i + 1, column.getDouble()); break;
+        case SQLITE_TEXT: statement.bind(i + 1, column.getString()); break;
+        case SQLITE_BLOB: statement.bind(i + 1, column.getBlob(), column.getBytes()); break;
+        default: statement.bind(i + 1);
       }
     }
   }

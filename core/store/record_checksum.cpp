@@ -44,8 +44,7 @@ void addValue(base::Crc32& crc, sqlite3_value* value) {
       const auto* bytes = static_cast<const char*>(sqlite3_value_blob(value));
       return addPiece(crc, 'B', {bytes, static_cast<std::size_t>(sqlite3_value_bytes(value))});
     }
-    default:
-      return addPiece(crc, 'N', {});
+    default: return addPiece(crc, 'N', {});
   }
 }
 

@@ -237,9 +237,7 @@ void RecordRows::putCell(Query& query, std::size_t row, const RecordColumn& colu
   const std::string text = cell(row, column);
   const std::size_t at = *csv_.find(column.name);
   switch (column.kind) {
-    case ColumnKind::kId:
-      query.put(idIn(row, column));
-      return;
+    case ColumnKind::kId: query.put(idIn(row, column)); return;
     case ColumnKind::kText:
     case ColumnKind::kJson:
       if (text.find('\0') != std::string::npos) refuseCell(row, column, "text without a byte 0");
@@ -265,11 +263,8 @@ void RecordRows::putCell(Query& query, std::size_t row, const RecordColumn& colu
     case ColumnKind::kNumber:
       query.put(column.optional && text.empty() ? std::nullopt : std::optional(orRefuse(csv_.number(row, at))));
       return;
-    case ColumnKind::kChannels:
-      return;  // with the recording
-    case ColumnKind::kRecording:
-      putRecording(query, row, column);
-      return;
+    case ColumnKind::kChannels: return;  // with the recording
+    case ColumnKind::kRecording: putRecording(query, row, column); return;
     case ColumnKind::kModel: {
       const auto model = orRefuse(base::readFile(ownFile(row, column, kModelsFolder, ".json"), kMostModelBytes));
       const RecordColumn& hash = columnOf(table_, "sha256");

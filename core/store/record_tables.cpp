@@ -103,10 +103,8 @@ class Writer {
         return id ? study::toText(*id) : std::string();
       }
       case ColumnKind::kBytes:
-      case ColumnKind::kText:
-        return mark_ == ByteOrderMark::kWrite ? base::guarded(query.text()) : query.text();
-      case ColumnKind::kJson:
-        return query.text();
+      case ColumnKind::kText: return mark_ == ByteOrderMark::kWrite ? base::guarded(query.text()) : query.text();
+      case ColumnKind::kJson: return query.text();
       case ColumnKind::kInteger:
       case ColumnKind::kFlag: {
         const auto integer = query.integerOrNothing();
@@ -405,24 +403,16 @@ std::vector<RecordTable> makeTables() {
 
 std::string_view name(ColumnKind kind) {
   switch (kind) {
-    case ColumnKind::kId:
-      return "id";
-    case ColumnKind::kBytes:
-      return "hexadecimal bytes";
-    case ColumnKind::kText:
-      return "text";
+    case ColumnKind::kId: return "id";
+    case ColumnKind::kBytes: return "hexadecimal bytes";
+    case ColumnKind::kText: return "text";
     case ColumnKind::kJson:
-    case ColumnKind::kChannels:
-      return "JSON text";
-    case ColumnKind::kInteger:
-      return "integer";
-    case ColumnKind::kFlag:
-      return "0 or 1";
-    case ColumnKind::kNumber:
-      return "number";
+    case ColumnKind::kChannels: return "JSON text";
+    case ColumnKind::kInteger: return "integer";
+    case ColumnKind::kFlag: return "0 or 1";
+    case ColumnKind::kNumber: return "number";
     case ColumnKind::kRecording:
-    case ColumnKind::kModel:
-      return "file name";
+    case ColumnKind::kModel: return "file name";
   }
   return {};
 }

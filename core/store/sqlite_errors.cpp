@@ -60,8 +60,7 @@ Error describeFailure(const std::string& path, const SqliteFailure& failure) {
     case SQLITE_BUSY:
       return ioError(path, "a study that is open elsewhere",
                      "a study that no other program or window uses; close it there first");
-    case SQLITE_NOTADB:
-      return {ErrorCode::kSyntax, path, {}, "a file of another kind", "a Tactus study file"};
+    case SQLITE_NOTADB: return {ErrorCode::kSyntax, path, {}, "a file of another kind", "a Tactus study file"};
     case SQLITE_CORRUPT:
       return {ErrorCode::kMismatch,
               path,

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
 #include "core/study/record_id.h"
@@ -27,22 +28,20 @@ class FolderReader {
   template <class Read>
   auto table(std::string_view name, std::span<const std::string_view> known, Read read)
       -> decltype(read(std::declval<const CsvTable&>())) {
-    const auto path = fileOf(name);
-    if (!path) return tl::unexpected(path.error());
-    if (path->empty()) {
+    TACTUS_TRY(const auto path, fileOf(name));
+    if (path.empty()) {
       absent_.push_back(std::string(name) + besides(name));
       return {};
     }
-    if (path->filename() != name) {
-      notes_.push_back(std::string(name) + ": read from " + base::quoted(path->filename().string()) + ".");
+    if (path.filename() != name) {
+      notes_.push_back(std::string(name) + ": read from " + base::quoted(path.filename().string()) + ".");
     }
-    const auto csv = CsvTable::read(path->string());
-    if (!csv) return tl::unexpected(csv.error());
-    if (!csv->readAs().empty()) notes_.push_back(std::string(name) + ": read with " + csv->readAs() + ".");
-    noteColumns(name, *csv, known);
-    auto records = read(*csv);
+    TACTUS_TRY(const auto csv, CsvTable::read(path.string()));
+    if (!csv.readAs().empty()) notes_.push_back(std::string(name) + ": read with " + csv.readAs() + ".");
+    noteColumns(name, csv, known);
+    auto records = read(csv);
     if (!records) return records;
-    return checked(*csv, std::move(*records));
+    return checked(csv, std::move(*records));
   }
 
   void setParticipants(const std::vector<Participant>& participants) {
@@ -217,20 +216,16 @@ Result<StudyTables> readStudyFolder(const std::string& folder, const std::vector
   StudyTables tables;
   Study& study = tables.study;
   study.name = nameOf(folder);
-  auto participants = reader.table(kParticipantsTable, kParticipantColumns, readParticipants);
-  if (!participants) return tl::unexpected(participants.error());
-  study.participants = std::move(*participants);
+  TACTUS_TRY(auto participants, reader.table(kParticipantsTable, kParticipantColumns, readParticipants));
+  study.participants = std::move(participants);
   reader.setParticipants(study.participants);
 
-  auto speeds = reader.table(kSpeedsTable, kSpeedColumns, readSpeeds);
-  if (!speeds) return tl::unexpected(speeds.error());
-  study.speeds = std::move(*speeds);
-  auto judgements = reader.table(kJudgementsTable, kJudgementColumns, readJudgements);
-  if (!judgements) return tl::unexpected(judgements.error());
-  study.judgements = std::move(*judgements);
-  auto answers = reader.table(kAnswersTable, kAnswerColumns, readAnswers);
-  if (!answers) return tl::unexpected(answers.error());
-  study.answers = std::move(*answers);
+  TACTUS_TRY(auto speeds, reader.table(kSpeedsTable, kSpeedColumns, readSpeeds));
+  study.speeds = std::move(speeds);
+  TACTUS_TRY(auto judgements, reader.table(kJudgementsTable, kJudgementColumns, readJudgements));
+  study.judgements = std::move(judgements);
+  TACTUS_TRY(auto answers, reader.table(kAnswersTable, kAnswerColumns, readAnswers));
+  study.answers = std::move(answers);
   auto rules = reader.table(kRulesTable, knownRuleColumns(input_ids),
                             [&input_ids](const CsvTable& csv) { return readRules(csv, input_ids); });
   if (!rules) return tl::unexpected(rules.error());

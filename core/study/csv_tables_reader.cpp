@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
@@ -37,9 +38,8 @@ Result<std::array<std::size_t, Count>> findColumns(const CsvTable& table, std::s
       columns[i] = kAbsent;
       continue;
     }
-    const auto column = table.require(names[i]);
-    if (!column) return tl::unexpected(column.error());
-    columns[i] = *column;
+    TACTUS_TRY(const auto column, table.require(names[i]));
+    columns[i] = column;
   }
   return columns;
 }
@@ -202,9 +202,8 @@ const std::string& inputId(const std::string& name, const std::vector<std::strin
 }  // namespace
 
 Result<std::vector<Participant>> readParticipants(const CsvTable& table) {
-  const auto columns = findColumns(table, kParticipantsTable, kParticipantColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
+  TACTUS_TRY(const auto columns, findColumns(table, kParticipantsTable, kParticipantColumns));
+  const auto& column = columns;
 
   std::set<std::string> seen;
   return readRows<Participant>(table, [&](RowReader& cells) {
@@ -222,9 +221,8 @@ Result<std::vector<Participant>> readParticipants(const CsvTable& table) {
 }
 
 Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
-  const auto columns = findColumns(table, kSpeedsTable, kSpeedColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
+  TACTUS_TRY(const auto columns, findColumns(table, kSpeedsTable, kSpeedColumns));
+  const auto& column = columns;
 
   return readRows<SpeedSample>(table, [&column](RowReader& cells) {
     SpeedSample sample;
@@ -239,9 +237,8 @@ Result<std::vector<SpeedSample>> readSpeeds(const CsvTable& table) {
 }
 
 Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
-  const auto columns = findColumns(table, kJudgementsTable, kJudgementColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
+  TACTUS_TRY(const auto columns, findColumns(table, kJudgementsTable, kJudgementColumns));
+  const auto& column = columns;
 
   std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<ForceJudgement>(table, [&](RowReader& cells) {
@@ -261,9 +258,8 @@ Result<std::vector<ForceJudgement>> readJudgements(const CsvTable& table) {
 }
 
 Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
-  const auto columns = findColumns(table, kAnswersTable, kAnswerColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
+  TACTUS_TRY(const auto columns, findColumns(table, kAnswersTable, kAnswerColumns));
+  const auto& column = columns;
 
   std::set<std::tuple<std::string, std::string, int>> seen;
   return readRows<Answer>(table, [&](RowReader& cells) {
@@ -290,11 +286,9 @@ Result<std::vector<Answer>> readAnswers(const CsvTable& table) {
 }
 
 Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vector<std::string>& input_ids) {
-  const auto columns = findColumns(table, kRulesTable, kRuleColumns);
-  if (!columns) return tl::unexpected(columns.error());
-  const auto& column = *columns;
-  const auto inputs = inputColumns(table, input_ids);
-  if (!inputs) return tl::unexpected(inputs.error());
+  TACTUS_TRY(const auto columns, findColumns(table, kRulesTable, kRuleColumns));
+  const auto& column = columns;
+  TACTUS_TRY(const auto inputs, inputColumns(table, input_ids));
   const auto form = table.find("form");
 
   using Terms = std::vector<std::string>;
@@ -304,12 +298,12 @@ Result<std::vector<GivenRule>> readRules(const CsvTable& table, const std::vecto
     rule.participant = cells.requiredName(column[0], "the code of a participant");
     if (form) rule.form = cells.name(*form);
     Terms terms;
-    for (const std::size_t input : *inputs) {
+    for (const std::size_t input : inputs) {
       terms.push_back(cells.name(input));
       if (!terms.back().empty()) rule.conditions.push_back({inputId(table.columns()[input], input_ids), terms.back()});
     }
     if (rule.conditions.empty()) {
-      cells.refuse(inputs->empty() ? column[1] : inputs->front(), ErrorCode::kValue, "a rule without a condition",
+      cells.refuse(inputs.empty() ? column[1] : inputs.front(), ErrorCode::kValue, "a rule without a condition",
                    "a term for one input or more");
     }
     rule.then = cells.requiredName(column[1], "the term that follows");

@@ -87,28 +87,20 @@ Result<std::string> rulesText(const std::vector<GivenRule>& rules, const std::ve
 
 std::string_view judgementText(const ForceJudgement& judgement) {
   switch (judgement.kind) {
-    case ForceJudgement::Kind::kTerm:
-      return judgement.term;
-    case ForceJudgement::Kind::kNotFelt:
-      return "not_felt";
-    case ForceJudgement::Kind::kBeyondPractice:
-      return "beyond_practice";
-    case ForceJudgement::Kind::kNoAnswer:
-      return {};
+    case ForceJudgement::Kind::kTerm: return judgement.term;
+    case ForceJudgement::Kind::kNotFelt: return "not_felt";
+    case ForceJudgement::Kind::kBeyondPractice: return "beyond_practice";
+    case ForceJudgement::Kind::kNoAnswer: return {};
   }
   return {};
 }
 
 std::string_view statusText(Answer::Status status) {
   switch (status) {
-    case Answer::Status::kAnswered:
-      return "answered";
-    case Answer::Status::kSkipped:
-      return "skipped";
-    case Answer::Status::kCantTell:
-      return "cant_tell";
-    case Answer::Status::kCleared:
-      return "cleared";
+    case Answer::Status::kAnswered: return "answered";
+    case Answer::Status::kSkipped: return "skipped";
+    case Answer::Status::kCantTell: return "cant_tell";
+    case Answer::Status::kCleared: return "cleared";
   }
   return {};
 }

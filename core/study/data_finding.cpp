@@ -84,12 +84,9 @@ std::string_view name(Kind kind) noexcept { return kNames[static_cast<std::size_
 
 std::string_view name(Severity severity) noexcept {
   switch (severity) {
-    case Severity::kNote:
-      return "note";
-    case Severity::kWarning:
-      return "warning";
-    case Severity::kRefused:
-      return "refused";
+    case Severity::kNote: return "note";
+    case Severity::kWarning: return "warning";
+    case Severity::kRefused: return "refused";
   }
   return "note";
 }

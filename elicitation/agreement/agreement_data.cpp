@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {
@@ -171,9 +172,8 @@ struct AnswerReader {
 Result<AgreementData> agreementData(std::span<const study::Answer> answers, std::string_view form_id,
                                     std::span<const study::Form> forms, std::span<const std::string> terms) {
   AgreementData data;
-  auto chosen = chooseForm(answers, form_id, data);
-  if (!chosen) return tl::unexpected(std::move(chosen.error()));
-  data.form = std::move(*chosen);
+  TACTUS_TRY(auto chosen, chooseForm(answers, form_id, data));
+  data.form = std::move(chosen);
   const auto known = std::find_if(forms.begin(), forms.end(), [&data](const study::Form& form) {
     return form.id == data.form && !form.items.empty();
   });
@@ -196,8 +196,7 @@ Result<AgreementData> agreementData(std::span<const study::Answer> answers, std:
   std::set<std::pair<std::string, int>> seen;
   for (const auto& answer : answers) {
     if (answer.form != data.form) continue;
-    const auto term = reader.termOf(answer);
-    if (!term) return tl::unexpected(term.error());
+    TACTUS_TRY(const auto term, reader.termOf(answer));
     if (!seen.emplace(answer.participant, answer.item).second) {
       return AnswerReader::refused(
           answer, ErrorCode::kData, "item",
@@ -206,9 +205,9 @@ Result<AgreementData> agreementData(std::span<const study::Answer> answers, std:
     }
     people.insert(answer.participant);
     items.insert(answer.item);
-    if (!*term) continue;
+    if (!term) continue;
     rated.insert(answer.item);
-    ratings.push_back({answer.participant, answer.item, **term});
+    ratings.push_back({answer.participant, answer.item, *term});
   }
   if (form != nullptr) {
     for (const auto& item : form->items) items.insert(item.number);

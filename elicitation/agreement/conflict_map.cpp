@@ -8,6 +8,7 @@
 
 #include "core/analysis/force_difference.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/every_expert.h"
 #include "elicitation/force/noticeable_force.h"
@@ -227,11 +228,10 @@ class Comparer {
     SquareSum noticeable;
     std::vector<Variant> variants;
     const auto take = [&]() -> base::Result<void> {
-      const auto compiled = compileVariants(cell, variants);
-      if (!compiled) return tl::unexpected(compiled.error());
+      TACTUS_TRY(const auto compiled, compileVariants(cell, variants));
       std::vector<fuzzy::Evaluation> forces(variants.size());
       for (const auto p : fires) {
-        fuzzy::evaluateEveryExpert(*compiled, points_[p], forces);
+        fuzzy::evaluateEveryExpert(compiled, points_[p], forces);
         for (std::size_t v = 0; v < variants.size(); ++v) {
           const auto& [expert, word] = variants[v];
           if (!cell.rules[expert]->fires(model_, points_[p])) continue;
@@ -317,21 +317,19 @@ class Comparer {
 }  // namespace
 
 base::Result<ConflictMap> conflictMap(const ForceModel& model, const ConflictSettings& settings) {
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
   const auto points = settings.points.empty() ? analysis::boxPoints(model) : settings.points;
   for (const auto& point : points) TACTUS_CHECK(point.size() == model.inputs.size());
   Comparer comparer(model, points);
-  comparer.evaluateAll(*compiled);
+  comparer.evaluateAll(compiled);
   ConflictMap map = comparer.between();
   const auto cells = expertCells(model);
   for (const auto& cell : cells) {
     if (settings.stop.stop_requested()) {
       return base::fail(base::ErrorCode::kCancelled, "conflict map", "a request to stop", "time to end");
     }
-    auto compared = comparer.compare(cell);
-    if (!compared) return tl::unexpected(compared.error());
-    map.cells.push_back(std::move(*compared));
+    TACTUS_TRY(auto compared, comparer.compare(cell));
+    map.cells.push_back(std::move(compared));
     if (settings.progress) settings.progress(static_cast<double>(map.cells.size()) / static_cast<double>(cells.size()));
   }
   return map;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/analysis/sample_points.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/batch.h"
 #include "elicitation/force/noticeable_force.h"
@@ -36,9 +37,8 @@ base::Result<std::vector<fuzzy::CompiledModel>> compileEach(const fuzzy::ForceMo
   for (const auto& expert : model.experts) {
     alone.experts = {expert};
     alone.experts.front().weight = 1;
-    auto compiled = fuzzy::compile(alone);
-    if (!compiled) return tl::unexpected(compiled.error());
-    out.push_back(std::move(*compiled));
+    TACTUS_TRY(auto compiled, fuzzy::compile(alone));
+    out.push_back(std::move(compiled));
   }
   return out;
 }
@@ -206,8 +206,7 @@ std::size_t costOf(const fuzzy::ForceModel& model) {
 
 base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model,
                                                const std::function<bool(double share)>& go_on) {
-  const auto experts = compileEach(model);
-  if (!experts) return tl::unexpected(experts.error());
+  TACTUS_TRY(const auto experts, compileEach(model));
   const std::size_t affordable = std::max<std::size_t>(64, kInfluenceAllowance / costOf(model));
   Comparison comparison(model);
   const std::size_t inputs = model.inputs.size();
@@ -217,11 +216,10 @@ base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model,
   const auto goes_on = [&](std::size_t done) { return !go_on || go_on(static_cast<double>(done) / all); };
   const bool ended =
       forEachPoint(
-          *experts, kinks, inputs,
+          experts, kinks, inputs,
           [&comparison](const auto& point, const auto& at) { comparison.take(point, at, false); }, goes_on) &&
       forEachPoint(
-          *experts, even, inputs,
-          [&comparison](const auto& point, const auto& at) { comparison.take(point, at, true); },
+          experts, even, inputs, [&comparison](const auto& point, const auto& at) { comparison.take(point, at, true); },
           [&](std::size_t done) { return goes_on(kinks.size() + done); });
   if (!ended)
     return base::fail(base::ErrorCode::kCancelled, "influence of experts", "a request to stop", "time to end");

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "elicitation/clustering/fcm_data.h"
@@ -207,14 +208,10 @@ class Search {
 
   std::vector<double> startNumber(int start, const FcmEntries& entries, base::Random& random) const {
     switch (start) {
-      case 0:
-        return quantileStart(entries, settings_.clusters);
-      case 1:
-        return bestRunsStart(entries, settings_.clusters);
-      case 2:
-        return equalWidthStart(entries, settings_.clusters);
-      default:
-        break;
+      case 0: return quantileStart(entries, settings_.clusters);
+      case 1: return bestRunsStart(entries, settings_.clusters);
+      case 2: return equalWidthStart(entries, settings_.clusters);
+      default: break;
     }
     std::vector<double> centres = spreadStart(entries, settings_.clusters, random);
     if (settings_.m > kMinimaApartM) {  // a center on a sample would stay there
@@ -308,9 +305,8 @@ void addWarnings(FcmResult& result) {
 Result<FcmResult> fuzzyCMeansOf(std::span<const double> samples, std::span<const double> weights,
                                 const FcmSettings& settings) {
   if (auto ok = checkSettings(settings); !ok) return tl::unexpected(ok.error());
-  const auto data = prepareFcmData(samples, weights);
-  if (!data) return tl::unexpected(data.error());
-  const auto distinct = distinctValues(*data, settings.clusters + 1);
+  TACTUS_TRY(const auto data, prepareFcmData(samples, weights));
+  const auto distinct = distinctValues(data, settings.clusters + 1);
   if (distinct.size() < settings.clusters) {
     return fail(ErrorCode::kData, "samples",
                 std::to_string(distinct.size()) + (distinct.size() == 1 ? " distinct value" : " distinct values"),
@@ -327,22 +323,22 @@ Result<FcmResult> fuzzyCMeansOf(std::span<const double> samples, std::span<const
     return result;
   }
 
-  const FcmSearch found = searchMinima(*data, settings);
+  const FcmSearch found = searchMinima(data, settings);
   if (found.canceled) {
     return fail(ErrorCode::kCancelled, "clustering", "a request to stop", "to go on to the end");
   }
-  result.centres = original(*data, found.kept.centres);
+  result.centres = original(data, found.kept.centres);
   if (std::adjacent_find(result.centres.begin(), result.centres.end(), std::greater_equal<>()) !=
       result.centres.end()) {
     return fail(ErrorCode::kData, "samples", "clusters too close together for the range of the values",
                 "values whose clusters double precision can tell apart");
   }
-  setObjective(result, found.kept.objective, data->objectiveExponent());
+  setObjective(result, found.kept.objective, data.objectiveExponent());
   result.iterations = found.kept.iterations;
   result.passes = found.passes;
   result.stop = found.kept.converged ? FcmStop::kConverged : FcmStop::kIterationLimit;
   for (const auto& other : found.others) {
-    result.other_minima.push_back({original(*data, other.centres), other.objective / found.kept.objective});
+    result.other_minima.push_back({original(data, other.centres), other.objective / found.kept.objective});
   }
   addWarnings(result);
   return result;
@@ -352,12 +348,9 @@ Result<FcmResult> fuzzyCMeansOf(std::span<const double> samples, std::span<const
 
 std::string_view name(FcmStop stop) noexcept {
   switch (stop) {
-    case FcmStop::kConverged:
-      return "converged";
-    case FcmStop::kExact:
-      return "exact";
-    case FcmStop::kIterationLimit:
-      return "iteration_limit";
+    case FcmStop::kConverged: return "converged";
+    case FcmStop::kExact: return "exact";
+    case FcmStop::kIterationLimit: return "iteration_limit";
   }
   return "";
 }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {
@@ -312,15 +313,14 @@ int FcmData::objectiveExponent() const {
 
 Result<FcmData> prepareFcmData(std::span<const double> samples, std::span<const double> weights) {
   if (samples.empty()) return fail(ErrorCode::kData, "samples", "none", "at least one for each cluster");
-  const auto heaviest = checkWeights(samples, weights);
-  if (!heaviest) return tl::unexpected(heaviest.error());
+  TACTUS_TRY(const auto heaviest, checkWeights(samples, weights));
   const Extent extent = extentOf(samples, weights);
   if (std::isnan(extent.check)) return refuseNotFinite(samples);
 
   FcmData data;
   data.values = samples;
   data.weights = weights;
-  if (!weights.empty()) data.weight_scale = powerFor(*heaviest);
+  if (!weights.empty()) data.weight_scale = powerFor(heaviest);
   // Scaling comes before the shift: the difference of two large values could overflow.
   data.scale = powerFor(std::max(std::abs(extent.low), std::abs(extent.high)));
   data.some = someValues(data);

@@ -205,14 +205,10 @@ bool productSums(const FcmBlock& block, const FcmPlace& place, double* sums) noe
 
 bool products(const FcmBlock& block, const FcmPlace& place, double* sums) noexcept {
   switch (place.clusters) {
-    case 2:
-      return productSums<2>(block, place, sums);
-    case 3:
-      return productSums<3>(block, place, sums);
-    case 4:
-      return productSums<4>(block, place, sums);
-    default:
-      return productSums<0>(block, place, sums);
+    case 2: return productSums<2>(block, place, sums);
+    case 3: return productSums<3>(block, place, sums);
+    case 4: return productSums<4>(block, place, sums);
+    default: return productSums<0>(block, place, sums);
   }
 }
 
@@ -232,14 +228,10 @@ void ratioSums(const FcmBlock& block, const FcmPlace& place, double* sums) noexc
 
 void ratios(const FcmBlock& block, const FcmPlace& place, double* sums) noexcept {
   switch (place.clusters) {
-    case 2:
-      return ratioSums<2>(block, place, sums);
-    case 3:
-      return ratioSums<3>(block, place, sums);
-    case 4:
-      return ratioSums<4>(block, place, sums);
-    default:
-      return ratioSums<0>(block, place, sums);
+    case 2: return ratioSums<2>(block, place, sums);
+    case 3: return ratioSums<3>(block, place, sums);
+    case 4: return ratioSums<4>(block, place, sums);
+    default: return ratioSums<0>(block, place, sums);
   }
 }
 

@@ -16,12 +16,9 @@ constexpr DepthRange kBeyondSphincterMm{30, 100};
 
 double lengthBy(LengthFormula formula, double nex_mm) {
   switch (formula) {
-    case LengthFormula::kNoseEarXiphoid:
-      return nex_mm;
-    case LengthFormula::kHanson:
-      return kSlope * nex_mm + kHansonOffsetMm;
-    case LengthFormula::kCorrected:
-      return kSlope * nex_mm + kCorrectedOffsetMm;
+    case LengthFormula::kNoseEarXiphoid: return nex_mm;
+    case LengthFormula::kHanson: return kSlope * nex_mm + kHansonOffsetMm;
+    case LengthFormula::kCorrected: return kSlope * nex_mm + kCorrectedOffsetMm;
   }
   return nex_mm;
 }
@@ -30,12 +27,9 @@ double lengthBy(LengthFormula formula, double nex_mm) {
 
 std::string_view name(LengthFormula formula) noexcept {
   switch (formula) {
-    case LengthFormula::kNoseEarXiphoid:
-      return "nose_ear_xiphoid";
-    case LengthFormula::kHanson:
-      return "hanson";
-    case LengthFormula::kCorrected:
-      return "corrected";
+    case LengthFormula::kNoseEarXiphoid: return "nose_ear_xiphoid";
+    case LengthFormula::kHanson: return "hanson";
+    case LengthFormula::kCorrected: return "corrected";
   }
   return "";
 }

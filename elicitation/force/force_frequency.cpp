@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/force/force_end.h"
 #include "elicitation/force/force_term_parts.h"
@@ -268,16 +269,15 @@ std::vector<TermRamp> allRamps(std::vector<FrequencyPoint> points, const ForceEn
 
 base::Result<FrequencyTerms> frequencyTerms(const fuzzy::Variable& output, std::span<const VoteStep> steps,
                                             std::optional<double> end_n) {
-  const auto end = forceEnd(steps, end_n);
-  if (!end) return tl::unexpected(end.error());
+  TACTUS_TRY(const auto end, forceEnd(steps, end_n));
   FrequencyTerms out;
-  static_cast<ForceTerms&>(out) = emptyForceTerms(output, *end);
+  static_cast<ForceTerms&>(out) = emptyForceTerms(output, end);
   std::vector<FrequencyPoint> points;
   for (const auto& one : steps) {
     TACTUS_CHECK(one.votes.size() == output.terms.size());
     out.steps.push_back(stepOf(one));
     const auto& step = out.steps.back();
-    if (step.votes > 0 && out.steps.size() <= end->steps) {
+    if (step.votes > 0 && out.steps.size() <= end.steps) {
       points.push_back({step.force_n, static_cast<double>(step.votes), step.shares});
     }
   }
@@ -285,13 +285,13 @@ base::Result<FrequencyTerms> frequencyTerms(const fuzzy::Variable& output, std::
   const std::size_t terms = output.terms.size();
   std::size_t highest = terms - 1;
   while (!isChosen(points, highest)) --highest;
-  const auto ramps = allRamps(points, *end, highest, terms);
-  if (highest + 1 < terms) endAbove(out, *end, terms - 1 - highest, ramps.back().end_n);
+  const auto ramps = allRamps(points, end, highest, terms);
+  if (highest + 1 < terms) endAbove(out, end, terms - 1 - highest, ramps.back().end_n);
   placeBetween(output, ramps, out);
   for (std::size_t k = 0; k < terms; ++k) {
     if (isChosen(points, k)) continue;
     const auto* term = fuzzy::findTerm(out.output.terms, output.terms[k].id);
-    if (term != nullptr) addInterpolated(out, *term, *end, (term->points[1] + term->points[2]) / 2);
+    if (term != nullptr) addInterpolated(out, *term, end, (term->points[1] + term->points[2]) / 2);
   }
   out.rms_error = rmsError(output, points, out);
   return out;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "elicitation/force/force_end.h"
 #include "elicitation/force/force_term_parts.h"
 
@@ -73,26 +74,21 @@ void addAbove(Cores& cores, const ForceEnd& end, ForceTerms& out) {
 
 std::string_view name(ForceTermsFrom from) noexcept {
   switch (from) {
-    case ForceTermsFrom::kVote:
-      return "vote";
-    case ForceTermsFrom::kFrequency:
-      return "frequency";
-    case ForceTermsFrom::kThresholds:
-      return "thresholds";
-    case ForceTermsFrom::kProbit:
-      return "probit";
+    case ForceTermsFrom::kVote: return "vote";
+    case ForceTermsFrom::kFrequency: return "frequency";
+    case ForceTermsFrom::kThresholds: return "thresholds";
+    case ForceTermsFrom::kProbit: return "probit";
   }
   return "";
 }
 
 base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<const VoteStep> steps,
                                     std::optional<double> end_n) {
-  const auto end = forceEnd(steps, end_n);
-  if (!end) return tl::unexpected(end.error());
-  ForceTerms out = emptyForceTerms(output, *end);
-  Cores cores = wonCores(steps.first(end->steps), output.terms.size());
+  TACTUS_TRY(const auto end, forceEnd(steps, end_n));
+  ForceTerms out = emptyForceTerms(output, end);
+  Cores cores = wonCores(steps.first(end.steps), output.terms.size());
   fillGaps(cores, out.output.min);
-  addAbove(cores, *end, out);
+  addAbove(cores, end, out);
 
   const Core* below = nullptr;
   for (std::size_t k = 0; k < cores.size(); ++k) {
@@ -111,7 +107,7 @@ base::Result<ForceTerms> forceTerms(const fuzzy::Variable& output, std::span<con
     term.points = {below == nullptr ? out.output.min : below->end, below == nullptr ? out.output.min : core.begin,
                    above == nullptr ? max : core.end, above == nullptr ? max : above->begin};
     if (core.peak) {
-      addInterpolated(out, term, *end, core.begin);
+      addInterpolated(out, term, end, core.begin);
       if (below != nullptr && above != nullptr) {
         term.shape = fuzzy::Shape::kTriangle;
         term.points = {below->end, core.begin, above->begin};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/study/ordered_probit.h"
 #include "elicitation/force/force_end.h"
@@ -85,26 +86,25 @@ std::string midpointNote(const std::vector<double>& threshold_n) {
 base::Result<ProbitTerms> probitTerms(const fuzzy::Variable& output, std::span<const ForceJudgement> judgements,
                                       std::string_view series, std::span<const VoteStep> steps,
                                       std::optional<double> end_n) {
-  const auto end = forceEnd(steps, end_n);
-  if (!end) return tl::unexpected(end.error());
+  TACTUS_TRY(const auto end, forceEnd(steps, end_n));
   ProbitTerms out;
-  static_cast<ForceTerms&>(out) = emptyForceTerms(output, *end);
+  static_cast<ForceTerms&>(out) = emptyForceTerms(output, end);
   if (output.terms.size() < 2) {
     placeBetween(output, {}, out);
     return out;
   }
-  auto answers = votesOf(steps, *end);
-  addOutside(judgements, series, *end, output.terms.size(), answers);
+  auto answers = votesOf(steps, end);
+  addOutside(judgements, series, end, output.terms.size(), answers);
   for (const auto& one : answers) out.answers += one.count;
   const auto fit = study::termThresholds(answers, output.terms.size());
   out.sigma_n = fit.sigma_n;
-  const double half_n = end->width_n / 2;
+  const double half_n = end.width_n / 2;
   const std::size_t outside = setThresholds(fit, answers, half_n, out);
 
   const double side_n = std::max(half_n, std::numbers::sqrt3 * fit.sigma_n.value_or(0));
-  const double last_side_n = std::min(side_n, std::max(half_n, end->last_n - out.threshold_n.back()));
+  const double last_side_n = std::min(side_n, std::max(half_n, end.last_n - out.threshold_n.back()));
   const auto ramps = rampsAround(out.threshold_n, side_n, last_side_n);
-  if (ramps.back().end_n > end->last_n) endAbove(out, *end, 1, ramps.back().end_n);
+  if (ramps.back().end_n > end.last_n) endAbove(out, end, 1, ramps.back().end_n);
   placeBetween(output, ramps, out);
   if (!out.sigma_n) out.notes.push_back(midpointNote(out.threshold_n));
   if (outside > 0) {
@@ -119,14 +119,10 @@ base::Result<ForceTerms> forceTermsFrom(ForceTermsFrom from, const fuzzy::Variab
                                         std::span<const study::ForceJudgement> judgements, std::string_view series,
                                         std::span<const VoteStep> steps, std::optional<double> end_n) {
   switch (from) {
-    case ForceTermsFrom::kVote:
-      return forceTerms(output, steps, end_n);
-    case ForceTermsFrom::kFrequency:
-      return frequencyTerms(output, steps, end_n);
-    case ForceTermsFrom::kThresholds:
-      return thresholdTerms(output, judgements, series, steps, end_n);
-    case ForceTermsFrom::kProbit:
-      return probitTerms(output, judgements, series, steps, end_n);
+    case ForceTermsFrom::kVote: return forceTerms(output, steps, end_n);
+    case ForceTermsFrom::kFrequency: return frequencyTerms(output, steps, end_n);
+    case ForceTermsFrom::kThresholds: return thresholdTerms(output, judgements, series, steps, end_n);
+    case ForceTermsFrom::kProbit: return probitTerms(output, judgements, series, steps, end_n);
   }
   TACTUS_CHECK(false);
 }

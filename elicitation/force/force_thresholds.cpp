@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "elicitation/force/force_end.h"
 #include "elicitation/force/force_term_parts.h"
 
@@ -27,14 +28,10 @@ struct Answers {
 
 std::optional<std::size_t> placeOf(const ForceJudgement& judgement, const std::vector<fuzzy::Term>& terms) {
   switch (judgement.kind) {
-    case ForceJudgement::Kind::kNotFelt:
-      return 0;
-    case ForceJudgement::Kind::kBeyondPractice:
-      return terms.size() + 1;
-    case ForceJudgement::Kind::kNoAnswer:
-      return std::nullopt;
-    case ForceJudgement::Kind::kTerm:
-      break;
+    case ForceJudgement::Kind::kNotFelt: return 0;
+    case ForceJudgement::Kind::kBeyondPractice: return terms.size() + 1;
+    case ForceJudgement::Kind::kNoAnswer: return std::nullopt;
+    case ForceJudgement::Kind::kTerm: break;
   }
   const auto found =
       std::find_if(terms.begin(), terms.end(), [&](const fuzzy::Term& term) { return term.id == judgement.term; });
@@ -111,19 +108,18 @@ std::string outsideNote(const std::vector<ForceThresholds>& participants) {
 base::Result<ThresholdTerms> thresholdTerms(const fuzzy::Variable& output, std::span<const ForceJudgement> judgements,
                                             std::string_view series, std::span<const VoteStep> steps,
                                             std::optional<double> end_n) {
-  const auto end = forceEnd(steps, end_n);
-  if (!end) return tl::unexpected(end.error());
+  TACTUS_TRY(const auto end, forceEnd(steps, end_n));
   ThresholdTerms out;
-  static_cast<ForceTerms&>(out) = emptyForceTerms(output, *end);
+  static_cast<ForceTerms&>(out) = emptyForceTerms(output, end);
   const std::size_t terms = output.terms.size();
-  const double half_n = end->width_n / 2;
-  for (const auto& answers : answersOf(judgements, series, output.terms, end->last_n)) {
+  const double half_n = end.width_n / 2;
+  for (const auto& answers : answersOf(judgements, series, output.terms, end.last_n)) {
     out.participants.push_back(thresholdsOf(answers, terms, half_n));
   }
   TACTUS_CHECK(!out.participants.empty());
   out.mean_n = meanThresholds(out.participants, terms - 1);
   const auto ramps = rampsAround(out.mean_n, half_n, half_n);
-  if (!ramps.empty() && ramps.back().end_n > end->last_n) endAbove(out, *end, 1, ramps.back().end_n);
+  if (!ramps.empty() && ramps.back().end_n > end.last_n) endAbove(out, end, 1, ramps.back().end_n);
   placeBetween(output, ramps, out);
   if (auto note = outsideNote(out.participants); !note.empty()) out.notes.push_back(std::move(note));
   return out;

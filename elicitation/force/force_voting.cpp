@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {
@@ -104,37 +105,33 @@ bool isVoteTable(const base::CsvTable& table, std::span<const std::string> terms
 }
 
 Result<VoteTable> readVoteTable(const base::CsvTable& table, std::span<const std::string> terms) {
-  const auto force = table.require("force_n");
-  if (!force) return tl::unexpected(force.error());
+  TACTUS_TRY(const auto force, table.require("force_n"));
   std::vector<std::size_t> columns;
   for (const auto& term : terms) {
-    const auto column = table.require(term);
-    if (!column) return tl::unexpected(column.error());
-    columns.push_back(*column);
+    TACTUS_TRY(const auto column, table.require(term));
+    columns.push_back(column);
   }
 
   VoteTable out;
   std::set<double> taken;  // forces of the rows so far
   for (std::size_t column = 0; column < table.columns().size(); ++column) {
-    if (column != *force && std::find(columns.begin(), columns.end(), column) == columns.end()) {
+    if (column != force && std::find(columns.begin(), columns.end(), column) == columns.end()) {
       out.ignored.push_back(table.columns()[column]);
     }
   }
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
-    const auto force_n = table.number(row, *force);
-    if (!force_n) return tl::unexpected(force_n.error());
-    if (*force_n < 0) return table.refuse(row, *force, ErrorCode::kValue, "a force of 0 N or more");
-    VoteCounts step{*force_n, {}};
+    TACTUS_TRY(const auto force_n, table.number(row, force));
+    if (force_n < 0) return table.refuse(row, force, ErrorCode::kValue, "a force of 0 N or more");
+    VoteCounts step{force_n, {}};
     for (const std::size_t column : columns) {
-      const auto votes = table.integer(row, column);
-      if (!votes) return tl::unexpected(votes.error());
-      if (*votes < 0 || *votes > kMostVotes) {
+      TACTUS_TRY(const auto votes, table.integer(row, column));
+      if (votes < 0 || votes > kMostVotes) {
         return table.refuse(row, column, ErrorCode::kValue,
                             "a number of votes from 0 to " + std::to_string(kMostVotes));
       }
-      step.votes.push_back(static_cast<int>(*votes));
+      step.votes.push_back(static_cast<int>(votes));
     }
-    if (isTaken(taken, step.force_n)) return table.refuse(row, *force, ErrorCode::kData, "each force once");
+    if (isTaken(taken, step.force_n)) return table.refuse(row, force, ErrorCode::kData, "each force once");
     taken.insert(step.force_n);
     out.steps.push_back(std::move(step));
   }
@@ -186,18 +183,12 @@ Decision decide(const std::vector<int>& votes, std::optional<std::size_t> last) 
 
 std::string_view name(VoteReason reason) noexcept {
   switch (reason) {
-    case VoteReason::kMajority:
-      return "majority";
-    case VoteReason::kTieHigher:
-      return "tie_higher";
-    case VoteReason::kNextLevel:
-      return "next_level";
-    case VoteReason::kClamped:
-      return "clamped";
-    case VoteReason::kFirstMedian:
-      return "first_median";
-    case VoteReason::kNoVotes:
-      return "no_votes";
+    case VoteReason::kMajority: return "majority";
+    case VoteReason::kTieHigher: return "tie_higher";
+    case VoteReason::kNextLevel: return "next_level";
+    case VoteReason::kClamped: return "clamped";
+    case VoteReason::kFirstMedian: return "first_median";
+    case VoteReason::kNoVotes: return "no_votes";
   }
   return "";
 }

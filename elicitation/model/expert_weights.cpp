@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::elicitation {
@@ -27,8 +28,7 @@ std::string keys(const std::map<std::string, double>& table) {
 Result<double> weightOf(const study::Participant& expert, const WeightSettings& settings) {
   const std::string place = "participant " + expert.code;
   switch (settings.policy) {
-    case WeightPolicy::kEqual:
-      return 1.0;
+    case WeightPolicy::kEqual: return 1.0;
     case WeightPolicy::kYears:
       if (expert.years_experience) return *expert.years_experience;
       return study::atCell(
@@ -95,16 +95,11 @@ std::string percent(double share) {
 
 std::string_view name(WeightPolicy policy) noexcept {
   switch (policy) {
-    case WeightPolicy::kEqual:
-      return "equal";
-    case WeightPolicy::kYears:
-      return "years";
-    case WeightPolicy::kCategory:
-      return "category";
-    case WeightPolicy::kColumn:
-      return "column";
-    case WeightPolicy::kTable:
-      return "file";
+    case WeightPolicy::kEqual: return "equal";
+    case WeightPolicy::kYears: return "years";
+    case WeightPolicy::kCategory: return "category";
+    case WeightPolicy::kColumn: return "column";
+    case WeightPolicy::kTable: return "file";
   }
   return "";
 }
@@ -112,10 +107,9 @@ std::string_view name(WeightPolicy policy) noexcept {
 Result<std::vector<double>> expertWeights(std::span<const study::Participant> experts, const WeightSettings& settings) {
   std::vector<double> weights;
   for (const auto& expert : experts) {
-    const auto weight = weightOf(expert, settings);
-    if (!weight) return tl::unexpected(weight.error());
-    if (!std::isfinite(*weight) || *weight < 0) return refuseWeight(expert, *weight, settings);
-    weights.push_back(*weight);
+    TACTUS_TRY(const auto weight, weightOf(expert, settings));
+    if (!std::isfinite(weight) || weight < 0) return refuseWeight(expert, weight, settings);
+    weights.push_back(weight);
   }
   if (!weights.empty() && *std::max_element(weights.begin(), weights.end()) <= 0) {
     base::Error error{ErrorCode::kData, {}, "weights", "0 for every expert", "at least one weight above 0"};
@@ -166,19 +160,16 @@ std::vector<std::string> weightNotes(std::span<const study::Participant> experts
 }
 
 Result<std::map<std::string, double>> readWeightTable(const base::CsvTable& table) {
-  const auto participant = table.require("participant");
-  if (!participant) return tl::unexpected(participant.error());
-  const auto weight = table.require("weight");
-  if (!weight) return tl::unexpected(weight.error());
+  TACTUS_TRY(const auto participant, table.require("participant"));
+  TACTUS_TRY(const auto weight, table.require("weight"));
   std::map<std::string, double> weights;
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
-    const auto value = table.number(row, *weight);
-    if (!value) return tl::unexpected(value.error());
-    if (*value < 0) return table.refuse(row, *weight, ErrorCode::kValue, "a number of 0 or more");
-    const std::string code(base::trimmed(table.cell(row, *participant)));
-    if (code.empty()) return table.refuse(row, *participant, ErrorCode::kValue, "a participant");
-    if (!weights.emplace(code, *value).second) {
-      return table.refuse(row, *participant, ErrorCode::kData, "each participant once");
+    TACTUS_TRY(const auto value, table.number(row, weight));
+    if (value < 0) return table.refuse(row, weight, ErrorCode::kValue, "a number of 0 or more");
+    const std::string code(base::trimmed(table.cell(row, participant)));
+    if (code.empty()) return table.refuse(row, participant, ErrorCode::kValue, "a participant");
+    if (!weights.emplace(code, value).second) {
+      return table.refuse(row, participant, ErrorCode::kData, "each participant once");
     }
   }
   return weights;

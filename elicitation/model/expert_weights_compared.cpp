@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "core/analysis/term_conversion.h"
+#include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -39,10 +40,8 @@ std::string regionAt(const fuzzy::ForceModel& model, const std::vector<double>& 
 Result<std::vector<WeightedModel>> compareWeights(const BuiltModel& built, const study::Study& study,
                                                   const BuildSettings& settings,
                                                   std::span<const WeightSettings> tables) {
-  const auto equal = under(with(WeightPolicy::kEqual, settings.weights), built, study, settings);
-  if (!equal) return tl::unexpected(equal.error());
-  const auto compiled_equal = fuzzy::compile(*equal);
-  if (!compiled_equal) return tl::unexpected(compiled_equal.error());
+  TACTUS_TRY(const auto equal, under(with(WeightPolicy::kEqual, settings.weights), built, study, settings));
+  TACTUS_TRY(const auto compiled_equal, fuzzy::compile(equal));
 
   std::vector<WeightSettings> all;
   for (const auto policy :
@@ -62,10 +61,9 @@ Result<std::vector<WeightedModel>> compareWeights(const BuiltModel& built, const
       one.unavailable = model.error().message();
       continue;
     }
-    const auto compiled = fuzzy::compile(*model);
-    if (!compiled) return tl::unexpected(compiled.error());
-    one.from_equal = analysis::forceDifference(*equal, *compiled_equal, *model, *compiled);
-    one.region = regionAt(*equal, one.from_equal.at);
+    TACTUS_TRY(const auto compiled, fuzzy::compile(*model));
+    one.from_equal = analysis::forceDifference(equal, compiled_equal, *model, compiled);
+    one.region = regionAt(equal, one.from_equal.at);
     one.model = std::move(*model);
   }
   return out;

@@ -7,6 +7,7 @@
 
 #include "core/analysis/force_difference.h"
 #include "core/analysis/term_conversion.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/noticeable_force.h"
@@ -117,9 +118,8 @@ struct Choice {
 Result<ForceModel> inShape(ForceModel model, fuzzy::Shape shape) {
   const auto convert = [&](const fuzzy::Variable& variable, std::vector<fuzzy::Term>& terms) -> Result<void> {
     for (auto& term : terms) {
-      auto other = analysis::convertedTerm(term, shape, variable.min, variable.max);
-      if (!other) return tl::unexpected(other.error());
-      term = std::move(*other);
+      TACTUS_TRY(auto other, analysis::convertedTerm(term, shape, variable.min, variable.max));
+      term = std::move(other);
     }
     return {};
   };
@@ -257,8 +257,7 @@ struct Unchanged {
 };
 
 Result<void> compare(const Unchanged& unchanged, const ForceModel& changed, MethodVariant& out) {
-  const auto compiled = fuzzy::compile(changed);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(changed));
   double squares_n = 0;
   double squares_noticeable = 0;
   std::size_t both = 0;
@@ -272,7 +271,7 @@ Result<void> compare(const Unchanged& unchanged, const ForceModel& changed, Meth
   };
   for (std::size_t p = 0; p < unchanged.points.size(); ++p) {
     const auto& before = unchanged.forces[p];
-    const auto after = compiled->evaluate(unchanged.points[p]);
+    const auto after = compiled.evaluate(unchanged.points[p]);
     if (before.fired != after.fired) ++only_one;
     if (!before.fired || !after.fired) continue;
     const double newtons = std::abs(after.force_n - before.force_n);
@@ -295,7 +294,7 @@ Result<void> compare(const Unchanged& unchanged, const ForceModel& changed, Meth
   if (std::any_of(words.begin(), words.end(), [](const auto& one) { return one.shape == fuzzy::Shape::kGaussian; })) {
     return {};
   }
-  const auto kinks = analysis::forceDifference(unchanged.model, unchanged.compiled, changed, *compiled);
+  const auto kinks = analysis::forceDifference(unchanged.model, unchanged.compiled, changed, compiled);
   take(kinks.largest_n, justNoticeableDifference(std::abs(kinks.first_n)), kinks.at);
   return {};
 }
@@ -318,10 +317,9 @@ std::vector<MethodFactor> factorsOf(const std::vector<MethodVariant>& variants, 
 
 Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study::Form> forms,
                                 const BuildSettings& settings, const BuiltModel& built, const MethodStudyRun& run) {
-  const auto compiled = fuzzy::compile(built.model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  Unchanged unchanged{built.model, *compiled, analysis::boxPoints(built.model), {}};
-  for (const auto& point : unchanged.points) unchanged.forces.push_back(compiled->evaluate(point));
+  TACTUS_TRY(const auto compiled, fuzzy::compile(built.model));
+  Unchanged unchanged{built.model, compiled, analysis::boxPoints(built.model), {}};
+  for (const auto& point : unchanged.points) unchanged.forces.push_back(compiled.evaluate(point));
 
   Choices choices(study, forms, settings, built);
   const auto all = choices.all();

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "elicitation/force/force_end.h"
@@ -97,9 +98,8 @@ Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
                 "a measurement on an image (stage Agree, Depth), or the depths of the template");
   }
   auto& depth = variable(out.model.inputs, ngtRegionInput());
-  auto terms = measuredTerms(*settings.measured_depths, depth, depth.terms);
-  if (!terms) return tl::unexpected(terms.error());
-  depth.terms = std::move(*terms);
+  TACTUS_TRY(auto terms, measuredTerms(*settings.measured_depths, depth, depth.terms));
+  depth.terms = std::move(terms);
   out.notes.push_back(measuredSentence(*settings.measured_depths));
   return {};
 }
@@ -131,14 +131,12 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
   if (known != nullptr) {
     out.speeds = *known;
     for (auto& one : out.speeds) {
-      auto ramps = alphaCutRamps(one.centres, one.m, settings.speed.alpha);
-      if (!ramps) return tl::unexpected(ramps.error());
-      one.ramps = std::move(*ramps);
+      TACTUS_TRY(auto ramps, alphaCutRamps(one.centres, one.m, settings.speed.alpha));
+      one.ramps = std::move(ramps);
     }
   } else {
-    auto participants = clusterSpeeds(study, speed, settings.speed, go_on);
-    if (!participants) return tl::unexpected(participants.error());
-    out.speeds = std::move(*participants);
+    TACTUS_TRY(auto participants, clusterSpeeds(study, speed, settings.speed, go_on));
+    out.speeds = std::move(participants);
   }
   if (out.speeds.empty()) {
     out.notes.push_back("There are no insertion speeds: the speed has its default terms.");
@@ -147,9 +145,8 @@ Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings
 
   noteNegativeSpeeds(study, out.notes);
 
-  auto weights = speedWeights(out.speeds, study, settings);
-  if (!weights) return tl::unexpected(weights.error());
-  out.speed_weights = std::move(*weights);
+  TACTUS_TRY(auto weights, speedWeights(out.speeds, study, settings));
+  out.speed_weights = std::move(weights);
   for (const auto& one : out.speeds) {
     if (one.clusters) {
       for (const auto& warning : one.clusters->warnings) {
@@ -205,9 +202,8 @@ Result<void> buildForce(const study::Study& study, const BuildSettings& settings
   }
   std::vector<std::string> ids;
   for (const auto& term : out.model.output.terms) ids.push_back(term.id);
-  const auto counts = countVotes(study.judgements, settings.series, ids);
-  if (!counts) return tl::unexpected(counts.error());
-  out.votes = vote(*counts, static_cast<int>(study.participants.size()));
+  TACTUS_TRY(const auto counts, countVotes(study.judgements, settings.series, ids));
+  out.votes = vote(counts, static_cast<int>(study.participants.size()));
   auto terms = forceTermsFrom(settings.force_terms, out.model.output, study.judgements, settings.series, out.votes,
                               settings.force_end_n);
   if (!terms) return study::inTable(terms.error(), study::kJudgementsTable, study.judgements.front().line);
@@ -254,12 +250,11 @@ bool hasSimulatedRules(const ExpertRules& expert) {
 
 Result<void> buildExperts(const study::Study& study, const BuildSettings& settings, BuiltModel& out) {
   const auto people = peopleOf(out.experts);
-  const auto weights = expertWeights(people, settings.weights);
-  if (!weights) return tl::unexpected(weights.error());
+  TACTUS_TRY(const auto weights, expertWeights(people, settings.weights));
   append(out.notes, unusedWeightNotes(study.participants, settings.weights));
   std::vector<bool> simulated;
   for (const auto& expert : out.experts) simulated.push_back(hasSimulatedRules(expert));
-  append(out.notes, weightNotes(people, *weights, simulated));
+  append(out.notes, weightNotes(people, weights, simulated));
 
   const std::string shared = sharedDepthTerms(out.experts);
   // studyRules has looked up the sets already.
@@ -271,7 +266,7 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
   for (std::size_t i = 0; i < out.experts.size(); ++i) {
     const ExpertRules& rules = out.experts[i];
     const std::string& code = rules.participant.code;
-    fuzzy::Expert expert{code, code + (simulated[i] ? " (simulated)" : ""), (*weights)[i], {}, rules.rules};
+    fuzzy::Expert expert{code, code + (simulated[i] ? " (simulated)" : ""), weights[i], {}, rules.rules};
     if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthsOf(rules.depth_terms)});
     if (settings.terms == SpeedTermsOf::kOwn) {
       const auto own = std::find_if(out.speeds.begin(), out.speeds.end(),
@@ -318,10 +313,9 @@ Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::For
   BuiltModel out = std::move(*terms);
   std::vector<std::string> answer_terms;
   for (const auto& term : ngtOutput().terms) answer_terms.push_back(term.id);
-  auto rules = studyRules(study, forms, answer_terms);
-  if (!rules) return tl::unexpected(rules.error());
-  out.experts = std::move(rules->experts);
-  append(out.notes, rules->notes);
+  TACTUS_TRY(auto rules, studyRules(study, forms, answer_terms));
+  out.experts = std::move(rules.experts);
+  append(out.notes, rules.notes);
   if (auto ok = buildExperts(study, settings, out); !ok) return tl::unexpected(ok.error());
   if (auto ok = goesOn(go_on, (kClustered + kWithRules) / 2); !ok) return tl::unexpected(ok.error());
 
@@ -352,9 +346,8 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   auto made = modelOf(study, forms, settings, clustered, go_on);
   if (!made) return made;
   BuiltModel out = std::move(*made);
-  auto influences = expertInfluence(out.model, between(go_on, kWithRules, 1));
-  if (!influences) return tl::unexpected(influences.error());
-  out.influences = std::move(*influences);
+  TACTUS_TRY(auto influences, expertInfluence(out.model, between(go_on, kWithRules, 1)));
+  out.influences = std::move(influences);
   append(out.notes, influenceNotes(out.model, out.influences));
   out.note_subjects.resize(out.notes.size());
   return out;
@@ -363,21 +356,18 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
 Result<fuzzy::ForceModel> rebuiltModel(const BuiltModel& built, const study::Study& study,
                                        std::span<const study::Form> forms, const BuildSettings& settings,
                                        SpeedsOf speeds) {
-  auto made = modelOf(study, forms, settings, speeds == SpeedsOf::kBuilt ? &built.speeds : nullptr);
-  if (!made) return tl::unexpected(made.error());
-  return std::move(made->model);
+  TACTUS_TRY(auto made, modelOf(study, forms, settings, speeds == SpeedsOf::kBuilt ? &built.speeds : nullptr));
+  return std::move(made.model);
 }
 
 Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
                                           const BuildSettings& settings) {
-  const auto weights = expertWeights(peopleOf(built.experts), settings.weights);
-  if (!weights) return tl::unexpected(weights.error());
+  TACTUS_TRY(const auto weights, expertWeights(peopleOf(built.experts), settings.weights));
   fuzzy::ForceModel out = built.model;
-  for (std::size_t e = 0; e < out.experts.size(); ++e) out.experts[e].weight = (*weights)[e];
+  for (std::size_t e = 0; e < out.experts.size(); ++e) out.experts[e].weight = weights[e];
   if (settings.averaging == Averaging::kWeightedMean && !built.speeds.empty()) {
-    const auto speed_weights = speedWeights(built.speeds, study, settings);
-    if (!speed_weights) return tl::unexpected(speed_weights.error());
-    const auto ramps = averageRamps(rampsOf(built.speeds), *speed_weights, settings.averaging);
+    TACTUS_TRY(const auto speed_weights, speedWeights(built.speeds, study, settings));
+    const auto ramps = averageRamps(rampsOf(built.speeds), speed_weights, settings.averaging);
     auto defaults = ngtInputs();
     variable(out.inputs, "speed") = averagedSpeed(variable(defaults, "speed"), built.speeds, ramps);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis/force_probe.h"
+#include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/noticeable_force.h"
@@ -133,12 +134,10 @@ namespace {
 using base::Result;
 
 Result<RecordInfluence> compared(const fuzzy::ForceModel& with, const fuzzy::ForceModel& without) {
-  const auto first = fuzzy::compile(with);
-  if (!first) return tl::unexpected(first.error());
-  const auto second = fuzzy::compile(without);
-  if (!second) return tl::unexpected(second.error());
+  TACTUS_TRY(const auto first, fuzzy::compile(with));
+  TACTUS_TRY(const auto second, fuzzy::compile(without));
   RecordInfluence out;
-  out.difference = analysis::forceDifference(with, *first, without, *second);
+  out.difference = analysis::forceDifference(with, first, without, second);
   if (out.difference.largest_n > 0) {
     out.noticeable = out.difference.largest_n / justNoticeableDifference(out.difference.first_n);
   }
@@ -155,13 +154,12 @@ Result<RecordInfluence> withoutJudgement(const BuiltModel& built, const study::S
   const fuzzy::Variable words = ngtOutput();
   std::vector<std::string> ids;
   for (const fuzzy::Term& term : words.terms) ids.push_back(term.id);
-  const auto counts = countVotes(rest, settings.series, ids);
-  if (!counts) return tl::unexpected(counts.error());
-  const auto votes = vote(*counts, static_cast<int>(study.participants.size()));
-  const auto terms = forceTermsFrom(settings.force_terms, words, rest, settings.series, votes, settings.force_end_n);
-  if (!terms) return tl::unexpected(terms.error());
+  TACTUS_TRY(const auto counts, countVotes(rest, settings.series, ids));
+  const auto votes = vote(counts, static_cast<int>(study.participants.size()));
+  TACTUS_TRY(const auto terms,
+             forceTermsFrom(settings.force_terms, words, rest, settings.series, votes, settings.force_end_n));
   fuzzy::ForceModel without = built.model;
-  without.output = terms->output;
+  without.output = terms.output;
   return compared(built.model, without);
 }
 
@@ -195,16 +193,15 @@ Result<RecordInfluence> withoutStroke(const BuiltModel& built, const study::Stud
   const auto defaults = ngtInputs();
   const auto speed =
       std::find_if(defaults.begin(), defaults.end(), [](const auto& input) { return input.id == "speed"; });
-  auto again = clusterSpeeds(own, *speed, settings.speed);
-  if (!again) return tl::unexpected(again.error());
+  TACTUS_TRY(auto again, clusterSpeeds(own, *speed, settings.speed));
   auto speeds = built.speeds;
   auto weights = built.speed_weights;
   const auto index = who - built.speeds.begin();
-  if (again->empty()) {
+  if (again.empty()) {
     speeds.erase(speeds.begin() + index);
     if (!weights.empty()) weights.erase(weights.begin() + index);
   } else {
-    speeds[static_cast<std::size_t>(index)] = again->front();
+    speeds[static_cast<std::size_t>(index)] = again.front();
   }
   if (speeds.empty()) {
     return base::fail(base::ErrorCode::kData, "strokes", "none without this one",
@@ -218,9 +215,9 @@ Result<RecordInfluence> withoutStroke(const BuiltModel& built, const study::Stud
   changed = averagedSpeed(*speed, speeds, averageRamps(ramps, weights, settings.averaging));
   for (auto& expert : without.experts) {
     if (expert.id != participant) continue;
-    std::erase_if(expert.overrides, [&](const auto& list) { return again->empty() && list.variable == changed.id; });
+    std::erase_if(expert.overrides, [&](const auto& list) { return again.empty() && list.variable == changed.id; });
     for (auto& list : expert.overrides) {
-      if (list.variable == changed.id) list.terms = speedTerms(changed, again->front().ramps);
+      if (list.variable == changed.id) list.terms = speedTerms(changed, again.front().ramps);
     }
   }
   return compared(built.model, without);

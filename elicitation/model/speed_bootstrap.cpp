@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/statistics.h"
 #include "elicitation/speed/participant_speeds.h"
 
@@ -38,9 +39,9 @@ base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const
     }
     std::vector<study::SpeedSample> room;
     const auto kept = keptSamples(samples.of(one.participant), settings.speed.trim, room);
-    auto bootstrap = StrokeBootstrap::of(kept, levels, one.centres, settings.speed, seed + participants.size());
-    if (!bootstrap) return tl::unexpected(bootstrap.error());
-    participants.push_back(std::move(*bootstrap));
+    TACTUS_TRY(auto bootstrap,
+               StrokeBootstrap::of(kept, levels, one.centres, settings.speed, seed + participants.size()));
+    participants.push_back(std::move(bootstrap));
   }
   return SpeedBootstrap(std::move(participants), built.averaged_ramps, built.speed_weights, settings.averaging);
 }

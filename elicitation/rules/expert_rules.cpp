@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -134,14 +135,10 @@ std::vector<fuzzy::Condition> conditionsFrom(const std::vector<study::ItemCondit
 
 MissingItem::Reason reasonOf(study::Answer::Status status) {
   switch (status) {
-    case study::Answer::Status::kSkipped:
-      return MissingItem::Reason::kSkipped;
-    case study::Answer::Status::kCantTell:
-      return MissingItem::Reason::kCantTell;
-    case study::Answer::Status::kCleared:
-      return MissingItem::Reason::kCleared;
-    case study::Answer::Status::kAnswered:
-      break;
+    case study::Answer::Status::kSkipped: return MissingItem::Reason::kSkipped;
+    case study::Answer::Status::kCantTell: return MissingItem::Reason::kCantTell;
+    case study::Answer::Status::kCleared: return MissingItem::Reason::kCleared;
+    case study::Answer::Status::kAnswered: break;
   }
   return MissingItem::Reason::kNoAnswer;
 }
@@ -150,14 +147,10 @@ MissingItem::Reason reasonOf(study::Answer::Status status) {
 
 std::string_view name(MissingItem::Reason reason) noexcept {
   switch (reason) {
-    case MissingItem::Reason::kNoAnswer:
-      return "no answer";
-    case MissingItem::Reason::kSkipped:
-      return "skipped";
-    case MissingItem::Reason::kCantTell:
-      return "cannot tell";
-    case MissingItem::Reason::kCleared:
-      return "cleared";
+    case MissingItem::Reason::kNoAnswer: return "no answer";
+    case MissingItem::Reason::kSkipped: return "skipped";
+    case MissingItem::Reason::kCantTell: return "cannot tell";
+    case MissingItem::Reason::kCleared: return "cleared";
   }
   return "";
 }
@@ -253,20 +246,19 @@ std::string labelOf(const std::string& set) { return findDepthTerms(set).value()
 
 /// Sets the expert's depth terms to those of `form`, which `cell` names; another set than before is refused.
 Result<void> joinForm(ExpertRules& expert, const study::Form& form, const study::TableCell& cell) {
-  auto set = depthTermsOf(form);
-  if (!set) return tl::unexpected(set.error());
-  if (!expert.depth_terms.empty() && expert.depth_terms != *set) {
+  TACTUS_TRY(auto set, depthTermsOf(form));
+  if (!expert.depth_terms.empty() && expert.depth_terms != set) {
     return study::atCell(
         {ErrorCode::kData,
          {},
          "participant " + expert.participant.code,
          "forms with different depth terms (" + expert.forms.front() + ": " + labelOf(expert.depth_terms) + "; " +
-             form.id + ": " + labelOf(*set) + ")",
+             form.id + ": " + labelOf(set) + ")",
          "forms with the same depth terms"},
         cell,
         quoted(form.id) + " after " + quoted(expert.forms.front()) + " for participant " + expert.participant.code);
   }
-  expert.depth_terms = std::move(*set);
+  expert.depth_terms = std::move(set);
   if (std::find(expert.forms.begin(), expert.forms.end(), form.id) == expert.forms.end()) {
     expert.forms.push_back(form.id);
   }
@@ -326,14 +318,12 @@ Result<void> addAnswered(ExpertRules& expert, const std::vector<study::Answer>& 
       if (answer.form == form.id) own.push_back(answer);
     }
     if (own.empty()) continue;
-    const auto answered = rulesFromAnswers(own, form, output_terms);
-    if (!answered) return tl::unexpected(answered.error());
-    if (answered->rules.empty()) continue;
-    if (auto ok = joinForm(expert, form, {study::kAnswersTable, answered->origins.front().line, "form"}); !ok)
-      return ok;
-    expert.rules.insert(expert.rules.end(), answered->rules.begin(), answered->rules.end());
-    expert.origins.insert(expert.origins.end(), answered->origins.begin(), answered->origins.end());
-    expert.missing.insert(expert.missing.end(), answered->missing.begin(), answered->missing.end());
+    TACTUS_TRY(const auto answered, rulesFromAnswers(own, form, output_terms));
+    if (answered.rules.empty()) continue;
+    if (auto ok = joinForm(expert, form, {study::kAnswersTable, answered.origins.front().line, "form"}); !ok) return ok;
+    expert.rules.insert(expert.rules.end(), answered.rules.begin(), answered.rules.end());
+    expert.origins.insert(expert.origins.end(), answered.origins.begin(), answered.origins.end());
+    expert.missing.insert(expert.missing.end(), answered.missing.begin(), answered.missing.end());
   }
   return {};
 }

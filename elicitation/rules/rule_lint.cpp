@@ -25,24 +25,15 @@ using Source = RuleFinding::Source;
 Kind kindOf(analysis::Finding::Kind kind) {
   using From = analysis::Finding::Kind;
   switch (kind) {
-    case From::kHole:
-      return Kind::kHole;
-    case From::kAbstentionJump:
-      return Kind::kAbstentionJump;
-    case From::kConflict:
-      return Kind::kConflict;
-    case From::kRedundantRule:
-      return Kind::kRedundantRule;
-    case From::kDirectionChange:
-      return Kind::kDirectionChange;
-    case From::kDisagreement:
-      return Kind::kDisagreement;
-    case From::kUnusedTerm:
-      return Kind::kUnusedTerm;
-    case From::kUnreachableTerm:
-      return Kind::kUnreachableTerm;
-    case From::kUnreachableRule:
-      return Kind::kUnreachableRule;
+    case From::kHole: return Kind::kHole;
+    case From::kAbstentionJump: return Kind::kAbstentionJump;
+    case From::kConflict: return Kind::kConflict;
+    case From::kRedundantRule: return Kind::kRedundantRule;
+    case From::kDirectionChange: return Kind::kDirectionChange;
+    case From::kDisagreement: return Kind::kDisagreement;
+    case From::kUnusedTerm: return Kind::kUnusedTerm;
+    case From::kUnreachableTerm: return Kind::kUnreachableTerm;
+    case From::kUnreachableRule: return Kind::kUnreachableRule;
   }
   return Kind::kHole;
 }
@@ -93,17 +84,12 @@ class ModelFindings {
         finding.text += "; with this expert " + newtonsText(context_.compiled.evaluate(finding.from).force_n) +
                         ", without " + newtonsText(context_.compiled.evaluate(finding.to).force_n);
         [[fallthrough]];
-      case Kind::kHole:
-        finding.sources = missingIn(expert, std::get<analysis::Hole>(finding.where));
-        break;
+      case Kind::kHole: finding.sources = missingIn(expert, std::get<analysis::Hole>(finding.where)); break;
       case Kind::kDirectionChange:
         if (finding.newtons == 0.0) finding.from = finding.to = {};
         break;
-      case Kind::kUnusedTerm:
-        linkRegion(finding, expert);
-        break;
-      default:
-        break;
+      case Kind::kUnusedTerm: linkRegion(finding, expert); break;
+      default: break;
     }
   }
 

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "elicitation/speed/speed_terms.h"
 
@@ -140,9 +141,8 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
                           "at least " + base::formatNumber(speed.min) + " mm/s: speeds of forward strokes"},
                          participant.code, samples.front().line);
   }
-  auto ramps = alphaCutRamps(out.centres, out.m, settings.alpha);
-  if (!ramps) return tl::unexpected(ramps.error());
-  out.ramps = std::move(*ramps);
+  TACTUS_TRY(auto ramps, alphaCutRamps(out.centres, out.m, settings.alpha));
+  out.ramps = std::move(ramps);
   out.validity = fcmValidity(speeds_mm_s, out.centres, out.m);
   out.diagnostics = levelDiagnostics(kept, levels, out.centres, participant.code);
   return out;
@@ -172,9 +172,8 @@ Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, 
     if (go_on && !go_on(static_cast<double>(i) / static_cast<double>(study.participants.size()))) {
       return fail(ErrorCode::kCancelled, "clustering of the speeds", "a request to stop", "time to end");
     }
-    auto one = clusterOne(participant, own, speed, settings);
-    if (!one) return tl::unexpected(one.error());
-    out.push_back(std::move(*one));
+    TACTUS_TRY(auto one, clusterOne(participant, own, speed, settings));
+    out.push_back(std::move(one));
   }
   return out;
 }

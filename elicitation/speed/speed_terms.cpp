@@ -132,12 +132,9 @@ std::string_view name(SpeedCentres centres) noexcept {
 
 std::string_view name(Averaging averaging) noexcept {
   switch (averaging) {
-    case Averaging::kMean:
-      return "mean";
-    case Averaging::kWeightedMean:
-      return "weighted_mean";
-    case Averaging::kMedian:
-      return "median";
+    case Averaging::kMean: return "mean";
+    case Averaging::kWeightedMean: return "weighted_mean";
+    case Averaging::kMedian: return "median";
   }
   return "";
 }

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/analysis/explain.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/membership.h"
@@ -168,10 +169,9 @@ Result<std::vector<VertexShare>> speedVertexShares(const study::Study& study, co
                                                    const BuildSettings& settings, std::string_view term,
                                                    std::size_t point) {
   const auto& speed = speedIn(built.model);
-  const auto index = termIndex(speed, term, point);
-  if (!index) return tl::unexpected(index.error());
+  TACTUS_TRY(const auto index, termIndex(speed, term, point));
   std::vector<VertexShare> out;
-  const auto end = rampEnd(*index, point, speed.terms.size());
+  const auto end = rampEnd(index, point, speed.terms.size());
   if (!end || built.speeds.empty()) return out;
   double weights = 0;
   for (std::size_t i = 0; i < built.speeds.size(); ++i) {
@@ -205,19 +205,17 @@ Result<Sources> sourcesOfVertex(const study::Study& study, const BuiltModel& bui
   if (found == nullptr) {
     return fail(ErrorCode::kReference, "variable", base::quoted(variable), "an input or the output of the model");
   }
-  const auto index = termIndex(*found, term, point);
-  if (!index) return tl::unexpected(index.error());
+  TACTUS_TRY(const auto index, termIndex(*found, term, point));
   if (found->id == "speed" && !built.speeds.empty()) {
-    const auto shares = speedVertexShares(study, built, settings, term, point);
-    if (!shares) return tl::unexpected(shares.error());
-    if (shares->empty()) return without("The vertex is an end of the universe of the speed.");
+    TACTUS_TRY(const auto shares, speedVertexShares(study, built, settings, term, point));
+    if (shares.empty()) return without("The vertex is an end of the universe of the speed.");
     Sources out;
-    for (const auto& one : *shares) join(out.strokes, one.strokes);
+    for (const auto& one : shares) join(out.strokes, one.strokes);
     return out;
   }
   if (found == &model.output && built.force_terms) {
     if (settings.force_terms != ForceTermsFrom::kVote) return allJudgements(study, settings);
-    const double value_n = found->terms[*index].points[point];
+    const double value_n = found->terms[index].points[point];
     if (value_n <= found->min) return without("The vertex is the beginning of the universe of the force.");
     Sources out = votesBehind(study, built, settings, value_n);
     const auto& between = built.force_terms->interpolated;
@@ -261,15 +259,13 @@ Result<Sources> sourcesOfRule(const study::Study& study, const BuiltModel& built
 
 Result<Sources> sourcesOfForce(const study::Study& study, const BuiltModel& built, const BuildSettings& settings,
                                std::span<const double> inputs) {
-  const auto compiled = fuzzy::compile(built.model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  const auto why = analysis::explain(built.model, *compiled, inputs);
-  if (!why) return tl::unexpected(why.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(built.model));
+  TACTUS_TRY(const auto why, analysis::explain(built.model, compiled, inputs));
   Sources out;
   std::set<std::string> words;  // of the output that count somewhere
-  for (std::size_t e = 0; e < why->experts.size(); ++e) {
-    if (why->experts[e].weight_share == 0) continue;
-    for (const auto& rule : why->experts[e].rules) {
+  for (std::size_t e = 0; e < why.experts.size(); ++e) {
+    if (why.experts[e].weight_share == 0) continue;
+    for (const auto& rule : why.experts[e].rules) {
       if (!rule.wins) continue;
       words.insert(built.model.experts[e].rules[rule.rule].then);
       const auto sources = sourcesOfRule(study, built, e, rule.rule);
@@ -282,7 +278,7 @@ Result<Sources> sourcesOfForce(const study::Study& study, const BuiltModel& buil
   };
   const auto& speed = speedIn(built.model);
   const auto place = static_cast<std::size_t>(&speed - built.model.inputs.data());
-  for (const auto& [term, point] : slopesAt(speed.terms, why->inputs[place].value)) {
+  for (const auto& [term, point] : slopesAt(speed.terms, why.inputs[place].value)) {
     take(speed.id, speed.terms[term].id, point);
   }
   for (const auto& term : built.model.output.terms) {

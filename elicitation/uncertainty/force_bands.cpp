@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/analysis/force_difference.h"
+#include "core/base/error.h"
 #include "core/base/statistics.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_thresholds.h"
@@ -37,30 +38,21 @@ std::vector<WeightedCast> inAnyOrder(std::vector<WeightedCast> casts) {
 
 std::string_view name(BandKind kind) noexcept {
   switch (kind) {
-    case BandKind::kAgain:
-      return "again";
-    case BandKind::kOthers:
-      return "others";
-    case BandKind::kNext:
-      return "next";
+    case BandKind::kAgain: return "again";
+    case BandKind::kOthers: return "others";
+    case BandKind::kNext: return "next";
   }
   return "";
 }
 
 std::string_view name(Drawn drawn) noexcept {
   switch (drawn) {
-    case Drawn::kPeople:
-      return "people";
-    case Drawn::kWhoMoved:
-      return "who_moved";
-    case Drawn::kWhoJudged:
-      return "who_judged";
-    case Drawn::kWhoAnswered:
-      return "who_answered";
-    case Drawn::kOwnStrokes:
-      return "own_strokes";
-    case Drawn::kOwnJudgements:
-      return "own_judgements";
+    case Drawn::kPeople: return "people";
+    case Drawn::kWhoMoved: return "who_moved";
+    case Drawn::kWhoJudged: return "who_judged";
+    case Drawn::kWhoAnswered: return "who_answered";
+    case Drawn::kOwnStrokes: return "own_strokes";
+    case Drawn::kOwnJudgements: return "own_judgements";
   }
   return "";
 }
@@ -70,19 +62,18 @@ ForceBands::ForceBands(RecastStudy study, BandSettings settings)
 
 base::Result<ForceBands> ForceBands::of(const study::Study& study, const BuiltModel& built,
                                         const BuildSettings& settings, BandSettings bands) {
-  const auto compiled = fuzzy::compile(built.model);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(const auto compiled, fuzzy::compile(built.model));
   ForceBands out(RecastStudy(study, built, settings), std::move(bands));
   for (const auto& point : out.settings_.points) {
-    const auto force = compiled->evaluate(point);
+    const auto force = compiled.evaluate(point);
     out.own_.push_back(force.fired ? std::optional(force.force_n) : std::nullopt);
     auto& experts = out.experts_.emplace_back();
     for (std::size_t e = 0; e < built.model.experts.size(); ++e) {
-      const auto own = compiled->evaluateExpert(e, point);
+      const auto own = compiled.evaluateExpert(e, point);
       experts.push_back(own.fired ? std::optional(own.force_n) : std::nullopt);
     }
   }
-  const auto range = analysis::reachableRange(built.model, *compiled);
+  const auto range = analysis::reachableRange(built.model, compiled);
   out.lowest_n_ = range.fired > 0 ? range.min_n : built.model.output.min;
   out.highest_n_ = range.fired > 0 ? range.max_n : built.model.output.max;
   if (out.settings_.again) {

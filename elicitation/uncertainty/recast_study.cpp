@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/variables/ngt_variables.h"
@@ -100,14 +101,12 @@ Result<fuzzy::Variable> RecastStudy::outputOf(const Recast& recast) const {
   }
   std::vector<std::string> ids;
   for (const auto& term : default_output_.terms) ids.push_back(term.id);
-  const auto counts = countVotes(all, settings_.series, ids);
-  if (!counts) return tl::unexpected(counts.error());
+  TACTUS_TRY(const auto counts, countVotes(all, settings_.series, ids));
   const auto enrolled = std::accumulate(recast.judgements.begin(), recast.judgements.end(), std::size_t{0});
-  const auto votes = vote(*counts, static_cast<int>(enrolled));
-  auto terms =
-      forceTermsFrom(settings_.force_terms, default_output_, all, settings_.series, votes, settings_.force_end_n);
-  if (!terms) return tl::unexpected(terms.error());
-  return std::move(terms->output);
+  const auto votes = vote(counts, static_cast<int>(enrolled));
+  TACTUS_TRY(auto terms, forceTermsFrom(settings_.force_terms, default_output_, all, settings_.series, votes,
+                                        settings_.force_end_n));
+  return std::move(terms.output);
 }
 
 Result<fuzzy::ForceModel> RecastStudy::model(const Recast& recast) const {
@@ -130,9 +129,8 @@ Result<fuzzy::ForceModel> RecastStudy::model(const Recast& recast) const {
     speed.terms = speedTerms(speed, averageRamps(drawn, weights, settings_.averaging));
   }
   if (has_judgements_) {
-    auto output = outputOf(recast);
-    if (!output) return tl::unexpected(output.error());
-    out.output = std::move(*output);
+    TACTUS_TRY(auto output, outputOf(recast));
+    out.output = std::move(output);
   }
   for (std::size_t who = 0; who < people(); ++who) {
     if (recast.rules[who] == 0 || expert_of_[who] == built_.experts.size()) continue;

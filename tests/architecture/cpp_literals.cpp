@@ -56,16 +56,13 @@ class Scanner {
       }
       case '(':
       case '{':
-      case '[':
-        calls_.push_back(nameBefore(at_));
-        break;
+      case '[': calls_.push_back(nameBefore(at_)); break;
       case ')':
       case '}':
       case ']':
         if (!calls_.empty()) calls_.pop_back();
         break;
-      default:
-        break;
+      default: break;
     }
     ++at_;
   }

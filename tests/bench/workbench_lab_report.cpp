@@ -15,12 +15,9 @@ constexpr double kWantedMs = 33;
 
 std::string_view name(Rhythm rhythm) {
   switch (rhythm) {
-    case Rhythm::kAlone:
-      return "alone";
-    case Rhythm::kIntervals:
-      return "during intervals";
-    case Rhythm::kDrag:
-      return "in a drag";
+    case Rhythm::kAlone: return "alone";
+    case Rhythm::kIntervals: return "during intervals";
+    case Rhythm::kDrag: return "in a drag";
   }
   return {};
 }

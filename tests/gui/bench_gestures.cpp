@@ -31,44 +31,31 @@ std::string BenchGestures::play() {
   broken_.clear();
   switch (random_.below(32)) {
     case 0:
-    case 1:
-      return editTerm();
+    case 1: return editTerm();
     case 2:
-    case 3:
-      return editMode();
+    case 3: return editMode();
     case 4:
-    case 5:
-      return editRule();
+    case 5: return editRule();
     case 6:
-    case 7:
-      return editFreeRule();
+    case 7: return editFreeRule();
     case 8:
-    case 9:
-      return answer();
+    case 9: return answer();
     case 10:
     case 11:
     case 12:
     case 13:
-    case 14:
-      return grid();
-    case 15:
-      return oneIn(4) ? acceptance() : look();
-    case 16:
-      return oneIn(8) ? fix() : look();
+    case 14: return grid();
+    case 15: return oneIn(4) ? acceptance() : look();
+    case 16: return oneIn(8) ? fix() : look();
     case 17:
     case 18:
-    case 19:
-      return travel();
-    case 20:
-      return mark();
+    case 19: return travel();
+    case 20: return mark();
     case 21:
-    case 22:
-      return compare();
+    case 22: return compare();
     case 23:
-    case 24:
-      return steps();
-    default:
-      return drag();
+    case 24: return steps();
+    default: return drag();
   }
 }
 
@@ -109,13 +96,9 @@ std::string BenchGestures::drag() {
   Grip grip;
   grip.term = term;
   switch (random_.below(4)) {
-    case 0:
-      grip.part = oneIn(2) ? Part::kLeftEdge : Part::kRightEdge;
-      break;
-    case 1:
-      break;
-    default:
-      grip = pick(workbench::handlesOf(terms_.terms(), term)).grip;
+    case 0: grip.part = oneIn(2) ? Part::kLeftEdge : Part::kRightEdge; break;
+    case 1: break;
+    default: grip = pick(workbench::handlesOf(terms_.terms(), term)).grip;
   }
   // A Gaussian has no edges to take hold of.
   if (!workbench::holds(terms_.terms(), grip)) return "nothing";
@@ -140,21 +123,14 @@ std::string BenchGestures::drag() {
 // Keys work while the mouse drags.
 std::string BenchGestures::breakIn() {
   switch (random_.below(6)) {
-    case 0:
-      edits_.undo();
-      return "undo in the middle";
-    case 1:
-      terms_.setKeepsSum(oneIn(2));
-      return "another mode in the middle";
+    case 0: edits_.undo(); return "undo in the middle";
+    case 1: terms_.setKeepsSum(oneIn(2)); return "another mode in the middle";
     case 2:
       if (const std::size_t count = rules_.expert().rules.size(); count > 0) rules_.weigh(below(count), number(0, 1));
       return "a weight in the middle";
-    case 3:
-      return editTerm() + " in the middle";
-    case 4:
-      return grid() + " in the middle";
-    default:
-      return editMode() + " in the middle";
+    case 3: return editTerm() + " in the middle";
+    case 4: return grid() + " in the middle";
+    default: return editMode() + " in the middle";
   }
 }
 
@@ -172,50 +148,30 @@ std::string BenchGestures::editTerm() {
   const std::string term = termId();
   const fuzzy::Variable& variable = terms_.variable();
   switch (random_.below(7)) {
-    case 0:
-      terms_.add(QStringLiteral("New %1").arg(random_.below(9)), place(variable));
-      return "add a term";
+    case 0: terms_.add(QStringLiteral("New %1").arg(random_.below(9)), place(variable)); return "add a term";
     case 1:
       terms_.rename(term, oneIn(4) ? QString() : QStringLiteral("Name %1").arg(random_.below(9)));
       return "rename a term";
-    case 2:
-      terms_.remove(term, oneIn(2));
-      return "remove a term";
+    case 2: terms_.remove(term, oneIn(2)); return "remove a term";
     case 3: {
       std::vector<double> cuts = {place(variable)};
       if (oneIn(3)) cuts.push_back(place(variable));
       terms_.split(term, cuts);
       return "split a term";
     }
-    case 4:
-      terms_.convert(term, fuzzy::kShapes[below(3)]);
-      return "convert a term";
-    default:
-      terms_.setPoint(term, below(5), place(variable));
-      return "type a value";
+    case 4: terms_.convert(term, fuzzy::kShapes[below(3)]); return "convert a term";
+    default: terms_.setPoint(term, below(5), place(variable)); return "type a value";
   }
 }
 
 std::string BenchGestures::editMode() {
   switch (random_.below(7)) {
-    case 0:
-      terms_.setLocked(termId(), below(4), oneIn(2));
-      return "lock";
-    case 1:
-      terms_.setKeepsSum(oneIn(2));
-      return "terms that sum to one";
-    case 2:
-      terms_.setOwnList(oneIn(2));
-      return "own list";
-    case 3:
-      terms_.setExpert(oneIn(2) ? std::string() : someExpert());
-      return "another expert";
-    case 4:
-      terms_.chooseScope(oneIn(2));
-      return "whose terms are edited";
-    default:
-      terms_.setVariable(someVariable().id);
-      return "another variable";
+    case 0: terms_.setLocked(termId(), below(4), oneIn(2)); return "lock";
+    case 1: terms_.setKeepsSum(oneIn(2)); return "terms that sum to one";
+    case 2: terms_.setOwnList(oneIn(2)); return "own list";
+    case 3: terms_.setExpert(oneIn(2) ? std::string() : someExpert()); return "another expert";
+    case 4: terms_.chooseScope(oneIn(2)); return "whose terms are edited";
+    default: terms_.setVariable(someVariable().id); return "another variable";
   }
 }
 

@@ -25,11 +25,8 @@ std::string BenchGestures::mark() {
     case 0:
       edits_.snapshot(oneIn(10) ? QStringLiteral("  ") : QStringLiteral("Try %1").arg(random_.below(9)));
       return "snapshot";
-    case 1:
-      edits_.signOff(oneIn(10) ? QString() : QString::fromStdString(someExpert()));
-      return "sign-off";
-    default:
-      break;
+    case 1: edits_.signOff(oneIn(10) ? QString() : QString::fromStdString(someExpert())); return "sign-off";
+    default: break;
   }
   const auto& events = edits_.history().events();
   std::vector<editing::StateId> marked;
@@ -46,21 +43,13 @@ std::string BenchGestures::compare() {
   const auto side = oneIn(2) ? workbench::CompareSide::kA : workbench::CompareSide::kB;
   switch (random_.below(6)) {
     case 0:
-    case 1:
-      compare.choose(side, pick(compare.options()).choice);
-      return "another version to compare";
-    case 2:
-      compare.show(side);
-      return "show a side";
+    case 1: compare.choose(side, pick(compare.options()).choice); return "another version to compare";
+    case 2: compare.show(side); return "show a side";
     case 3:
       if (oneIn(4)) compare.compute();
       return "how far apart";
-    case 4:
-      compare.end();
-      return "end of the comparison";
-    default:
-      compare.toggle();
-      return "A and B";
+    case 4: compare.end(); return "end of the comparison";
+    default: compare.toggle(); return "A and B";
   }
 }
 

@@ -19,15 +19,9 @@ std::string BenchGestures::grid() {
   const std::size_t rule = below(count + 1);
   const auto cell = [&] { return workbench::RuleCell{below(4), below(6), below(6)}; };
   switch (random_.below(16)) {
-    case 0:
-      rules_.setExpert(oneIn(20) ? "nobody" : someExpert());
-      return "rules of another expert";
-    case 1:
-      rules_.setRegion(oneIn(20) ? "nowhere" : pick(edits_.model().inputs).id);
-      return "another region";
-    case 2:
-      rules_.select(oneIn(10) ? std::nullopt : std::optional(cell()));
-      return "a cell";
+    case 0: rules_.setExpert(oneIn(20) ? "nobody" : someExpert()); return "rules of another expert";
+    case 1: rules_.setRegion(oneIn(20) ? "nowhere" : pick(edits_.model().inputs).id); return "another region";
+    case 2: rules_.select(oneIn(10) ? std::nullopt : std::optional(cell())); return "a cell";
     case 3:
       rules_.step(random_.below(5) - 2, random_.below(5) - 2);
       rules_.stepGrid(oneIn(2) ? 1 : -1);
@@ -39,28 +33,16 @@ std::string BenchGestures::grid() {
     case 5:
       rules_.answer(oneIn(4) ? std::nullopt : std::optional(below(rules_.words().size() + 1)));
       return "answer the cell";
-    case 6:
-      rules_.setConsequent({rule}, oneIn(30) ? "nothing" : pick(rules_.words()).id);
-      return "another consequent";
-    case 7:
-      rules_.setWeight({rule}, number(-0.2, 1.2));
-      return "type a weight";
+    case 6: rules_.setConsequent({rule}, oneIn(30) ? "nothing" : pick(rules_.words()).id); return "another consequent";
+    case 7: rules_.setWeight({rule}, number(-0.2, 1.2)); return "type a weight";
     case 8:
       for (int i = random_.below(4); i >= 0; --i) rules_.weigh(rule, number(-0.1, 1.1));
       if (oneIn(2)) rules_.endWeighing();
       return "turn a weight";
-    case 9:
-      rules_.enable({rule}, oneIn(2));
-      return "enable a rule of the list";
-    case 10:
-      rules_.remove({rule});
-      return "remove a rule of the list";
-    case 11:
-      rules_.add(someRule(rules_.expert()));
-      return "add a rule with the form";
-    case 12:
-      rules_.replace(rule, someRule(rules_.expert()));
-      return "rewrite a rule with the form";
+    case 9: rules_.enable({rule}, oneIn(2)); return "enable a rule of the list";
+    case 10: rules_.remove({rule}); return "remove a rule of the list";
+    case 11: rules_.add(someRule(rules_.expert())); return "add a rule with the form";
+    case 12: rules_.replace(rule, someRule(rules_.expert())); return "rewrite a rule with the form";
     case 13:
       rules_.selection().selectRules({rule, below(count + 1)});
       rules_.paste(oneIn(10) ? QStringLiteral("IF nothing") : rules_.copied());
@@ -82,21 +64,15 @@ std::string BenchGestures::editRule() {
   std::vector<std::size_t> rules;
   for (int i = random_.below(3); i >= 0; --i) rules.push_back(below(expert.rules.size() + 1));
   switch (random_.below(6)) {
-    case 0:
-      edits_.apply(editing::enableRules(edits_.model(), who, rules, oneIn(2)));
-      return "enable rules";
-    case 1:
-      edits_.apply(editing::removeRules(edits_.model(), who, std::span(rules).first(1)));
-      return "remove a rule";
+    case 0: edits_.apply(editing::enableRules(edits_.model(), who, rules, oneIn(2))); return "enable rules";
+    case 1: edits_.apply(editing::removeRules(edits_.model(), who, std::span(rules).first(1))); return "remove a rule";
     case 2:
       edits_.apply(editing::setRuleWeight(edits_.model(), who, rules[0], number(-0.2, 1.2)));
       return "weigh a rule";
     case 3:
       edits_.apply(editing::setConsequent(edits_.model(), who, rules[0], pick(edits_.model().output.terms).id));
       return "set a consequent";
-    case 4:
-      edits_.apply(editing::setExpertWeight(edits_.model(), who, number(-0.2, 2)));
-      return "weigh an expert";
+    case 4: edits_.apply(editing::setExpertWeight(edits_.model(), who, number(-0.2, 2))); return "weigh an expert";
     default: {
       // A weight turned step by step is one gesture.
       edits_.begin();

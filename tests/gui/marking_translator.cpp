@@ -13,7 +13,8 @@ QString keyOf(const QString& context, const QString& source) { return context + 
 }  // namespace
 
 MarkingTranslator::MarkingTranslator() {
-  for (const auto& [text, translation] : readTranslations(translationFolder() + QStringLiteral("/tactus_en.ts"))) {
+  static const TranslationFile texts = textsOfTheSources();
+  for (const auto& [text, translation] : texts) {
     contexts_.insert(text.context);
     texts_.insert(keyOf(text.context, text.source));
   }

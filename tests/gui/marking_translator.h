@@ -10,8 +10,8 @@ namespace tactus::tests {
 inline constexpr QChar kOpen{0x27E6};   // ⟦
 inline constexpr QChar kClose{0x27E7};  // ⟧
 
-/// Marks texts that the file of translations holds under the context which the program asks for, and those of Qt
-/// itself. One that is asked for under another context would stay untranslated in every language, and is not marked.
+/// Marks texts that lupdate finds under the context which the program asks for, and those of Qt itself. One that is
+/// asked for under another context would stay untranslated in every language, and is not marked.
 class MarkingTranslator : public QTranslator {
  public:
   MarkingTranslator();

@@ -45,25 +45,17 @@ class Device : public QPaintDevice {
   int metric(PaintDeviceMetric metric) const override {
     constexpr int kDots = 96;
     switch (metric) {
-      case PdmWidth:
-        return size_.width();
-      case PdmHeight:
-        return size_.height();
-      case PdmWidthMM:
-        return size_.width() * 254 / 10 / kDots;
-      case PdmHeightMM:
-        return size_.height() * 254 / 10 / kDots;
+      case PdmWidth: return size_.width();
+      case PdmHeight: return size_.height();
+      case PdmWidthMM: return size_.width() * 254 / 10 / kDots;
+      case PdmHeightMM: return size_.height() * 254 / 10 / kDots;
       case PdmDpiX:
       case PdmDpiY:
       case PdmPhysicalDpiX:
-      case PdmPhysicalDpiY:
-        return kDots;
-      case PdmDevicePixelRatio:
-        return 1;
-      case PdmDevicePixelRatioScaled:
-        return static_cast<int>(devicePixelRatioFScale());
-      default:
-        return 24;
+      case PdmPhysicalDpiY: return kDots;
+      case PdmDevicePixelRatio: return 1;
+      case PdmDevicePixelRatioScaled: return static_cast<int>(devicePixelRatioFScale());
+      default: return 24;
     }
   }
 

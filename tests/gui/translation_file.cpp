@@ -1,6 +1,8 @@
 #include "tests/gui/translation_file.h"
 
 #include <QFile>
+#include <QProcess>
+#include <QTemporaryDir>
 #include <QXmlStreamReader>
 
 #include "core/base/check.h"
@@ -39,6 +41,16 @@ TranslationFile readTranslations(const QString& path) {
   }
   TACTUS_CHECK(!xml.hasError());
   return out;
+}
+
+TranslationFile textsOfTheSources(QString* warnings) {
+  const QTemporaryDir folder;
+  const QString path = folder.filePath(QStringLiteral("found.ts"));
+  QProcess lupdate;
+  lupdate.start(QStringLiteral(TACTUS_LUPDATE), {QStringLiteral("@" TACTUS_LUPDATE_LIST), QStringLiteral("-ts"), path});
+  TACTUS_CHECK(lupdate.waitForFinished() && lupdate.exitCode() == 0);
+  if (warnings != nullptr) *warnings = QString::fromUtf8(lupdate.readAllStandardError());
+  return readTranslations(path);
 }
 
 QString translationFolder() { return QStringLiteral(TACTUS_SOURCE_DIR "/app/workbench/translations"); }

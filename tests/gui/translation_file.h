@@ -29,6 +29,10 @@ using TranslationFile = std::map<SourceText, Translation>;
 /// Reads `path`, which must be there.
 TranslationFile readTranslations(const QString& path);
 
+/// What lupdate finds in the sources of the program. It warns of texts whose class it cannot tell, which no translation
+/// reaches; `warnings` takes that.
+TranslationFile textsOfTheSources(QString* warnings = nullptr);
+
 /// Folder of the *.ts files of the program.
 QString translationFolder();
 

@@ -41,12 +41,9 @@ class WindowFuzz : public testing::Test {
 
   fuzzy::ForceModel someModel() {
     switch (random.below(3)) {
-      case 0:
-        return support::s4AsPrinted();
-      case 1:
-        return tests::twoExperts();
-      default:
-        return support::randomModel(random, {.gaussians = true, .adversarial = random.below(2) == 0});
+      case 0: return support::s4AsPrinted();
+      case 1: return tests::twoExperts();
+      default: return support::randomModel(random, {.gaussians = true, .adversarial = random.below(2) == 0});
     }
   }
 
@@ -72,9 +69,7 @@ class WindowFuzz : public testing::Test {
                                         Qt::Key_Left, Qt::Key_Right, Qt::Key_Up,     Qt::Key_Down,  Qt::Key_Escape,
                                         Qt::Key_Home, Qt::Key_End,   Qt::Key_Tab,    Qt::Key_F2,    Qt::Key_Period};
     switch (random.below(6)) {
-      case 0:
-        QTest::mouseDClick(part, Qt::LeftButton, {}, place);
-        break;
+      case 0: QTest::mouseDClick(part, Qt::LeftButton, {}, place); break;
       case 1:
         QTest::keyClick(part, kKeys[below(std::size(kKeys))],
                         random.below(4) == 0 ? Qt::ShiftModifier : Qt::NoModifier);
@@ -86,11 +81,8 @@ class WindowFuzz : public testing::Test {
         QTest::mouseRelease(part, Qt::LeftButton, {}, place + QPoint(random.below(80) - 40, 0));
         break;
       }
-      case 3:
-        QTest::mouseClick(part, Qt::RightButton, {}, place);
-        break;
-      default:
-        QTest::mouseClick(part, Qt::LeftButton, {}, place);
+      case 3: QTest::mouseClick(part, Qt::RightButton, {}, place); break;
+      default: QTest::mouseClick(part, Qt::LeftButton, {}, place);
     }
     closePopup();
   }
@@ -102,15 +94,9 @@ class WindowFuzz : public testing::Test {
 
   void rearrange() {
     switch (random.below(5)) {
-      case 0:
-        bench.window.enter(random.below(2) == 0 ? Stage::kUnderstand : Stage::kTune);
-        break;
-      case 1:
-        bench.window.resize(1024 + random.below(900), 640 + random.below(400));
-        break;
-      case 2:
-        theme::changeLook(*qApp, random.below(2) == 0 ? theme::Look::kDark : theme::Look::kLight);
-        break;
+      case 0: bench.window.enter(random.below(2) == 0 ? Stage::kUnderstand : Stage::kTune); break;
+      case 1: bench.window.resize(1024 + random.below(900), 640 + random.below(400)); break;
+      case 2: theme::changeLook(*qApp, random.below(2) == 0 ? theme::Look::kDark : theme::Look::kLight); break;
       default: {
         QDockWidget* const dock = pick(bench.window.findChildren<QDockWidget*>());
         dock->show();

@@ -201,12 +201,8 @@ TEST(QuestionnaireRun, GoesOnFromStoredRecords) {
     Desk desk(ItemOrder::kShuffled, seed);
     for (int step = 0; step < 25; ++step) {
       switch (random.below(6)) {
-        case 0:
-          desk.run.back();
-          continue;
-        case 1:
-          desk.run.forward();
-          continue;
+        case 0: desk.run.back(); continue;
+        case 1: desk.run.forward(); continue;
         case 2:
           if (desk.run.draft({Status::kCleared, {}})) {
             EXPECT_TRUE(desk.reply(Status::kCleared));

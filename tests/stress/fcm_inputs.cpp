@@ -17,23 +17,12 @@ std::vector<double> plainSamples(Random& random, int count) {
   for (std::size_t i = 0; i < out.size(); ++i) {
     double& x = out[i];
     switch (kind) {
-      case 0:
-        x = random.uniform(-50, 350);
-        break;
-      case 1:
-        x = 100 * random.below(4) + width * random.normal();
-        break;
-      case 2:
-        x = random.below(8);
-        break;
-      case 3:
-        x = i % 2 == 0 ? 20 * random.normal() : -out[i - 1];
-        break;
-      case 4:
-        x = std::abs(random.normal()) * std::exp(random.normal());
-        break;
-      default:
-        x = random.below(10) == 0 ? random.uniform(0, 3) : 1.25;
+      case 0: x = random.uniform(-50, 350); break;
+      case 1: x = 100 * random.below(4) + width * random.normal(); break;
+      case 2: x = random.below(8); break;
+      case 3: x = i % 2 == 0 ? 20 * random.normal() : -out[i - 1]; break;
+      case 4: x = std::abs(random.normal()) * std::exp(random.normal()); break;
+      default: x = random.below(10) == 0 ? random.uniform(0, 3) : 1.25;
     }
   }
   return out;

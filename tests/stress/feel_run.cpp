@@ -51,8 +51,7 @@ struct FeelCase {
 HandPlan planOf(Motion motion, Random& random, double& duration_s) {
   duration_s = kStartS + 4.2;
   switch (motion) {
-    case Motion::kSlowPush:
-      return haptics::push(5);
+    case Motion::kSlowPush: return haptics::push(5);
     case Motion::kStroke: {
       const double all_s[] = {0.4, 0.8, 2};
       const double stroke_s = all_s[random.below(3)];
@@ -61,17 +60,12 @@ HandPlan planOf(Motion motion, Random& random, double& duration_s) {
     }
     case Motion::kTremor:
       return haptics::both(haptics::stroke(random.uniform(0.5, 10), 0.3), haptics::swing(random.uniform(0.1, 0.3), 10));
-    case Motion::kReversals:
-      return haptics::swing(15, 0.8);
-    case Motion::kPressAtSpeed:
-      duration_s = kStartS + 1;
-      return haptics::push(random.uniform(100, 500));
+    case Motion::kReversals: return haptics::swing(15, 0.8);
+    case Motion::kPressAtSpeed: duration_s = kStartS + 1; return haptics::push(random.uniform(100, 500));
     case Motion::kLetGo:
       duration_s = kStartS + 1.5;
       return haptics::lettingGo(haptics::pressing(haptics::push(random.uniform(20, 150))), random.uniform(0.1, 0.8));
-    case Motion::kRelease:
-      duration_s = kStartS + 1.5;
-      return haptics::push(random.uniform(20, 150));
+    case Motion::kRelease: duration_s = kStartS + 1.5; return haptics::push(random.uniform(20, 150));
   }
   return {};
 }

@@ -16,12 +16,9 @@ namespace {
 /// Ordinary, adversarial and hard models in turn.
 fuzzy::ForceModel modelNumber(std::uint64_t number, base::Random& random) {
   switch (number % 4) {
-    case 0:
-      return support::randomModel(random, {.gaussians = false, .adversarial = false});
-    case 1:
-      return support::randomModel(random, {.gaussians = false, .adversarial = true});
-    default:
-      return hardModel(random);
+    case 0: return support::randomModel(random, {.gaussians = false, .adversarial = false});
+    case 1: return support::randomModel(random, {.gaussians = false, .adversarial = true});
+    default: return hardModel(random);
   }
 }
 

@@ -27,12 +27,9 @@ double fewUlpsBeside(Random& random, double x) {
 double randomVertex(Random& random, const Variable& v) {
   const double width = v.max - v.min;
   switch (random.below(4)) {
-    case 0:
-      return v.min + width * random.below(9) / 8;
-    case 1:
-      return v.min + width * random.uniform(-0.5, 1.5);
-    default:
-      return v.min + width * random.uniform();
+    case 0: return v.min + width * random.below(9) / 8;
+    case 1: return v.min + width * random.uniform(-0.5, 1.5);
+    default: return v.min + width * random.uniform();
   }
 }
 
@@ -81,20 +78,11 @@ Variable randomVariable(Random& random, std::string id, bool output, const Rando
   v.id = std::move(id);
   v.unit = "1";
   switch (options.adversarial ? random.below(6) : 5) {
-    case 0:
-      v.min = 0, v.max = 1e-7;
-      break;
-    case 1:
-      v.min = -1e6, v.max = 1e6;
-      break;
-    case 2:
-      v.min = 1e6, v.max = 1e6 + 1;
-      break;
-    case 3:
-      v.min = 0, v.max = 1;
-      break;
-    default:
-      v.min = random.uniform(-2, 2), v.max = v.min + random.uniform(0.1, 3);
+    case 0: v.min = 0, v.max = 1e-7; break;
+    case 1: v.min = -1e6, v.max = 1e6; break;
+    case 2: v.min = 1e6, v.max = 1e6 + 1; break;
+    case 3: v.min = 0, v.max = 1; break;
+    default: v.min = random.uniform(-2, 2), v.max = v.min + random.uniform(0.1, 3);
   }
   v.terms = randomTerms(random, v, output, options);
   return v;
@@ -102,14 +90,10 @@ Variable randomVariable(Random& random, std::string id, bool output, const Rando
 
 double randomWeight(Random& random, const RandomModelOptions& options) {
   switch (random.below(6)) {
-    case 0:
-      return random.uniform();
-    case 1:
-      return options.adversarial ? std::pow(10.0, random.uniform(-300, 0)) : random.uniform();
-    case 2:
-      return 0;
-    default:
-      return 1;
+    case 0: return random.uniform();
+    case 1: return options.adversarial ? std::pow(10.0, random.uniform(-300, 0)) : random.uniform();
+    case 2: return 0;
+    default: return 1;
   }
 }
 
@@ -170,14 +154,9 @@ std::vector<double> randomPoint(Random& random, const ForceModel& model) {
     const auto& term = input.terms[static_cast<std::size_t>(random.below(static_cast<int>(input.terms.size())))];
     const double vertex = term.points[static_cast<std::size_t>(random.below(static_cast<int>(term.points.size())))];
     switch (random.below(4)) {
-      case 0:
-        point.push_back(vertex);
-        break;
-      case 1:
-        point.push_back(fewUlpsBeside(random, vertex));
-        break;
-      default:
-        point.push_back(random.uniform(input.min, input.max) + (random.below(20) == 0 ? input.max : 0));
+      case 0: point.push_back(vertex); break;
+      case 1: point.push_back(fewUlpsBeside(random, vertex)); break;
+      default: point.push_back(random.uniform(input.min, input.max) + (random.below(20) == 0 ? input.max : 0));
     }
   }
   return point;

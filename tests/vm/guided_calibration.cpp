@@ -22,18 +22,11 @@ class Person {
   void prepare(CalibrationStep step) {
     switch (step) {
       case CalibrationStep::kLetGo:
-      case CalibrationStep::kLetGoAgain:
-        put(0.5);
-        return letGo();
-      case CalibrationStep::kOuterEnd:
-        hold();
-        return put(0);
-      case CalibrationStep::kInnerEnd:
-        return put(1);
-      case CalibrationStep::kScaleReady:
-        return hold();
-      default:
-        return;
+      case CalibrationStep::kLetGoAgain: put(0.5); return letGo();
+      case CalibrationStep::kOuterEnd: hold(); return put(0);
+      case CalibrationStep::kInnerEnd: return put(1);
+      case CalibrationStep::kScaleReady: return hold();
+      default: return;
     }
   }
 

@@ -66,9 +66,7 @@ void UhidNode::serve() {
 
 void UhidNode::answer(const uhid_event& event) {
   switch (event.type) {
-    case UHID_OUTPUT:
-      handlers_.output({event.u.output.data, event.u.output.size});
-      break;
+    case UHID_OUTPUT: handlers_.output({event.u.output.data, event.u.output.size}); break;
     case UHID_SET_REPORT: {
       const bool accepted = handlers_.set_feature({event.u.set_report.data, event.u.set_report.size});
       const auto reply = newEvent(UHID_SET_REPORT_REPLY);

@@ -26,18 +26,12 @@ constexpr double kFadeMm = 26;  // over which a joint's turn fades around its le
 
 double levelOf(const QPointF& point, Part part) {
   switch (part) {
-    case Part::kHead:
-      return -60;
-    case Part::kHyoid:
-      return 52;
-    case Part::kLarynx:
-      return 84;
-    case Part::kWindpipe:
-      return 84 + 1.05 * (point.y() - 118);
-    case Part::kTrunk:
-      return 400;
-    case Part::kSoft:
-      break;
+    case Part::kHead: return -60;
+    case Part::kHyoid: return 52;
+    case Part::kLarynx: return 84;
+    case Part::kWindpipe: return 84 + 1.05 * (point.y() - 118);
+    case Part::kTrunk: return 400;
+    case Part::kSoft: break;
   }
   // In front of the spine soft tissue hangs on joints further up.
   return point.y() - 0.9 * std::max(0.0, 96 - point.x());

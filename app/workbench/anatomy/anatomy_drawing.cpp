@@ -26,12 +26,9 @@ constexpr std::array kHeadAndNeck = {QRectF(-42, -66, 200, 250), QRectF(-80, -25
 
 std::string_view fileOf(Posture posture) {
   switch (posture) {
-    case Posture::kUpright:
-      return uprightDrawing();
-    case Posture::kHalfFlexed:
-      return halfFlexedDrawing();
-    case Posture::kChinOnChest:
-      break;
+    case Posture::kUpright: return uprightDrawing();
+    case Posture::kHalfFlexed: return halfFlexedDrawing();
+    case Posture::kChinOnChest: break;
   }
   return chinOnChestDrawing();
 }
@@ -60,17 +57,14 @@ QPainterPath readPath(const QString& d) {
       points.emplace_back(x, number.next().captured().toDouble());
     }
     switch (match.captured(1).at(0).toLatin1()) {
-      case 'M':
-        path.moveTo(points.at(0));
-        break;
+      case 'M': path.moveTo(points.at(0)); break;
       case 'L':
         for (const QPointF& point : points) path.lineTo(point);
         break;
       case 'C':
         for (std::size_t i = 0; i + 2 < points.size(); i += 3) path.cubicTo(points[i], points[i + 1], points[i + 2]);
         break;
-      default:
-        path.closeSubpath();
+      default: path.closeSubpath();
     }
   }
   return path;

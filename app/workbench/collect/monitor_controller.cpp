@@ -42,14 +42,10 @@ QString termName(const std::string& id) { return text(id).replace(QLatin1Char('_
 
 QString replyText(const questionnaires::Reply& reply) {
   switch (reply.status) {
-    case study::Answer::Status::kAnswered:
-      return termName(reply.value);
-    case study::Answer::Status::kSkipped:
-      return MonitorController::tr("skipped");
-    case study::Answer::Status::kCantTell:
-      return MonitorController::tr("can't tell");
-    case study::Answer::Status::kCleared:
-      return MonitorController::tr("taken back");
+    case study::Answer::Status::kAnswered: return termName(reply.value);
+    case study::Answer::Status::kSkipped: return MonitorController::tr("skipped");
+    case study::Answer::Status::kCantTell: return MonitorController::tr("can't tell");
+    case study::Answer::Status::kCleared: return MonitorController::tr("taken back");
   }
   return {};
 }
@@ -61,34 +57,23 @@ bool isSame(const std::optional<questionnaires::Reply>& one, const std::optional
 
 QString judgementText(const study::JudgementRecord& judgement) {
   switch (judgement.kind) {
-    case study::ForceJudgement::Kind::kTerm:
-      return termName(judgement.term);
-    case study::ForceJudgement::Kind::kNotFelt:
-      return MonitorController::tr("not felt");
-    case study::ForceJudgement::Kind::kBeyondPractice:
-      return MonitorController::tr("beyond practice");
-    case study::ForceJudgement::Kind::kNoAnswer:
-      return MonitorController::tr("felt");
+    case study::ForceJudgement::Kind::kTerm: return termName(judgement.term);
+    case study::ForceJudgement::Kind::kNotFelt: return MonitorController::tr("not felt");
+    case study::ForceJudgement::Kind::kBeyondPractice: return MonitorController::tr("beyond practice");
+    case study::ForceJudgement::Kind::kNoAnswer: return MonitorController::tr("felt");
   }
   return {};
 }
 
 QString partText(const SessionSnapshot& at) {
   switch (at.part) {
-    case SessionPart::kProfile:
-      return MonitorController::tr("About the participant");
-    case SessionPart::kSpeed:
-      return MonitorController::tr("Speed");
-    case SessionPart::kForce:
-      return MonitorController::tr("Forces");
-    case SessionPart::kForm:
-      return MonitorController::tr("Questions");
-    case SessionPart::kRating:
-      return MonitorController::tr("A part is done");
-    case SessionPart::kFinished:
-      return MonitorController::tr("All parts are done");
-    case SessionPart::kAborted:
-      return MonitorController::tr("The session was ended");
+    case SessionPart::kProfile: return MonitorController::tr("About the participant");
+    case SessionPart::kSpeed: return MonitorController::tr("Speed");
+    case SessionPart::kForce: return MonitorController::tr("Forces");
+    case SessionPart::kForm: return MonitorController::tr("Questions");
+    case SessionPart::kRating: return MonitorController::tr("A part is done");
+    case SessionPart::kFinished: return MonitorController::tr("All parts are done");
+    case SessionPart::kAborted: return MonitorController::tr("The session was ended");
   }
   return {};
 }

@@ -203,8 +203,7 @@ QWidget* ProtocolField::makeInput() {
               [this, set](const QString& typed) { set(cleanNumber(typed, spec_.unit)); });
       return box;
     }
-    case Kind::kText:
-      break;
+    case Kind::kText: break;
   }
   auto* box = new QLineEdit(this);
   connect(box, &QLineEdit::textEdited, this, set);

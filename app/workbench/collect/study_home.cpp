@@ -47,9 +47,7 @@ void paintMark(QPainter& painter, const StepState& state, const QRectF& mark) {
       painter.setPen(QPen(theme::border().darker(120), 1.6, Qt::SolidLine, Qt::RoundCap));
       painter.drawLine(center - QPointF(3, 0), center + QPointF(3, 0));
       break;
-    case StepWord::kOpen:
-      painter.drawEllipse(mark.adjusted(1, 1, -1, -1));
-      break;
+    case StepWord::kOpen: painter.drawEllipse(mark.adjusted(1, 1, -1, -1)); break;
     case StepWord::kPartly: {
       painter.drawEllipse(mark.adjusted(1, 1, -1, -1));
       const double share = state.share.wanted > 0 ? static_cast<double>(state.share.done) / state.share.wanted : 0.5;
@@ -68,9 +66,7 @@ void paintMark(QPainter& painter, const StepState& state, const QRectF& mark) {
       painter.drawEllipse(mark.adjusted(1, 1, -1, -1));
       painter.drawLine(center - QPointF(3.5, 0), center + QPointF(3.5, 0));
       break;
-    case StepWord::kUnknown:
-      painter.drawText(mark, Qt::AlignCenter, QStringLiteral("?"));
-      break;
+    case StepWord::kUnknown: painter.drawText(mark, Qt::AlignCenter, QStringLiteral("?")); break;
     case StepWord::kGiven:
       painter.drawEllipse(mark.adjusted(1, 1, -1, -1));
       painter.drawLine(center - QPointF(0, 4), center + QPointF(0, 3.5));

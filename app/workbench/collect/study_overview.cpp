@@ -28,44 +28,28 @@ struct CollectText {
 
 QString stepName(CollectStep step) {
   switch (step) {
-    case CollectStep::kConsent:
-      return CollectText::tr("Consent");
-    case CollectStep::kDeviceCheck:
-      return CollectText::tr("Device check");
-    case CollectStep::kPractice:
-      return CollectText::tr("Practice");
-    case CollectStep::kSpeed:
-      return CollectText::tr("Speed");
-    case CollectStep::kForces:
-      return CollectText::tr("Forces");
-    case CollectStep::kQuestions:
-      return CollectText::tr("Questions");
-    case CollectStep::kReview:
-      return CollectText::tr("Review");
-    case CollectStep::kOwnModel:
-      return CollectText::tr("Own model");
-    case CollectStep::kUsability:
-      return CollectText::tr("Usability");
+    case CollectStep::kConsent: return CollectText::tr("Consent");
+    case CollectStep::kDeviceCheck: return CollectText::tr("Device check");
+    case CollectStep::kPractice: return CollectText::tr("Practice");
+    case CollectStep::kSpeed: return CollectText::tr("Speed");
+    case CollectStep::kForces: return CollectText::tr("Forces");
+    case CollectStep::kQuestions: return CollectText::tr("Questions");
+    case CollectStep::kReview: return CollectText::tr("Review");
+    case CollectStep::kOwnModel: return CollectText::tr("Own model");
+    case CollectStep::kUsability: return CollectText::tr("Usability");
   }
   return {};
 }
 
 QString stateText(const StepState& state) {
   switch (state.word) {
-    case StepWord::kNotPart:
-      return {};
-    case StepWord::kOpen:
-      return CollectText::tr("open");
-    case StepWord::kPartly:
-      return CollectText::tr("%1 of %2").arg(state.share.done).arg(state.share.wanted);
-    case StepWord::kDone:
-      return CollectText::tr("done");
-    case StepWord::kSkipped:
-      return CollectText::tr("skipped");
-    case StepWord::kGiven:
-      return CollectText::tr("imported");
-    case StepWord::kUnknown:
-      return CollectText::tr("not in this file");
+    case StepWord::kNotPart: return {};
+    case StepWord::kOpen: return CollectText::tr("open");
+    case StepWord::kPartly: return CollectText::tr("%1 of %2").arg(state.share.done).arg(state.share.wanted);
+    case StepWord::kDone: return CollectText::tr("done");
+    case StepWord::kSkipped: return CollectText::tr("skipped");
+    case StepWord::kGiven: return CollectText::tr("imported");
+    case StepWord::kUnknown: return CollectText::tr("not in this file");
   }
   return {};
 }

@@ -166,10 +166,8 @@ QString BundlePanel::workText() const {
     case BundleMaker::Doing::kWriting:
       if (!maker_.mayCancel()) break;
       return tr("Writing %1…").arg(name);
-    case BundleMaker::Doing::kReadingBack:
-      return tr("Reading %1 back…").arg(name);
-    case BundleMaker::Doing::kNothing:
-      return {};
+    case BundleMaker::Doing::kReadingBack: return tr("Reading %1 back…").arg(name);
+    case BundleMaker::Doing::kNothing: return {};
   }
   return tr("Canceling…");
 }

@@ -334,14 +334,10 @@ QString readinessSummary(const std::vector<ReadinessLine>& lines) {
 
 QString readinessName(Readiness state) {
   switch (state) {
-    case Readiness::kReady:
-      return ReadinessText::tr("Ready");
-    case Readiness::kLook:
-      return ReadinessText::tr("To know");
-    case Readiness::kBlocks:
-      return ReadinessText::tr("To settle first");
-    case Readiness::kUnknown:
-      return ReadinessText::tr("Looking…");
+    case Readiness::kReady: return ReadinessText::tr("Ready");
+    case Readiness::kLook: return ReadinessText::tr("To know");
+    case Readiness::kBlocks: return ReadinessText::tr("To settle first");
+    case Readiness::kUnknown: return ReadinessText::tr("Looking…");
   }
   return {};
 }

@@ -34,8 +34,7 @@ QPainterPath polyline(std::initializer_list<QPointF> points) {
 
 SignLook lookOf(Readiness state) {
   switch (state) {
-    case Readiness::kReady:
-      return {theme::accent(), theme::window(), polyline({{6, 10.5}, {9, 13.5}, {14, 7}})};
+    case Readiness::kReady: return {theme::accent(), theme::window(), polyline({{6, 10.5}, {9, 13.5}, {14, 7}})};
     case Readiness::kLook: {
       QPainterPath mark = polyline({{10, 5.5}, {10, 11}});
       mark.addPath(polyline({{10, 14}, {10, 14.2}}));
@@ -46,8 +45,7 @@ SignLook lookOf(Readiness state) {
       cross.addPath(polyline({{13.2, 6.8}, {6.8, 13.2}}));
       return {theme::errorInk(), theme::errorFill(), cross};
     }
-    case Readiness::kUnknown:
-      break;
+    case Readiness::kUnknown: break;
   }
   QPainterPath dots;
   for (const double x : {6.5, 10.0, 13.5}) dots.addPath(polyline({{x, 10}, {x, 10.1}}));

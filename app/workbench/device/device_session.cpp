@@ -145,12 +145,9 @@ bool isDown(const haptics::EnableSettings& enable, const haptics::Sample& sample
   const bool button = (sample.buttons & enable.button_mask) != 0;
   switch (enable.kind) {
     case EnableKind::kPedal:
-    case EnableKind::kKey:
-      return key_down;
-    case EnableKind::kLatch:
-      return key_down || button;
-    case EnableKind::kButton:
-      break;
+    case EnableKind::kKey: return key_down;
+    case EnableKind::kLatch: return key_down || button;
+    case EnableKind::kButton: break;
   }
   return button;
 }

@@ -259,18 +259,12 @@ void DeviceBar::setMessage(const QString& sentence, bool bad) {
 // Where there is little room.
 QString DeviceBar::stateWord() const {
   switch (feel_.state()) {
-    case FeelController::State::kStopped:
-      return tr("Stopped");
-    case FeelController::State::kOpening:
-      return tr("Starting");
-    case FeelController::State::kStopping:
-      return tr("Stopping");
-    case FeelController::State::kTripped:
-      return tr("Tripped");
-    case FeelController::State::kRearming:
-      return tr("Let go");
-    case FeelController::State::kRunning:
-      break;
+    case FeelController::State::kStopped: return tr("Stopped");
+    case FeelController::State::kOpening: return tr("Starting");
+    case FeelController::State::kStopping: return tr("Stopping");
+    case FeelController::State::kTripped: return tr("Tripped");
+    case FeelController::State::kRearming: return tr("Let go");
+    case FeelController::State::kRunning: break;
   }
   return feel_.isReplay() ? tr("Replay") : tr("Running");
 }
@@ -279,16 +273,11 @@ QString DeviceBar::stateText() const {
   switch (feel_.state()) {
     case FeelController::State::kStopped:
       return model_open_ ? tr("Stopped: nothing is computed.") : tr("Open a model to feel it.");
-    case FeelController::State::kOpening:
-      return tr("Starting the device…");
-    case FeelController::State::kStopping:
-      return tr("No force. The device is stopping…");
-    case FeelController::State::kTripped:
-      return tr("Tripped: no force.");
-    case FeelController::State::kRearming:
-      return tr("Let go of the tube, then it arms again.");
-    case FeelController::State::kRunning:
-      break;
+    case FeelController::State::kOpening: return tr("Starting the device…");
+    case FeelController::State::kStopping: return tr("No force. The device is stopping…");
+    case FeelController::State::kTripped: return tr("Tripped: no force.");
+    case FeelController::State::kRearming: return tr("Let go of the tube, then it arms again.");
+    case FeelController::State::kRunning: break;
   }
   QStringList parts{feel_.isReplay() ? tr("Replaying a recording") : tr("Running"), feel_.session().priorityText()};
   if (const auto latency = feel_.editLatency())

@@ -153,9 +153,7 @@ bool RowStop::eventFilter(QObject* watched, QEvent* event) {
   if (found == parts_.end()) return QObject::eventFilter(watched, event);
   const qsizetype part = found - parts_.begin();
   switch (event->type()) {
-    case QEvent::FocusIn:
-      stopAt(part);
-      break;
+    case QEvent::FocusIn: stopAt(part); break;
     case QEvent::EnabledChange:
     case QEvent::ShowToParent:
     case QEvent::HideToParent:
@@ -165,8 +163,7 @@ bool RowStop::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::KeyPress:
       if (goFrom(part, static_cast<const QKeyEvent&>(*event))) return true;
       break;
-    default:
-      break;
+    default: break;
   }
   return QObject::eventFilter(watched, event);
 }

@@ -45,33 +45,20 @@ class Words {
       case Kind::kHole:
         return (expert_ == nullptr ? tr("No rule of any expert fires: %1") : tr("No rule fires: %1")).arg(where()) +
                unanswered();
-      case Kind::kAbstentionJump:
-        return jump();
-      case Kind::kForceStep:
-        return cliff();
+      case Kind::kAbstentionJump: return jump();
+      case Kind::kForceStep: return cliff();
       case Kind::kRegionWithoutRule:
-      case Kind::kUnusedTerm:
-        return tr("No rule mentions %1").arg(term()) + unanswered();
-      case Kind::kMissingItem:
-        return missing();
-      case Kind::kConflict:
-        return conflict();
-      case Kind::kExpertsApart:
-        return apart();
-      case Kind::kAgainstDeclaration:
-        return step(tr("%1: against the declared direction"));
-      case Kind::kLevelJump:
-        return step(tr("%1: three levels or more at once"));
-      case Kind::kDirectionChange:
-        return step(tr("%1: against most other steps of this expert"));
-      case Kind::kDisagreement:
-        return disagreement();
-      case Kind::kRedundantRule:
-        return rule(tr("Redundant: a rule with fewer conditions already gives %2: %1"));
-      case Kind::kUnreachableRule:
-        return rule(tr("The conditions are never true together: %1"));
-      case Kind::kUnreachableTerm:
-        return unreachableTerm();
+      case Kind::kUnusedTerm: return tr("No rule mentions %1").arg(term()) + unanswered();
+      case Kind::kMissingItem: return missing();
+      case Kind::kConflict: return conflict();
+      case Kind::kExpertsApart: return apart();
+      case Kind::kAgainstDeclaration: return step(tr("%1: against the declared direction"));
+      case Kind::kLevelJump: return step(tr("%1: three levels or more at once"));
+      case Kind::kDirectionChange: return step(tr("%1: against most other steps of this expert"));
+      case Kind::kDisagreement: return disagreement();
+      case Kind::kRedundantRule: return rule(tr("Redundant: a rule with fewer conditions already gives %2: %1"));
+      case Kind::kUnreachableRule: return rule(tr("The conditions are never true together: %1"));
+      case Kind::kUnreachableTerm: return unreachableTerm();
     }
     return text(finding_.text);
   }
@@ -321,36 +308,21 @@ struct FindingNames {
 
 QString kindText(RuleFinding::Kind kind) {
   switch (kind) {
-    case Kind::kHole:
-      return FindingNames::tr("Hole");
-    case Kind::kAbstentionJump:
-      return FindingNames::tr("Mean jumps");
-    case Kind::kForceStep:
-      return FindingNames::tr("Force steps");
-    case Kind::kRegionWithoutRule:
-      return FindingNames::tr("Region without a rule");
-    case Kind::kMissingItem:
-      return FindingNames::tr("Missing answer");
-    case Kind::kConflict:
-      return FindingNames::tr("Conflict");
-    case Kind::kExpertsApart:
-      return FindingNames::tr("Experts apart");
-    case Kind::kAgainstDeclaration:
-      return FindingNames::tr("Against the declaration");
-    case Kind::kLevelJump:
-      return FindingNames::tr("Level jump");
-    case Kind::kDirectionChange:
-      return FindingNames::tr("Change of direction");
-    case Kind::kDisagreement:
-      return FindingNames::tr("Disagreement");
-    case Kind::kRedundantRule:
-      return FindingNames::tr("Redundant rule");
-    case Kind::kUnreachableRule:
-      return FindingNames::tr("Rule never fires");
-    case Kind::kUnreachableTerm:
-      return FindingNames::tr("Unreachable term");
-    case Kind::kUnusedTerm:
-      return FindingNames::tr("Unused term");
+    case Kind::kHole: return FindingNames::tr("Hole");
+    case Kind::kAbstentionJump: return FindingNames::tr("Mean jumps");
+    case Kind::kForceStep: return FindingNames::tr("Force steps");
+    case Kind::kRegionWithoutRule: return FindingNames::tr("Region without a rule");
+    case Kind::kMissingItem: return FindingNames::tr("Missing answer");
+    case Kind::kConflict: return FindingNames::tr("Conflict");
+    case Kind::kExpertsApart: return FindingNames::tr("Experts apart");
+    case Kind::kAgainstDeclaration: return FindingNames::tr("Against the declaration");
+    case Kind::kLevelJump: return FindingNames::tr("Level jump");
+    case Kind::kDirectionChange: return FindingNames::tr("Change of direction");
+    case Kind::kDisagreement: return FindingNames::tr("Disagreement");
+    case Kind::kRedundantRule: return FindingNames::tr("Redundant rule");
+    case Kind::kUnreachableRule: return FindingNames::tr("Rule never fires");
+    case Kind::kUnreachableTerm: return FindingNames::tr("Unreachable term");
+    case Kind::kUnusedTerm: return FindingNames::tr("Unused term");
   }
   return {};
 }

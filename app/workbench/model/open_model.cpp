@@ -63,18 +63,12 @@ bool mentions(const QString& text) { return text.contains(QLatin1String("simulat
 
 bool saysYes(const QJsonValue& value) {
   switch (value.type()) {
-    case QJsonValue::Bool:
-      return value.toBool();
-    case QJsonValue::Double:
-      return value.toDouble() != 0;
-    case QJsonValue::String:
-      return !value.toString().isEmpty();
-    case QJsonValue::Array:
-      return !value.toArray().isEmpty();
-    case QJsonValue::Object:
-      return !value.toObject().isEmpty();
-    default:
-      return false;
+    case QJsonValue::Bool: return value.toBool();
+    case QJsonValue::Double: return value.toDouble() != 0;
+    case QJsonValue::String: return !value.toString().isEmpty();
+    case QJsonValue::Array: return !value.toArray().isEmpty();
+    case QJsonValue::Object: return !value.toObject().isEmpty();
+    default: return false;
   }
 }
 

@@ -12,12 +12,9 @@ namespace tactus::workbench {
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term) {
   const auto inside = [&variable](double x) { return std::clamp(x, variable.min, variable.max); };
   switch (term.shape) {
-    case fuzzy::Shape::kTrapezoid:
-      return (inside(term.points[1]) + inside(term.points[2])) / 2;
-    case fuzzy::Shape::kTriangle:
-      return inside(term.points[1]);
-    case fuzzy::Shape::kGaussian:
-      return inside(term.points[0]);
+    case fuzzy::Shape::kTrapezoid: return (inside(term.points[1]) + inside(term.points[2])) / 2;
+    case fuzzy::Shape::kTriangle: return inside(term.points[1]);
+    case fuzzy::Shape::kGaussian: return inside(term.points[0]);
   }
   return variable.min;
 }

@@ -33,18 +33,13 @@ SpeedState::Note noteOf(experiments::StrokeVerdict verdict) {
   using experiments::StrokeVerdict;
   using Note = SpeedState::Note;
   switch (verdict) {
-    case StrokeVerdict::kAccepted:
-      return Note::kRecorded;
-    case StrokeVerdict::kTooShort:
-      return Note::kTooShort;
-    case StrokeVerdict::kBackwards:
-      return Note::kBackwards;
-    case StrokeVerdict::kOutOfRange:
-      return Note::kOutOfRange;
+    case StrokeVerdict::kAccepted: return Note::kRecorded;
+    case StrokeVerdict::kTooShort: return Note::kTooShort;
+    case StrokeVerdict::kBackwards: return Note::kBackwards;
+    case StrokeVerdict::kOutOfRange: return Note::kOutOfRange;
     case StrokeVerdict::kTooBrief:
     case StrokeVerdict::kInterrupted:
-    case StrokeVerdict::kRejected:
-      break;
+    case StrokeVerdict::kRejected: break;
   }
   return Note::kNotRecorded;
 }
@@ -207,9 +202,7 @@ void ParticipantController::next() {
         passed_.code = true;
       }
       break;
-    case Screen::kConsent:
-      beginSession();
-      break;
+    case Screen::kConsent: beginSession(); break;
     case Screen::kAboutYou:
       if (about_.isLast()) {
         proxy_.tell(at()->step, about_.profile(), about_.experience());
@@ -225,36 +218,17 @@ void ParticipantController::next() {
       }
       break;
     case Screen::kPractice:
-    case Screen::kForce:
-      correcting_ ? correct() : judge();
-      break;
-    case Screen::kSpeed:
-      break;  // the hand does
-    case Screen::kRest:
-      endRest();
-      break;
-    case Screen::kGlossary:
-      passed_.glossary = true;
-      break;
-    case Screen::kQuestion:
-      answerQuestion();
-      break;
-    case Screen::kScale:
-      answerScale();
-      break;
-    case Screen::kRating:
-      rate();
-      break;
-    case Screen::kReview:
-      review();
-      break;
-    case Screen::kOwnModel:
-      goOnOwnModel();
-      break;
+    case Screen::kForce: correcting_ ? correct() : judge(); break;
+    case Screen::kSpeed: break;  // the hand does
+    case Screen::kRest: endRest(); break;
+    case Screen::kGlossary: passed_.glossary = true; break;
+    case Screen::kQuestion: answerQuestion(); break;
+    case Screen::kScale: answerScale(); break;
+    case Screen::kRating: rate(); break;
+    case Screen::kReview: review(); break;
+    case Screen::kOwnModel: goOnOwnModel(); break;
     case Screen::kThanks:
-    case Screen::kStopped:
-      startAgain();
-      break;
+    case Screen::kStopped: startAgain(); break;
   }
   look();
 }
@@ -262,19 +236,11 @@ void ParticipantController::next() {
 void ParticipantController::back() {
   if (!takesInput() || !state_.can_go_back) return;
   switch (state_.screen) {
-    case Screen::kWelcome:
-      arrival_.forget();
-      break;
-    case Screen::kConsent:
-      passed_.code = false;
-      break;
-    case Screen::kAboutYou:
-      about_.back();
-      break;
+    case Screen::kWelcome: arrival_.forget(); break;
+    case Screen::kConsent: passed_.code = false; break;
+    case Screen::kAboutYou: about_.back(); break;
     case Screen::kForce:
-    case Screen::kRest:
-      correcting_ = !correcting_;
-      break;
+    case Screen::kRest: correcting_ = !correcting_; break;
     case Screen::kRating:
       if (!rating_.isFirst()) {
         rating_.back();
@@ -284,15 +250,12 @@ void ParticipantController::back() {
         correcting_ = true;
       }
       break;
-    case Screen::kScale:
-      proxy_.back(at()->step);
-      break;
+    case Screen::kScale: proxy_.back(at()->step); break;
     case Screen::kQuestion:
       from_review_ = false;
       proxy_.back(at()->step);
       break;
-    default:
-      break;
+    default: break;
   }
   look();
 }
@@ -300,15 +263,11 @@ void ParticipantController::back() {
 void ParticipantController::choose(const QString& id) {
   if (!takesInput()) return;
   switch (state_.screen) {
-    case Screen::kAboutYou:
-      about_.choose(id);
-      break;
+    case Screen::kAboutYou: about_.choose(id); break;
     case Screen::kForce:
       if ((correcting_ || trial_.phase() == ForceTrial::Phase::kFelt) && answerOf(id)) chosen_ = id;
       break;
-    case Screen::kRating:
-      rating_.choose(id);
-      break;
+    case Screen::kRating: rating_.choose(id); break;
     case Screen::kScale:
       if (scalePoints(id)) chosen_ = id;
       break;
@@ -319,8 +278,7 @@ void ParticipantController::choose(const QString& id) {
       if (id == QLatin1String("lighter") || id == QLatin1String("right") || id == QLatin1String("heavier"))
         chosen_ = id;
       break;
-    default:
-      break;
+    default: break;
   }
   look();
 }

@@ -44,8 +44,7 @@ void DeviceCheck::take(const haptics::Sample& sample) {
     case DeviceStep::kRelease:
       if (!holds) step_ = DeviceStep::kReady;
       break;
-    default:
-      break;
+    default: break;
   }
 }
 
@@ -197,10 +196,8 @@ bool usesDevice(ParticipantScreen screen) {
     case ParticipantScreen::kPractice:
     case ParticipantScreen::kSpeed:
     case ParticipantScreen::kForce:
-    case ParticipantScreen::kOwnModel:
-      return true;
-    default:
-      return false;
+    case ParticipantScreen::kOwnModel: return true;
+    default: return false;
   }
 }
 
@@ -214,23 +211,20 @@ ParticipantScreen screenOf(const SessionSnapshot* at, const CoursePassed& passed
   const std::string rest = restBefore(*at, passed);
   if (!rest.empty() && !passed.rests.contains(rest)) return ParticipantScreen::kRest;
   switch (at->part) {
-    case SessionPart::kProfile:
-      return ParticipantScreen::kAboutYou;
+    case SessionPart::kProfile: return ParticipantScreen::kAboutYou;
     case SessionPart::kSpeed:
       return withDevice(passed, at->speed->practice ? ParticipantScreen::kPractice : ParticipantScreen::kSpeed);
     case SessionPart::kForce: {
       const bool practice = at->force->step.series == experiments::kFamiliarisation;
       return withDevice(passed, practice ? ParticipantScreen::kPractice : ParticipantScreen::kForce);
     }
-    case SessionPart::kForm:
-      return formScreen(*at, passed);
+    case SessionPart::kForm: return formScreen(*at, passed);
     case SessionPart::kRating:
       return at->block == Block::kForm && !passed.sealing ? ParticipantScreen::kReview : ParticipantScreen::kRating;
     case SessionPart::kFinished:
       if (at->form && !passed.sealed) return ParticipantScreen::kReview;
       return passed.own_model ? ParticipantScreen::kThanks : withDevice(passed, ParticipantScreen::kOwnModel);
-    case SessionPart::kAborted:
-      break;
+    case SessionPart::kAborted: break;
   }
   return ParticipantScreen::kStopped;
 }

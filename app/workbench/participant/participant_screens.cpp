@@ -52,9 +52,7 @@ void ParticipantController::fill() {
   state_.can_go_on = true;
   state_.can_go_back = false;
   switch (state_.screen) {
-    case Screen::kWelcome:
-      state_.can_go_on = state_.can_go_back = arrival_.isKnown();
-      break;
+    case Screen::kWelcome: state_.can_go_on = state_.can_go_back = arrival_.isKnown(); break;
     case Screen::kConsent: {
       const nurse::Language language = nurse::languageWithId(state_.language).value_or(nurse::Language::kEnglish);
       state_.consent = {plan_.consent_version, consentParagraphs(plan_, language, arrival_.isForUsability()),
@@ -77,31 +75,22 @@ void ParticipantController::fill() {
       state_.feels_force = correcting_ || at()->part == session::SessionPart::kForce;
       state_.feels_force ? fillForce() : fillSpeed();
       break;
-    case Screen::kQuestion:
-      fillQuestion();
-      break;
+    case Screen::kQuestion: fillQuestion(); break;
     case Screen::kReview:
       if (form_) state_.review = reviewState(*form_, at()->replies);
       state_.review.sealed = at()->part == session::SessionPart::kFinished;
       break;
     case Screen::kRating:
-    case Screen::kScale:
-      fillScale();
-      break;
+    case Screen::kScale: fillScale(); break;
     case Screen::kOwnModel:
       state_.own = own_->state(hasDevice());
       state_.own.chosen = chosen_;
       state_.can_go_on = !state_.own.unavailable.isEmpty() || (state_.own.ready && !chosen_.isEmpty());
       break;
-    case Screen::kThanks:
-      state_.thanks.curve = own_->curve();
-      break;
-    case Screen::kRest:
-      state_.can_go_back = at()->judged.has_value();
-      break;
+    case Screen::kThanks: state_.thanks.curve = own_->curve(); break;
+    case Screen::kRest: state_.can_go_back = at()->judged.has_value(); break;
     case Screen::kGlossary:
-    case Screen::kStopped:
-      break;
+    case Screen::kStopped: break;
   }
   // While an answer is being stored nothing else is answered.
   if (proxy_.isMovingOn() || state_.paused) state_.can_go_on = state_.can_go_back = false;
@@ -112,17 +101,12 @@ DeviceStep ParticipantController::deviceStep() const {
   if (device_lost_) return DeviceStep::kLost;
   if (device_.user() != this) return DeviceStep::kWait;
   switch (device_.state()) {
-    case State::kTripped:
-      return DeviceStep::kWrong;
-    case State::kRearming:
-      return DeviceStep::kRelease;
-    case State::kRunning:
-      return check_.step();
-    case State::kStopped:
-      return DeviceStep::kLost;
+    case State::kTripped: return DeviceStep::kWrong;
+    case State::kRearming: return DeviceStep::kRelease;
+    case State::kRunning: return check_.step();
+    case State::kStopped: return DeviceStep::kLost;
     case State::kOpening:
-    case State::kStopping:
-      break;
+    case State::kStopping: break;
   }
   return DeviceStep::kWait;
 }
@@ -151,12 +135,8 @@ void ParticipantController::fillForce() {
       out.warm = trial_.isWarm();
       break;
     case ForceTrial::Phase::kWait:
-    case ForceTrial::Phase::kRise:
-      out.phase = ForceState::Phase::kFeel;
-      break;
-    case ForceTrial::Phase::kFelt:
-      out.phase = ForceState::Phase::kAnswer;
-      break;
+    case ForceTrial::Phase::kRise: out.phase = ForceState::Phase::kFeel; break;
+    case ForceTrial::Phase::kFelt: out.phase = ForceState::Phase::kAnswer; break;
   }
   if (correcting_) out.phase = ForceState::Phase::kAnswer;
   state_.can_go_on = out.phase == ForceState::Phase::kAnswer && (!out.asks || !chosen_.isEmpty());

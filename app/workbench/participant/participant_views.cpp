@@ -68,52 +68,22 @@ void ParticipantViews::show() {
   if (const auto language = nurse::languageWithId(state.language)) look_.setLanguage(*language);
   look_.setTextPercent(state.text_percent);
   switch (state.screen) {
-    case ParticipantScreen::kWelcome:
-      showWelcome();
-      break;
-    case ParticipantScreen::kConsent:
-      showConsent();
-      break;
-    case ParticipantScreen::kAboutYou:
-      showAboutYou();
-      break;
-    case ParticipantScreen::kDeviceCheck:
-      showDeviceCheck();
-      break;
-    case ParticipantScreen::kPractice:
-      state.feels_force ? showForce() : showStrokes();
-      break;
-    case ParticipantScreen::kSpeed:
-      showStrokes();
-      break;
-    case ParticipantScreen::kForce:
-      showForce();
-      break;
-    case ParticipantScreen::kRest:
-      showRest();
-      break;
-    case ParticipantScreen::kGlossary:
-      showGlossary();
-      break;
-    case ParticipantScreen::kQuestion:
-      showQuestion();
-      break;
+    case ParticipantScreen::kWelcome: showWelcome(); break;
+    case ParticipantScreen::kConsent: showConsent(); break;
+    case ParticipantScreen::kAboutYou: showAboutYou(); break;
+    case ParticipantScreen::kDeviceCheck: showDeviceCheck(); break;
+    case ParticipantScreen::kPractice: state.feels_force ? showForce() : showStrokes(); break;
+    case ParticipantScreen::kSpeed: showStrokes(); break;
+    case ParticipantScreen::kForce: showForce(); break;
+    case ParticipantScreen::kRest: showRest(); break;
+    case ParticipantScreen::kGlossary: showGlossary(); break;
+    case ParticipantScreen::kQuestion: showQuestion(); break;
     case ParticipantScreen::kRating:
-    case ParticipantScreen::kScale:
-      showScale();
-      break;
-    case ParticipantScreen::kReview:
-      showReview();
-      break;
-    case ParticipantScreen::kOwnModel:
-      showOwnModel();
-      break;
-    case ParticipantScreen::kThanks:
-      showThanks();
-      break;
-    case ParticipantScreen::kStopped:
-      showStopped();
-      break;
+    case ParticipantScreen::kScale: showScale(); break;
+    case ParticipantScreen::kReview: showReview(); break;
+    case ParticipantScreen::kOwnModel: showOwnModel(); break;
+    case ParticipantScreen::kThanks: showThanks(); break;
+    case ParticipantScreen::kStopped: showStopped(); break;
   }
   if (state.screen != ParticipantScreen::kWelcome) {
     entering_code_ = false;
@@ -339,14 +309,11 @@ bool ParticipantViews::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonRelease:
     case QEvent::TouchBegin:
     case QEvent::TouchEnd:
-    case QEvent::TouchCancel:
-      tellHeld();
-      break;
+    case QEvent::TouchCancel: tellHeld(); break;
     case QEvent::ApplicationStateChange:
       keys_.clear();  // releases go elsewhere
       break;
-    default:
-      break;
+    default: break;
   }
   return QObject::eventFilter(watched, event);
 }

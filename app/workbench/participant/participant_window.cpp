@@ -52,12 +52,9 @@ bool VirtualHand::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::WindowDeactivate:
       if (holds()) letGo();
       break;
-    case QEvent::KeyPress:
-      return key(static_cast<const QKeyEvent&>(*event), true);
-    case QEvent::KeyRelease:
-      return key(static_cast<const QKeyEvent&>(*event), false);
-    default:
-      break;
+    case QEvent::KeyPress: return key(static_cast<const QKeyEvent&>(*event), true);
+    case QEvent::KeyRelease: return key(static_cast<const QKeyEvent&>(*event), false);
+    default: break;
   }
   return QObject::eventFilter(watched, event);
 }
@@ -100,8 +97,7 @@ bool VirtualHand::key(const QKeyEvent& event, bool down) {
     case Qt::Key_Left:
       if (down) moveTo(device_.targetMm() + (event.key() == Qt::Key_Right ? kKeyMm : -kKeyMm));
       return true;
-    default:
-      return false;
+    default: return false;
   }
 }
 

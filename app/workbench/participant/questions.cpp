@@ -75,16 +75,11 @@ constexpr Offer kComfort[] = {{"yes", "good"}, {"no", "not_good"}};
 
 std::span<const Offer> offersOf(Question question) {
   switch (question) {
-    case Question::kYears:
-      return kYears;
-    case Question::kHand:
-      return kHands;
-    case Question::kGloves:
-      return kGloves;
-    case Question::kHaptic:
-      return kHaptic;
-    case Question::kComfort:
-      return kComfort;
+    case Question::kYears: return kYears;
+    case Question::kHand: return kHands;
+    case Question::kGloves: return kGloves;
+    case Question::kHaptic: return kHaptic;
+    case Question::kComfort: return kComfort;
   }
   return {};
 }

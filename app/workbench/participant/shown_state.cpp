@@ -5,22 +5,14 @@ namespace {
 
 nurse::DeviceStep shownStep(DeviceStep step) {
   switch (step) {
-    case DeviceStep::kWait:
-      return nurse::DeviceStep::kWait;
-    case DeviceStep::kHold:
-      return nurse::DeviceStep::kHold;
-    case DeviceStep::kStill:
-      return nurse::DeviceStep::kStill;
-    case DeviceStep::kPush:
-      return nurse::DeviceStep::kPush;
-    case DeviceStep::kRelease:
-      return nurse::DeviceStep::kRelease;
-    case DeviceStep::kReady:
-      return nurse::DeviceStep::kReady;
-    case DeviceStep::kWrong:
-      return nurse::DeviceStep::kWrong;
-    case DeviceStep::kLost:
-      break;
+    case DeviceStep::kWait: return nurse::DeviceStep::kWait;
+    case DeviceStep::kHold: return nurse::DeviceStep::kHold;
+    case DeviceStep::kStill: return nurse::DeviceStep::kStill;
+    case DeviceStep::kPush: return nurse::DeviceStep::kPush;
+    case DeviceStep::kRelease: return nurse::DeviceStep::kRelease;
+    case DeviceStep::kReady: return nurse::DeviceStep::kReady;
+    case DeviceStep::kWrong: return nurse::DeviceStep::kWrong;
+    case DeviceStep::kLost: break;
   }
   return nurse::DeviceStep::kLost;
 }
@@ -28,20 +20,13 @@ nurse::DeviceStep shownStep(DeviceStep step) {
 nurse::StrokeNote shownNote(SpeedState::Note note) {
   using Note = SpeedState::Note;
   switch (note) {
-    case Note::kStart:
-      return nurse::StrokeNote::kStart;
-    case Note::kReturn:
-      return nurse::StrokeNote::kReturn;
-    case Note::kRecorded:
-      return nurse::StrokeNote::kRecorded;
-    case Note::kTooShort:
-      return nurse::StrokeNote::kTooShort;
-    case Note::kNotRecorded:
-      return nurse::StrokeNote::kNotRecorded;
-    case Note::kBackwards:
-      return nurse::StrokeNote::kBackwards;
-    case Note::kOutOfRange:
-      break;
+    case Note::kStart: return nurse::StrokeNote::kStart;
+    case Note::kReturn: return nurse::StrokeNote::kReturn;
+    case Note::kRecorded: return nurse::StrokeNote::kRecorded;
+    case Note::kTooShort: return nurse::StrokeNote::kTooShort;
+    case Note::kNotRecorded: return nurse::StrokeNote::kNotRecorded;
+    case Note::kBackwards: return nurse::StrokeNote::kBackwards;
+    case Note::kOutOfRange: break;
   }
   return nurse::StrokeNote::kOutOfRange;
 }
@@ -54,28 +39,20 @@ nurse::SpeedWord shownSpeed(const QString& level) {
 nurse::AboutQuestion shownAboutQuestion(AboutYouState::Question question) {
   using Question = AboutYouState::Question;
   switch (question) {
-    case Question::kYears:
-      return nurse::AboutQuestion::kYears;
-    case Question::kHand:
-      return nurse::AboutQuestion::kHand;
-    case Question::kGloves:
-      return nurse::AboutQuestion::kGloves;
-    case Question::kHaptic:
-      return nurse::AboutQuestion::kHaptic;
-    case Question::kComfort:
-      break;
+    case Question::kYears: return nurse::AboutQuestion::kYears;
+    case Question::kHand: return nurse::AboutQuestion::kHand;
+    case Question::kGloves: return nurse::AboutQuestion::kGloves;
+    case Question::kHaptic: return nurse::AboutQuestion::kHaptic;
+    case Question::kComfort: break;
   }
   return nurse::AboutQuestion::kComfort;
 }
 
 nurse::StopReason shownReason(StopReason reason) {
   switch (reason) {
-    case StopReason::kForToday:
-      return nurse::StopReason::kForToday;
-    case StopReason::kWithdrawn:
-      return nurse::StopReason::kWithdrawn;
-    case StopReason::kNoConsent:
-      break;
+    case StopReason::kForToday: return nurse::StopReason::kForToday;
+    case StopReason::kWithdrawn: return nurse::StopReason::kWithdrawn;
+    case StopReason::kNoConsent: break;
   }
   return nurse::StopReason::kNoConsent;
 }
@@ -201,14 +178,10 @@ nurse::StoppedState shownStopped(const ParticipantState& state) {
 QString shownCover(const ParticipantState& state) {
   switch (state.overlay) {
     case ForceOffOverlay::kForceOff:
-    case ForceOffOverlay::kCalled:
-      return QStringLiteral("off.done");
-    case ForceOffOverlay::kWithdraw:
-      return QStringLiteral("off.withdraw");
-    case ForceOffOverlay::kLeaving:
-      return QStringLiteral("nav.wait");
-    case ForceOffOverlay::kNone:
-      break;
+    case ForceOffOverlay::kCalled: return QStringLiteral("off.done");
+    case ForceOffOverlay::kWithdraw: return QStringLiteral("off.withdraw");
+    case ForceOffOverlay::kLeaving: return QStringLiteral("nav.wait");
+    case ForceOffOverlay::kNone: break;
   }
   if (state.failed) return QStringLiteral("err.save");
   return state.paused ? QStringLiteral("err.paused") : QString();

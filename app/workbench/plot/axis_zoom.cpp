@@ -117,8 +117,7 @@ bool AxisZoom::eventFilter(QObject* watched, QEvent* event) {
       openMenu(menu.globalPos(), menu.pos());
       return true;
     }
-    default:
-      break;
+    default: break;
   }
   return QObject::eventFilter(watched, event);
 }

@@ -95,12 +95,9 @@ Result<void> checkAnswers(const store::StudyFile& file, const store::Selection& 
 
 QString comparisonOf(session::OwnModelVerdict verdict) {
   switch (verdict) {
-    case session::OwnModelVerdict::kLighter:
-      return QStringLiteral("lighter");
-    case session::OwnModelVerdict::kHeavier:
-      return QStringLiteral("heavier");
-    case session::OwnModelVerdict::kAboutRight:
-      break;
+    case session::OwnModelVerdict::kLighter: return QStringLiteral("lighter");
+    case session::OwnModelVerdict::kHeavier: return QStringLiteral("heavier");
+    case session::OwnModelVerdict::kAboutRight: break;
   }
   return QStringLiteral("right");
 }
@@ -185,38 +182,22 @@ int answers(const SessionSnapshot* at) {
 
 QString screenId(ParticipantScreen screen) {
   switch (screen) {
-    case Screen::kWelcome:
-      return QStringLiteral("welcome");
-    case Screen::kConsent:
-      return QStringLiteral("consent");
-    case Screen::kAboutYou:
-      return QStringLiteral("about_you");
-    case Screen::kDeviceCheck:
-      return QStringLiteral("device_check");
-    case Screen::kPractice:
-      return QStringLiteral("practice");
-    case Screen::kSpeed:
-      return QStringLiteral("speed");
-    case Screen::kForce:
-      return QStringLiteral("force");
-    case Screen::kRest:
-      return QStringLiteral("rest");
-    case Screen::kRating:
-      return QStringLiteral("rating");
-    case Screen::kGlossary:
-      return QStringLiteral("glossary");
-    case Screen::kQuestion:
-      return QStringLiteral("question");
-    case Screen::kReview:
-      return QStringLiteral("review");
-    case Screen::kScale:
-      return QStringLiteral("scale");
-    case Screen::kOwnModel:
-      return QStringLiteral("own_model");
-    case Screen::kThanks:
-      return QStringLiteral("thanks");
-    case Screen::kStopped:
-      break;
+    case Screen::kWelcome: return QStringLiteral("welcome");
+    case Screen::kConsent: return QStringLiteral("consent");
+    case Screen::kAboutYou: return QStringLiteral("about_you");
+    case Screen::kDeviceCheck: return QStringLiteral("device_check");
+    case Screen::kPractice: return QStringLiteral("practice");
+    case Screen::kSpeed: return QStringLiteral("speed");
+    case Screen::kForce: return QStringLiteral("force");
+    case Screen::kRest: return QStringLiteral("rest");
+    case Screen::kRating: return QStringLiteral("rating");
+    case Screen::kGlossary: return QStringLiteral("glossary");
+    case Screen::kQuestion: return QStringLiteral("question");
+    case Screen::kReview: return QStringLiteral("review");
+    case Screen::kScale: return QStringLiteral("scale");
+    case Screen::kOwnModel: return QStringLiteral("own_model");
+    case Screen::kThanks: return QStringLiteral("thanks");
+    case Screen::kStopped: break;
   }
   return QStringLiteral("stopped");
 }

@@ -174,15 +174,12 @@ void ScreenNurse::act(const ParticipantState& state) {
   }
   if (state.paused || state.failed) return wait(1, 1);
   switch (state.screen) {
-    case Screen::kWelcome:
-      return atWelcome(state.welcome);
+    case Screen::kWelcome: return atWelcome(state.welcome);
     case Screen::kConsent:
       if (!hands_.press("con.agree")) hands_.press("nav.next");
       return wait(4, 8);
-    case Screen::kAboutYou:
-      return tellAboutHerself(state.about);
-    case Screen::kDeviceCheck:
-      return checkDevice(state.device);
+    case Screen::kAboutYou: return tellAboutHerself(state.about);
+    case Screen::kDeviceCheck: return checkDevice(state.device);
     case Screen::kPractice:
     case Screen::kForce:
       if (!state.feels_force) return insert(state);
@@ -191,32 +188,21 @@ void ScreenNurse::act(const ParticipantState& state) {
         return feel();
       }
       return judge(state.force);
-    case Screen::kSpeed:
-      return insert(state);
+    case Screen::kSpeed: return insert(state);
     case Screen::kRest:
       wait(15, 40);
       hands_.press("nav.continue");
       return;
-    case Screen::kRating:
-      return rate(state.scale);
+    case Screen::kRating: return rate(state.scale);
     case Screen::kScale:
       sent_away_ = true;  // of clinical teachers
       return;
-    case Screen::kGlossary:
-      hands_.press("nav.next");
-      return wait(3, 6);
-    case Screen::kQuestion:
-      return answer(state.question);
-    case Screen::kReview:
-      return review(state.review);
-    case Screen::kOwnModel:
-      return feelOwnModel(state.own);
-    case Screen::kThanks:
-      done_ = hands_.press("thx.done");
-      return wait(1, 1);
-    case Screen::kStopped:
-      sent_away_ = true;
-      return;
+    case Screen::kGlossary: hands_.press("nav.next"); return wait(3, 6);
+    case Screen::kQuestion: return answer(state.question);
+    case Screen::kReview: return review(state.review);
+    case Screen::kOwnModel: return feelOwnModel(state.own);
+    case Screen::kThanks: done_ = hands_.press("thx.done"); return wait(1, 1);
+    case Screen::kStopped: sent_away_ = true; return;
   }
 }
 
@@ -258,36 +244,24 @@ void ScreenNurse::tellAboutHerself(const AboutYouState& about) {
     return wait(1, 2);
   }
   switch (about.question) {
-    case Question::kYears:
-      hands_.press("you.years_3");
-      break;
+    case Question::kYears: hands_.press("you.years_3"); break;
     case Question::kHand:
       hands_.press(QStringLiteral("you.hand_") + QString::fromStdString(traits_.profile.handedness));
       break;
-    case Question::kHaptic:
-      hands_.press("you.haptic_0");
-      break;
+    case Question::kHaptic: hands_.press("you.haptic_0"); break;
     case Question::kGloves:
-    case Question::kComfort:
-      hands_.press("you.yes");
-      break;
+    case Question::kComfort: hands_.press("you.yes"); break;
   }
   wait(2, 5);
 }
 
 void ScreenNurse::checkDevice(DeviceStep step) {
   switch (step) {
-    case DeviceStep::kReady:
-      hands_.press("nav.next");
-      return wait(1, 2);
+    case DeviceStep::kReady: hands_.press("nav.next"); return wait(1, 2);
     case DeviceStep::kWrong:
-    case DeviceStep::kLost:
-      hands_.press("nav.repeat");
-      return wait(2, 4);
-    case DeviceStep::kHold:
-      return take(pathOf(1.5, 30, 60, 0.3));
-    default:
-      return wait(0.2, 0.4);
+    case DeviceStep::kLost: hands_.press("nav.repeat"); return wait(2, 4);
+    case DeviceStep::kHold: return take(pathOf(1.5, 30, 60, 0.3));
+    default: return wait(0.2, 0.4);
   }
 }
 

@@ -42,14 +42,10 @@ bool DemoMaker::isThere() const { return QFileInfo::exists(study()); }
 QString DemoMaker::partText() const {
   if (!making_) return {};
   switch (static_cast<demo::DemoPart>(done_)) {
-    case demo::DemoPart::kSessions:
-      return tr("Four simulated nurses go through their sessions…");
-    case demo::DemoPart::kModel:
-      return tr("Their answers become a model…");
-    case demo::DemoPart::kReport:
-      return tr("The tables and figures of the report are drawn…");
-    case demo::DemoPart::kFiles:
-      return tr("The files are written…");
+    case demo::DemoPart::kSessions: return tr("Four simulated nurses go through their sessions…");
+    case demo::DemoPart::kModel: return tr("Their answers become a model…");
+    case demo::DemoPart::kReport: return tr("The tables and figures of the report are drawn…");
+    case demo::DemoPart::kFiles: return tr("The files are written…");
   }
   return {};
 }

@@ -280,18 +280,10 @@ void PanelArea::layOut(const std::vector<PanelPlace>& places) {
 
 void PanelArea::put(const PanelPlace& place) {
   switch (place.how) {
-    case PanelPlace::How::kFirst:
-      addDockWidget(Qt::TopDockWidgetArea, place.panel, Qt::Horizontal);
-      break;
-    case PanelPlace::How::kRight:
-      splitDockWidget(place.beside, place.panel, Qt::Horizontal);
-      break;
-    case PanelPlace::How::kBelow:
-      splitDockWidget(place.beside, place.panel, Qt::Vertical);
-      break;
-    case PanelPlace::How::kTab:
-      tabifyDockWidget(place.beside, place.panel);
-      break;
+    case PanelPlace::How::kFirst: addDockWidget(Qt::TopDockWidgetArea, place.panel, Qt::Horizontal); break;
+    case PanelPlace::How::kRight: splitDockWidget(place.beside, place.panel, Qt::Horizontal); break;
+    case PanelPlace::How::kBelow: splitDockWidget(place.beside, place.panel, Qt::Vertical); break;
+    case PanelPlace::How::kTab: tabifyDockWidget(place.beside, place.panel); break;
   }
   place.panel->show();
 }

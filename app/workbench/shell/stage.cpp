@@ -13,48 +13,33 @@ struct StageText {
 
 QString stageId(Stage stage) {
   switch (stage) {
-    case Stage::kCollect:
-      return QStringLiteral("collect");
-    case Stage::kUnderstand:
-      return QStringLiteral("understand");
-    case Stage::kTune:
-      return QStringLiteral("tune");
-    case Stage::kAgree:
-      return QStringLiteral("agree");
-    case Stage::kDeliver:
-      return QStringLiteral("deliver");
+    case Stage::kCollect: return QStringLiteral("collect");
+    case Stage::kUnderstand: return QStringLiteral("understand");
+    case Stage::kTune: return QStringLiteral("tune");
+    case Stage::kAgree: return QStringLiteral("agree");
+    case Stage::kDeliver: return QStringLiteral("deliver");
   }
   return {};
 }
 
 QString stageName(Stage stage) {
   switch (stage) {
-    case Stage::kCollect:
-      return StageText::tr("Collect");
-    case Stage::kUnderstand:
-      return StageText::tr("Understand");
-    case Stage::kTune:
-      return StageText::tr("Tune");
-    case Stage::kAgree:
-      return StageText::tr("Agree");
-    case Stage::kDeliver:
-      return StageText::tr("Deliver");
+    case Stage::kCollect: return StageText::tr("Collect");
+    case Stage::kUnderstand: return StageText::tr("Understand");
+    case Stage::kTune: return StageText::tr("Tune");
+    case Stage::kAgree: return StageText::tr("Agree");
+    case Stage::kDeliver: return StageText::tr("Deliver");
   }
   return {};
 }
 
 QString stageHint(Stage stage) {
   switch (stage) {
-    case Stage::kCollect:
-      return StageText::tr("sessions with nurses");
-    case Stage::kUnderstand:
-      return StageText::tr("maps, curves and rules");
-    case Stage::kTune:
-      return StageText::tr("terms and their force");
-    case Stage::kAgree:
-      return StageText::tr("experts side by side");
-    case Stage::kDeliver:
-      return StageText::tr("a bundle for a simulator");
+    case Stage::kCollect: return StageText::tr("sessions with nurses");
+    case Stage::kUnderstand: return StageText::tr("maps, curves and rules");
+    case Stage::kTune: return StageText::tr("terms and their force");
+    case Stage::kAgree: return StageText::tr("experts side by side");
+    case Stage::kDeliver: return StageText::tr("a bundle for a simulator");
   }
   return {};
 }

@@ -80,16 +80,11 @@ QPainterPath box() {
 /// Lines in a square of 24 x 24 units.
 QPainterPath stagePicture(Stage stage) {
   switch (stage) {
-    case Stage::kCollect:
-      return form();
-    case Stage::kUnderstand:
-      return curve();
-    case Stage::kTune:
-      return sliders();
-    case Stage::kAgree:
-      return circles();
-    case Stage::kDeliver:
-      return box();
+    case Stage::kCollect: return form();
+    case Stage::kUnderstand: return curve();
+    case Stage::kTune: return sliders();
+    case Stage::kAgree: return circles();
+    case Stage::kDeliver: return box();
   }
   return {};
 }

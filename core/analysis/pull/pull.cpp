@@ -11,6 +11,7 @@
 #include "core/analysis/pull/candidate_judge.h"
 #include "core/analysis/pull/force_search.h"
 #include "core/analysis/pull/point_force.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::analysis {
@@ -47,20 +48,14 @@ PullBlocker atTheEnd(const SearchedGesture& gesture, const std::vector<fuzzy::Te
     return full ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, left);
   };
   switch (gesture.edit.gesture) {
-    case Gesture::kBegin:
-      return at_high ? no_ramp : below(gesture, terms, ramps, place);
-    case Gesture::kEnd:
-      return at_high ? above(gesture, terms, ramps, place) : no_ramp;
-    case Gesture::kShift:
-      return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place);
-    case Gesture::kWidth:
-      return at_high ? wider(place) : no_ramp;
-    case Gesture::kMove:
-      return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place - 1);
+    case Gesture::kBegin: return at_high ? no_ramp : below(gesture, terms, ramps, place);
+    case Gesture::kEnd: return at_high ? above(gesture, terms, ramps, place) : no_ramp;
+    case Gesture::kShift: return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place);
+    case Gesture::kWidth: return at_high ? wider(place) : no_ramp;
+    case Gesture::kMove: return at_high ? above(gesture, terms, ramps, place) : below(gesture, terms, ramps, place - 1);
     case Gesture::kWiden:
       return at_high ? wider(place - 1) : PullBlocker{Kind::kOrder, gesture.edit.list.variable, own, 0};
-    default:
-      return {Kind::kTurn, gesture.edit.list.variable, own, 0};
+    default: return {Kind::kTurn, gesture.edit.list.variable, own, 0};
   }
 }
 
@@ -366,16 +361,15 @@ base::Result<Pull> pull(const ForceModel& model, std::span<const double> point, 
     return fail(ErrorCode::kValue, model.output.id, base::formatNumber(target_n), "a finite force");
   }
   const ForceModel pulled = modelOf(model, settings.expert);
-  auto compiled = fuzzy::compile(pulled);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(auto compiled, fuzzy::compile(pulled));
   const std::vector<double> place(point.begin(), point.end());
-  if (auto ok = checkPins(*compiled, model, settings.pins); !ok) return tl::unexpected(ok.error());
-  Pull out = Puller(pulled, *compiled, place, target_n, noticeable, settings).answer();
+  if (auto ok = checkPins(compiled, model, settings.pins); !ok) return tl::unexpected(ok.error());
+  Pull out = Puller(pulled, compiled, place, target_n, noticeable, settings).answer();
   if (!out.blocker || out.blocker->kind == Kind::kNoRule || out.blocker->kind == Kind::kCentroid) return out;
   PullSettings free = settings;
   if (!settings.pins.empty()) {
     free.pins.clear();
-    if (!Puller(pulled, *compiled, place, target_n, noticeable, free).answer().blocker) {
+    if (!Puller(pulled, compiled, place, target_n, noticeable, free).answer().blocker) {
       out.blocker = PullBlocker{Kind::kPin, 0, {}, out.blocker->limit_n};
       return out;
     }
@@ -383,7 +377,7 @@ base::Result<Pull> pull(const ForceModel& model, std::span<const double> point, 
   if (settings.locked.empty() && !settings.lock_rules) return out;
   free.locked.clear();
   free.lock_rules = false;
-  const Pull unlocked = Puller(pulled, *compiled, place, target_n, noticeable, free).answer();
+  const Pull unlocked = Puller(pulled, compiled, place, target_n, noticeable, free).answer();
   if (const auto variable = helpfulUnlock(unlocked, settings, model.inputs.size())) {
     out.blocker = PullBlocker{Kind::kLock, *variable, {}, out.blocker->limit_n};
   }

@@ -10,6 +10,7 @@
 #include "core/analysis/pull/candidate_judge.h"
 #include "core/analysis/pull/elsewhere.h"
 #include "core/analysis/pull/force_search.h"
+#include "core/base/error.h"
 
 namespace tactus::analysis {
 namespace {
@@ -184,17 +185,16 @@ base::Result<CurvePull> pullToCurve(const ForceModel& model, std::span<const dou
                                     const PullSettings& settings) {
   if (auto ok = checkPoint(model, point); !ok) return tl::unexpected(ok.error());
   const ForceModel pulled = modelOf(model, settings.expert);
-  const auto compiled = fuzzy::compile(pulled);
-  if (!compiled) return tl::unexpected(compiled.error());
-  if (auto ok = checkPins(*compiled, model, settings.pins); !ok) return tl::unexpected(ok.error());
-  const ReferenceFit fit(*compiled, reference, noticeable);
+  TACTUS_TRY(const auto compiled, fuzzy::compile(pulled));
+  if (auto ok = checkPins(compiled, model, settings.pins); !ok) return tl::unexpected(ok.error());
+  const ReferenceFit fit(compiled, reference, noticeable);
   if (fit.points() == 0) {
     return base::fail(base::ErrorCode::kData, "", "a reference without a point at which a rule fires", "at least one");
   }
-  const CandidateJudge judge(pulled, *compiled, {point.begin(), point.end()}, noticeable, settings);
+  const CandidateJudge judge(pulled, compiled, {point.begin(), point.end()}, noticeable, settings);
   CurvePull out;
   out.left_out = fit.leftOut();
-  const auto now = *fit.of(*compiled);
+  const auto now = *fit.of(compiled);
   out.residual_n = now.rms_n;
   out.close = now.rms_noticeable < kClose;
   if (now.rms_n <= judge.same()) return out;

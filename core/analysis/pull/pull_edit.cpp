@@ -91,18 +91,10 @@ Ramps moved(Ramps ramps, Gesture gesture, std::size_t place, double delta) {
     ramps.q[r] = std::clamp(ramps.q[r] + q, std::min(ramps.low, ramps.q[r]), std::max(ceilingOf(ramps, r), ramps.q[r]));
   };
   switch (gesture) {
-    case Gesture::kBegin:
-      shift(place, delta, 0);
-      break;
-    case Gesture::kEnd:
-      shift(place, 0, delta);
-      break;
-    case Gesture::kShift:
-      shift(place, delta, delta);
-      break;
-    case Gesture::kWidth:
-      shift(place, -delta, delta);
-      break;
+    case Gesture::kBegin: shift(place, delta, 0); break;
+    case Gesture::kEnd: shift(place, 0, delta); break;
+    case Gesture::kShift: shift(place, delta, delta); break;
+    case Gesture::kWidth: shift(place, -delta, delta); break;
     case Gesture::kMove:  // the ramp in front goes first, so that it is not in the way of the other
       shift(delta > 0 ? place : place - 1, delta, delta);
       shift(delta > 0 ? place - 1 : place, delta, delta);
@@ -111,8 +103,7 @@ Ramps moved(Ramps ramps, Gesture gesture, std::size_t place, double delta) {
       shift(place - 1, -delta, -delta);
       shift(place, delta, delta);
       break;
-    default:
-      break;
+    default: break;
   }
   return ramps;
 }
@@ -146,8 +137,7 @@ std::optional<double> deltaFor(const Ramps& ramps, const GesturePlace& gesture, 
     case Gesture::kEnd:
       if (gesture.place != ramp || share >= 1 || x <= p) return std::nullopt;
       return (x - share * p) / (1 - share) - q;
-    case Gesture::kShift:
-      return gesture.place == ramp ? std::optional(shift) : std::nullopt;
+    case Gesture::kShift: return gesture.place == ramp ? std::optional(shift) : std::nullopt;
     case Gesture::kWidth:
       if (gesture.place != ramp || share == .5) return std::nullopt;
       return shift / (1 - 2 * share);
@@ -156,8 +146,7 @@ std::optional<double> deltaFor(const Ramps& ramps, const GesturePlace& gesture, 
     case Gesture::kWiden:
       if (gesture.place == ramp) return shift;
       return gesture.place == ramp + 1 ? std::optional(-shift) : std::nullopt;
-    default:
-      return std::nullopt;
+    default: return std::nullopt;
   }
 }
 

@@ -11,10 +11,8 @@ bool isReason(int error_number) noexcept {
     case EBADF:
     case EINTR:
     case EAGAIN:
-    case ENOTTY:
-      return false;
-    default:
-      return error_number > 0;
+    case ENOTTY: return false;
+    default: return error_number > 0;
   }
 }
 

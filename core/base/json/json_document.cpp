@@ -285,20 +285,13 @@ std::string JsonValue::pointer() const {
 
 std::string JsonValue::description() const {
   switch (kind()) {
-    case JsonKind::kNull:
-      return "null";
-    case JsonKind::kTrue:
-      return "true";
-    case JsonKind::kFalse:
-      return "false";
-    case JsonKind::kNumber:
-      return "the number " + std::string(text().substr(0, 40));
-    case JsonKind::kString:
-      return "the string " + base::quoted(text());
-    case JsonKind::kArray:
-      return "an array";
-    case JsonKind::kObject:
-      return "an object";
+    case JsonKind::kNull: return "null";
+    case JsonKind::kTrue: return "true";
+    case JsonKind::kFalse: return "false";
+    case JsonKind::kNumber: return "the number " + std::string(text().substr(0, 40));
+    case JsonKind::kString: return "the string " + base::quoted(text());
+    case JsonKind::kArray: return "an array";
+    case JsonKind::kObject: return "an object";
   }
   return {};
 }
@@ -308,19 +301,11 @@ namespace {
 void append(JsonWriter& json, const JsonValue& value) {
   using Layout = JsonWriter::Layout;
   switch (value.kind()) {
-    case JsonKind::kNull:
-      json.null();
-      break;
+    case JsonKind::kNull: json.null(); break;
     case JsonKind::kTrue:
-    case JsonKind::kFalse:
-      json.value(value.kind() == JsonKind::kTrue);
-      break;
-    case JsonKind::kNumber:
-      json.raw(value.text());
-      break;
-    case JsonKind::kString:
-      json.value(value.text());
-      break;
+    case JsonKind::kFalse: json.value(value.kind() == JsonKind::kTrue); break;
+    case JsonKind::kNumber: json.raw(value.text()); break;
+    case JsonKind::kString: json.value(value.text()); break;
     case JsonKind::kArray:
       json.beginArray(Layout::kInline);
       for (const JsonValue child : value) append(json, child);

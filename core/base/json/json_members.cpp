@@ -15,14 +15,10 @@ constexpr std::string_view kTrueOrFalse = "true or false";
 
 std::string_view inWords(JsonKind kind) {
   switch (kind) {
-    case JsonKind::kNumber:
-      return "a number";
-    case JsonKind::kString:
-      return "a string";
-    case JsonKind::kArray:
-      return "an array";
-    default:
-      return "an object";
+    case JsonKind::kNumber: return "a number";
+    case JsonKind::kString: return "a string";
+    case JsonKind::kArray: return "an array";
+    default: return "an object";
   }
 }
 

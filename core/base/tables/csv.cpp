@@ -9,6 +9,7 @@
 
 #include "core/base/check.h"
 #include "core/base/close_match.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv_splitter.h"
 #include "core/base/tables/odd_cell.h"
@@ -57,18 +58,11 @@ DecimalCommas::Cell DecimalCommas::kindOf(std::string_view cell) {
 
 void DecimalCommas::add(std::string_view cell) {
   switch (kindOf(cell)) {
-    case Cell::kDecimal:
-      ++decimal_;
-      break;
-    case Cell::kThousands:
-      ++thousands_;
-      break;
-    case Cell::kPoint:
-      ++points_;
-      break;
+    case Cell::kDecimal: ++decimal_; break;
+    case Cell::kThousands: ++thousands_; break;
+    case Cell::kPoint: ++points_; break;
     case Cell::kEither:
-    case Cell::kOther:
-      break;
+    case Cell::kOther: break;
   }
 }
 
@@ -158,9 +152,8 @@ Result<void> CsvTable::fill(std::string& text, Header header) {
   std::vector<std::string_view> record;
   bool first = true;
   while (true) {
-    const auto more = splitter.next(record);
-    if (!more) return tl::unexpected(more.error());
-    if (!*more) break;
+    TACTUS_TRY(const auto more, splitter.next(record));
+    if (!more) break;
     if (first) {
       const auto is_number = [](std::string_view cell) {
         const auto kind = DecimalCommas::kindOf(cell);
@@ -212,9 +205,8 @@ Result<CsvTable> CsvTable::parse(std::string text, std::string file, Header head
 }
 
 Result<CsvTable> CsvTable::read(const std::string& path, Header header) {
-  auto text = readFile(path, kMostBytes);
-  if (!text) return tl::unexpected(text.error());
-  return parse(std::move(*text), path, header);
+  TACTUS_TRY(auto text, readFile(path, kMostBytes));
+  return parse(std::move(text), path, header);
 }
 
 std::optional<std::size_t> CsvTable::find(std::string_view name) const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::base {
@@ -69,9 +70,8 @@ Result<bool> CsvSplitter::next(std::vector<std::string_view>& cells) {
   cells.clear();
   const std::size_t start = at_;
   while (true) {
-    auto cell = at_ < text_.size() && text_[at_] == '"' ? quotedCell() : plainCell();
-    if (!cell) return tl::unexpected(cell.error());
-    cells.push_back(*cell);
+    TACTUS_TRY(auto cell, at_ < text_.size() && text_[at_] == '"' ? quotedCell() : plainCell());
+    cells.push_back(cell);
     if (at_ - start > kLongestLine) {
       return fail(ErrorCode::kLimit, linePlace(), "a line of more than 1 MiB", "rows of comma-separated cells");
     }

@@ -44,22 +44,14 @@ class TermCarrier {
                    std::to_string(count));
     }
     switch (term_.shape) {
-      case ForeignShape::kTriangle:
-        return triangle();
-      case ForeignShape::kGaussian:
-        return gaussian();
-      case ForeignShape::kRectangle:
-        return inOrder({x(0), x(0), x(1), x(1)}, {0, 0, 1, 1});
-      case ForeignShape::kRamp:
-        return ramp();
-      case ForeignShape::kStep:
-        return step();
-      case ForeignShape::kRising:
-        return inOrder({x(0), x(1), high(x(1)), high(x(1))}, {0, 1, 1, 1});
-      case ForeignShape::kFalling:
-        return falling();
-      default:
-        return inOrder({x(0), x(1), x(2), x(3)}, {0, 1, 2, 3});
+      case ForeignShape::kTriangle: return triangle();
+      case ForeignShape::kGaussian: return gaussian();
+      case ForeignShape::kRectangle: return inOrder({x(0), x(0), x(1), x(1)}, {0, 0, 1, 1});
+      case ForeignShape::kRamp: return ramp();
+      case ForeignShape::kStep: return step();
+      case ForeignShape::kRising: return inOrder({x(0), x(1), high(x(1)), high(x(1))}, {0, 1, 1, 1});
+      case ForeignShape::kFalling: return falling();
+      default: return inOrder({x(0), x(1), x(2), x(3)}, {0, 1, 2, 3});
     }
   }
 

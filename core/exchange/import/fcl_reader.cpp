@@ -443,9 +443,8 @@ class FclReader {
 }  // namespace
 
 base::Result<ForeignModel> readFcl(const std::shared_ptr<SourceText>& source) {
-  auto tokens = fclTokens(*source);
-  if (!tokens) return tl::unexpected(tokens.error());
-  return FclReader(source, std::move(*tokens)).read();
+  TACTUS_TRY(auto tokens, fclTokens(*source));
+  return FclReader(source, std::move(tokens)).read();
 }
 
 }  // namespace tactus::exchange

@@ -23,16 +23,11 @@ using base::ErrorCode;
 std::string hedgeOf(double fraction) {
   const int hundredths = static_cast<int>(std::lround(100 * fraction));
   switch (hundredths) {
-    case 5:
-      return "the hedge 'somewhat'";
-    case 20:
-      return "the hedge 'very'";
-    case 30:
-      return "the hedge 'extremely'";
-    case 40:
-      return "the hedge 'very very'";
-    default:
-      return "a hedge, the power " + base::formatNumber(10 * fraction);
+    case 5: return "the hedge 'somewhat'";
+    case 20: return "the hedge 'very'";
+    case 30: return "the hedge 'extremely'";
+    case 40: return "the hedge 'very very'";
+    default: return "a hedge, the power " + base::formatNumber(10 * fraction);
   }
 }
 
@@ -195,15 +190,11 @@ class FisReader {
     const Word key{base::trimmed(line.text.substr(0, equals)), line.at};
     LineCursor value({line.text.substr(equals + 1), line.at + equals + 1});
     switch (section_) {
-      case Section::kNone:
-        return refuse(ErrorCode::kSyntax, line.at, base::quoted(line.text), "[System] before it");
-      case Section::kSystem:
-        return readSystem(key, value);
+      case Section::kNone: return refuse(ErrorCode::kSyntax, line.at, base::quoted(line.text), "[System] before it");
+      case Section::kSystem: return readSystem(key, value);
       case Section::kInput:
-      case Section::kOutput:
-        return readVariable(key, value);
-      case Section::kRules:
-        return;
+      case Section::kOutput: return readVariable(key, value);
+      case Section::kRules: return;
     }
   }
 

@@ -69,12 +69,9 @@ Value find(const Table& table, std::string_view word, Value otherwise) {
 
 std::size_t numbersOf(ForeignShape shape) {
   switch (shape) {
-    case ForeignShape::kTrapezoid:
-      return 4;
-    case ForeignShape::kTriangle:
-      return 3;
-    default:
-      return 2;
+    case ForeignShape::kTrapezoid: return 4;
+    case ForeignShape::kTriangle: return 3;
+    default: return 2;
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/exchange/import/convert.h"
@@ -106,24 +107,20 @@ std::string_view fileName(std::string_view path) { return path.substr(path.find_
 
 base::Result<ReadFile> ReadFile::read(std::string bytes, const std::string& file, std::optional<ImportFormat> format) {
   if (const auto ok = refuseOthers(bytes, file); !ok) return tl::unexpected(ok.error());
-  const auto source = SourceText::decoded(std::move(bytes), file);
-  if (!source) return tl::unexpected(source.error());
+  TACTUS_TRY(const auto source, SourceText::decoded(std::move(bytes), file));
   if (!format) {
-    const auto guessed = guessFormat(**source);
-    if (!guessed) return tl::unexpected(guessed.error());
-    format = *guessed;
+    TACTUS_TRY(const auto guessed, guessFormat(*source));
+    format = guessed;
   }
-  auto foreign = *format == ImportFormat::kFll   ? readFll(*source)
-                 : *format == ImportFormat::kFcl ? readFcl(*source)
-                                                 : readFis(*source);
-  if (!foreign) return tl::unexpected(foreign.error());
-  return ReadFile(std::move(*foreign));
+  TACTUS_TRY(auto foreign, *format == ImportFormat::kFll   ? readFll(source)
+                           : *format == ImportFormat::kFcl ? readFcl(source)
+                                                           : readFis(source));
+  return ReadFile(std::move(foreign));
 }
 
 base::Result<ReadFile> ReadFile::open(const std::string& path, std::optional<ImportFormat> format) {
-  auto bytes = base::readFile(path, kMostImportBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return read(std::move(*bytes), path, format);
+  TACTUS_TRY(auto bytes, base::readFile(path, kMostImportBytes));
+  return read(std::move(bytes), path, format);
 }
 
 std::vector<std::string> ReadFile::outputs() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/exchange/import/foreign_model.h"
 
@@ -46,16 +47,14 @@ class NameResolver {
           never = never || literal.negated;
           continue;
         }
-        const auto found = find(inputs_, literal, "an input");
-        if (!found) return tl::unexpected(found.error());
-        out.alternatives.back().push_back(*found);
+        TACTUS_TRY(const auto found, find(inputs_, literal, "an input"));
+        out.alternatives.back().push_back(found);
       }
       if (never) out.alternatives.pop_back();
     }
     for (const Literal& conclusion : rule.conclusions) {
-      const auto found = find(outputs_, conclusion, "an output");
-      if (!found) return tl::unexpected(found.error());
-      out.conclusions.push_back(*found);
+      TACTUS_TRY(const auto found, find(outputs_, conclusion, "an output"));
+      out.conclusions.push_back(found);
     }
     if (rule.weight.value >= 0 && rule.weight.value <= 1) return out;
     return source_.fail(ErrorCode::kValue, rule.weight.at, "the weight " + base::formatNumber(rule.weight.value),
@@ -102,9 +101,8 @@ base::Result<std::vector<ResolvedRule>> resolved(const ForeignModel& model) {
   std::vector<ResolvedRule> out;
   out.reserve(model.rules.size());
   for (const ForeignRule& rule : model.rules) {
-    auto one = names.resolve(rule);
-    if (!one) return tl::unexpected(one.error());
-    out.push_back(std::move(*one));
+    TACTUS_TRY(auto one, names.resolve(rule));
+    out.push_back(std::move(one));
   }
   return out;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_document.h"
 #include "core/base/json/json_members.h"
@@ -143,11 +144,10 @@ void readEntries(JsonMembers& file, base::JsonKey key, std::vector<Entry>& entri
 }
 
 Result<CalibrationFile> parse(const std::string& text) {
-  const auto document = base::JsonDocument::parse(text);
-  if (!document) return tl::unexpected(document.error());
+  TACTUS_TRY(const auto document, base::JsonDocument::parse(text));
   std::optional<base::Error> error;
   CalibrationFile file;
-  JsonMembers members(document->root(), error);
+  JsonMembers members(document.root(), error);
   members.version(required(kVersionKey));
   readEntries(members, required(kCalibrationsKey), file.calibrations, error, readCalibration);
   readEntries(members, kAxesKey, file.axes, error, readAxis);
@@ -196,16 +196,15 @@ std::string format(const CalibrationFile& file) {
 /// Puts `entry` into the list `entries` of the file, in the place of an older one.
 template <class Entry>
 Result<void> store(const std::string& path, const Entry& entry, std::vector<Entry> CalibrationFile::*entries) {
-  auto file = readCalibrationFile(path);
-  if (!file) return tl::unexpected(file.error());
-  std::vector<Entry>& list = (*file).*entries;
+  TACTUS_TRY(auto file, readCalibrationFile(path));
+  std::vector<Entry>& list = file.*entries;
   const Entry* const older = find(list, entry.device, entry.serial);
   if (older != nullptr) {
     list[static_cast<std::size_t>(older - list.data())] = entry;
   } else {
     list.push_back(entry);
   }
-  return base::writeFileAtomically(path, format(*file));
+  return base::writeFileAtomically(path, format(file));
 }
 
 }  // namespace
@@ -213,9 +212,8 @@ Result<void> store(const std::string& path, const Entry& entry, std::vector<Entr
 Result<CalibrationFile> readCalibrationFile(const std::string& path) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored) && !ignored) return CalibrationFile();
-  const auto text = base::readFile(path, kMostBytes);
-  if (!text) return tl::unexpected(text.error());
-  auto file = parse(*text);
+  TACTUS_TRY(const auto text, base::readFile(path, kMostBytes));
+  auto file = parse(text);
   if (!file) return base::inFile(file.error(), path);
   return file;
 }

@@ -72,15 +72,12 @@ CalibrationInput CalibrationProcedure::wanted() const {
     case Step::kOuterEnd:
     case Step::kInnerEnd:
     case Step::kLetGoAgain:
-    case Step::kScaleReady:
-      return CalibrationInput::kContinue;
+    case Step::kScaleReady: return CalibrationInput::kContinue;
     case Step::kRuler:
     case Step::kWeight:
     case Step::kScaleLow:
-    case Step::kScaleHigh:
-      return CalibrationInput::kNumber;
-    default:
-      return CalibrationInput::kNothing;
+    case Step::kScaleHigh: return CalibrationInput::kNumber;
+    default: return CalibrationInput::kNothing;
   }
 }
 
@@ -88,40 +85,29 @@ void CalibrationProcedure::go(Step step) {
   step_ = step;
   just_entered_ = true;
   switch (step) {
-    case Step::kLetGo:
-      return say("Put the handle in the middle, let go of it and keep clear. Then continue.");
-    case Step::kRest:
-      return say("Do not touch the handle.");
-    case Step::kSign:
-      return say("Do not touch the handle: it will twitch.");
+    case Step::kLetGo: return say("Put the handle in the middle, let go of it and keep clear. Then continue.");
+    case Step::kRest: return say("Do not touch the handle.");
+    case Step::kSign: return say("Do not touch the handle: it will twitch.");
     case Step::kOuterEnd:
       return say("Lay a ruler beside the handle. Hold the handle where the tube begins. Then continue.");
     case Step::kInnerEnd:
       return say("Move the handle along the ruler, the way the tube goes in, and hold it there. Then continue.");
-    case Step::kRuler:
-      return say("Type how far the handle moved on the ruler, in mm.");
+    case Step::kRuler: return say("Type how far the handle moved on the ruler, in mm.");
     case Step::kLetGoAgain:
       return say("Put the handle in the middle, let go of it and keep clear: it will be pushed slowly. Then continue.");
-    case Step::kFrictionIn:
-      return say("Do not touch the handle: the push inwards rises until it moves.");
-    case Step::kFrictionOut:
-      return say("Do not touch the handle: the push outwards rises until it moves.");
+    case Step::kFrictionIn: return say("Do not touch the handle: the push inwards rises until it moves.");
+    case Step::kFrictionOut: return say("Do not touch the handle: the push outwards rises until it moves.");
     case Step::kWeight:
       return say("Hang a weight so that it pulls the handle inwards, " + scaleDirection() +
                  ". Type the weight in N (1 kg is 9.81 N).");
-    case Step::kLift:
-      return say("Do not touch the handle: the push outwards rises until the weight moves.");
+    case Step::kLift: return say("Do not touch the handle: the push outwards rises until the weight moves.");
     case Step::kScaleReady:
       return say("Hold the handle back with a spring scale that pulls inwards, " + scaleDirection() +
                  ", so that it cannot move outwards. Then continue.");
-    case Step::kScaleLow:
-      return say("The handle pushes outwards. Type what the spring scale reads, in N.");
-    case Step::kScaleHigh:
-      return say("The push is stronger now. Type what the spring scale reads, in N.");
-    case Step::kDone:
-      return say("The device is measured.");
-    case Step::kFailed:
-      return;
+    case Step::kScaleLow: return say("The handle pushes outwards. Type what the spring scale reads, in N.");
+    case Step::kScaleHigh: return say("The push is stronger now. Type what the spring scale reads, in N.");
+    case Step::kDone: return say("The device is measured.");
+    case Step::kFailed: return;
   }
 }
 
@@ -161,21 +147,14 @@ Vector3 CalibrationProcedure::tick(const DeviceState& raw, std::int64_t now_ns) 
   sample_ = raw.number;
 
   switch (step_) {
-    case Step::kRest:
-      return rest();
-    case Step::kSign:
-      return sign();
-    case Step::kFrictionIn:
-      return rising(1);
+    case Step::kRest: return rest();
+    case Step::kSign: return sign();
+    case Step::kFrictionIn: return rising(1);
     case Step::kFrictionOut:
-    case Step::kLift:
-      return rising(-1);
-    case Step::kScaleLow:
-      return held(kLowShare);
-    case Step::kScaleHigh:
-      return held(kHighShare);
-    default:
-      return {};
+    case Step::kLift: return rising(-1);
+    case Step::kScaleLow: return held(kLowShare);
+    case Step::kScaleHigh: return held(kHighShare);
+    default: return {};
   }
 }
 
@@ -294,19 +273,12 @@ Vector3 CalibrationProcedure::held(double share) {
 void CalibrationProcedure::proceed() {
   if (just_entered_) return;  // nothing was seen in this step yet
   switch (step_) {
-    case Step::kLetGo:
-      return go(Step::kRest);
-    case Step::kOuterEnd:
-      outer_ = at_;
-      return go(Step::kInnerEnd);
-    case Step::kInnerEnd:
-      return takeInnerEnd();
-    case Step::kLetGoAgain:
-      return go(Step::kFrictionIn);
-    case Step::kScaleReady:
-      return go(Step::kScaleLow);
-    default:
-      return;
+    case Step::kLetGo: return go(Step::kRest);
+    case Step::kOuterEnd: outer_ = at_; return go(Step::kInnerEnd);
+    case Step::kInnerEnd: return takeInnerEnd();
+    case Step::kLetGoAgain: return go(Step::kFrictionIn);
+    case Step::kScaleReady: return go(Step::kScaleLow);
+    default: return;
   }
 }
 

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/haptics/device/device.h"
 
@@ -137,9 +138,8 @@ base::Result<std::unique_ptr<HidPidDevice>> HidPidDevice::open(std::unique_ptr<H
   if (calibration) {
     if (auto checked = checkCalibration(*calibration); !checked) return tl::unexpected(checked.error());
   }
-  const auto bytes = transport->descriptor();
-  if (!bytes) return tl::unexpected(bytes.error());
-  const auto descriptor = ReportDescriptor::parse(*bytes);
+  TACTUS_TRY(const auto bytes, transport->descriptor());
+  const auto descriptor = ReportDescriptor::parse(bytes);
   if (!descriptor) return base::inFile(descriptor.error(), identity.id);
   auto layout = PidLayout::find(*descriptor);
   if (!layout) return base::inFile(layout.error(), identity.id);

@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/haptics/hid/report_descriptor.h"
@@ -220,9 +221,8 @@ base::Result<std::size_t> HidapiTransport::readTimeout(std::span<std::uint8_t> r
 base::Result<std::vector<std::uint8_t>> descriptorOfNode(const std::string& path, const std::string& system_folder) {
   const auto file =
       std::filesystem::path(system_folder) / std::filesystem::path(path).filename() / "device" / "report_descriptor";
-  const auto bytes = base::readFile(file.string(), ReportDescriptor::kMostBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
+  TACTUS_TRY(const auto bytes, base::readFile(file.string(), ReportDescriptor::kMostBytes));
+  return std::vector<std::uint8_t>(bytes.begin(), bytes.end());
 }
 
 }  // namespace tactus::haptics

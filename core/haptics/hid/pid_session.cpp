@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/error.h"
+
 namespace tactus::haptics {
 namespace {
 
@@ -72,16 +74,15 @@ PidSession::Done PidSession::createEffect(std::size_t axis, std::int64_t now_ns)
   auto report = layout_.create.report.blank();
   putChoice(report, layout_.create.constant_force);
   if (auto done = transport_.sendFeature(report); !done) return done;
-  const auto block = loadedBlock();
-  if (!block) return tl::unexpected(block.error());
+  TACTUS_TRY(const auto block, loadedBlock());
   for (const ValueSlot& slot : {layout_.set_effect.block, layout_.constant_force.block, layout_.operation.block}) {
-    if (*block <= allOnes(slot)) continue;
-    return base::fail(base::ErrorCode::kData, "force effect", "block " + std::to_string(*block) + " of the device",
+    if (block <= allOnes(slot)) continue;
+    return base::fail(base::ErrorCode::kData, "force effect", "block " + std::to_string(block) + " of the device",
                       "at most " + std::to_string(allOnes(slot)) + ", as its other reports have room for");
   }
   effects_.push_back({});
   Effect& effect = effects_.back();
-  effect.block = *block;
+  effect.block = block;
   if (auto done = setEffect(axis, false); !done) return done;
   const auto none = layout_.signByDirection() ? layout_.constant_force.magnitude.logical_min : 0;
   if (auto done = setMagnitude(effect, none, now_ns); !done) return done;
@@ -94,8 +95,7 @@ base::Result<std::int64_t> PidSession::loadedBlock() {
   for (int poll = 0; poll < kLoadPolls; ++poll) {
     if (poll > 0) pause_(1);
     auto report = load.report.blank();
-    const auto length = transport_.getFeature(report);
-    if (!length) return tl::unexpected(length.error());
+    if (const auto read = transport_.getFeature(report); !read) return tl::unexpected(read.error());
     if (says(report, load.full))
       return base::fail(base::ErrorCode::kLimit, "force effect", "no room for it in the device",
                         "a free effect (close other programs that use the device)");

@@ -188,29 +188,17 @@ class DescriptorReader {
 
   Done readGlobal(std::uint8_t item, const Data& data) {
     switch (item) {
-      case kUsagePage:
-        globals_.page = static_cast<std::uint16_t>(data.bits);
-        return {};
-      case kLogicalMin:
-        globals_.logical.min = data;
-        return {};
-      case kLogicalMax:
-        globals_.logical.max = data;
-        return {};
-      case kPhysicalMin:
-        globals_.physical.min = data;
-        return {};
-      case kPhysicalMax:
-        globals_.physical.max = data;
-        return {};
+      case kUsagePage: globals_.page = static_cast<std::uint16_t>(data.bits); return {};
+      case kLogicalMin: globals_.logical.min = data; return {};
+      case kLogicalMax: globals_.logical.max = data; return {};
+      case kPhysicalMin: globals_.physical.min = data; return {};
+      case kPhysicalMax: globals_.physical.max = data; return {};
       case kUnitExponent: {
         const int nibble = static_cast<int>(data.bits & 0xFU);
         globals_.exponent = nibble < 8 ? nibble : nibble - 16;
         return {};
       }
-      case kUnit:
-        globals_.unit = data.bits;
-        return {};
+      case kUnit: globals_.unit = data.bits; return {};
       case kReportSize:
         if (data.bits > kMostValueBits)
           return refuse("values of " + std::to_string(data.bits) + " bits", "at most 256 bits");
@@ -234,8 +222,7 @@ class DescriptorReader {
         globals_ = pushed_.back();
         pushed_.pop_back();
         return {};
-      default:
-        return refuse("global item " + hex(item), "an item of HID 1.11");
+      default: return refuse("global item " + hex(item), "an item of HID 1.11");
     }
   }
 

@@ -21,36 +21,22 @@ constexpr int kLongestStack = 64;
 
 const char* meaning(std::uint32_t code) noexcept {
   switch (code) {
-    case hd::kWarmMotors:
-      return "the motors are too warm";
-    case hd::kExceededMaxForce:
-      return "a force above the maximum was refused";
-    case hd::kExceededMaxForceImpulse:
-      return "a force that rose too fast was refused";
-    case hd::kExceededMaxVelocity:
-      return "the stylus moved too fast for forces";
-    case hd::kForceError:
-      return "the device could not give the force";
-    case hd::kDeviceFault:
-      return "the device reports a fault";
-    case hd::kDeviceAlreadyInitiated:
-      return "the device is open already";
-    case hd::kCommError:
-      return "the device does not answer";
-    case hd::kCommConfigError:
-      return "the connection is not set up";
-    case hd::kTimerError:
-      return "the driver's timer failed";
+    case hd::kWarmMotors: return "the motors are too warm";
+    case hd::kExceededMaxForce: return "a force above the maximum was refused";
+    case hd::kExceededMaxForceImpulse: return "a force that rose too fast was refused";
+    case hd::kExceededMaxVelocity: return "the stylus moved too fast for forces";
+    case hd::kForceError: return "the device could not give the force";
+    case hd::kDeviceFault: return "the device reports a fault";
+    case hd::kDeviceAlreadyInitiated: return "the device is open already";
+    case hd::kCommError: return "the device does not answer";
+    case hd::kCommConfigError: return "the connection is not set up";
+    case hd::kTimerError: return "the driver's timer failed";
     case hd::kIllegalBegin:
     case hd::kIllegalEnd:
-    case hd::kFrameError:
-      return "the driver's frame was broken";
-    case hd::kSchedulerFull:
-      return "the driver takes no further callback";
-    case hd::kInvalidLicence:
-      return "the driver's license is not valid";
-    default:
-      return "the driver reports an error";
+    case hd::kFrameError: return "the driver's frame was broken";
+    case hd::kSchedulerFull: return "the driver takes no further callback";
+    case hd::kInvalidLicence: return "the driver's license is not valid";
+    default: return "the driver reports an error";
   }
 }
 
@@ -67,16 +53,11 @@ std::string hexadecimal(std::uint32_t code) {
 /// Larger counts more.
 int gravity(DeviceFault fault) noexcept {
   switch (fault) {
-    case DeviceFault::kNone:
-      return 0;
-    case DeviceFault::kForceLimited:
-      return 1;
-    case DeviceFault::kWarmMotors:
-      return 2;
-    case DeviceFault::kLost:
-      return 4;
-    default:
-      return 3;
+    case DeviceFault::kNone: return 0;
+    case DeviceFault::kForceLimited: return 1;
+    case DeviceFault::kWarmMotors: return 2;
+    case DeviceFault::kLost: return 4;
+    default: return 3;
   }
 }
 
@@ -215,14 +196,10 @@ std::uint32_t chosenStyle(int styles, bool also_reset) noexcept {
 
 std::string calibrationAdvice(int styles) {
   switch (chosenStyle(styles, true)) {
-    case hd::kInkwell:
-      return "put the stylus into the inkwell and leave it there for a second";
-    case hd::kAutomatic:
-      return "move the stylus slowly through its whole space";
-    case hd::kEncoderReset:
-      return "hold the stylus in the reference posture of the device's manual and calibrate";
-    default:
-      return "calibrate it with its maker's program (Touch Setup, Touch Diagnostics)";
+    case hd::kInkwell: return "put the stylus into the inkwell and leave it there for a second";
+    case hd::kAutomatic: return "move the stylus slowly through its whole space";
+    case hd::kEncoderReset: return "hold the stylus in the reference posture of the device's manual and calibrate";
+    default: return "calibrate it with its maker's program (Touch Setup, Touch Diagnostics)";
   }
 }
 

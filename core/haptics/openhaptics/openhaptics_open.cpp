@@ -35,10 +35,8 @@ std::string whatToDo(std::uint32_t code) {
   switch (code) {
     case hd::kDeviceAlreadyInitiated:
       return "a device that no other program has open (Touch Setup, Touch Diagnostics, a simulator: only one can)";
-    case hd::kInvalidLicence:
-      return "a valid OpenHaptics license";
-    default:
-      break;
+    case hd::kInvalidLicence: return "a valid OpenHaptics license";
+    default: break;
   }
   std::string text =
       "a device that is plugged in, has its supply, is set up in Touch Setup under this name and is open in no other "

@@ -170,13 +170,11 @@ bool cuts(const Trip& trip) noexcept {
   switch (trip.cause) {
     case TripCause::kTooFastInwards:
     case TripCause::kTooFastOutwards:
-    case TripCause::kRenderer:
-      return false;
+    case TripCause::kRenderer: return false;
     case TripCause::kDeviceFault:
       return trip.value != static_cast<double>(DeviceFault::kWarmMotors) &&
              trip.value != static_cast<double>(DeviceFault::kForceLimited);
-    default:
-      return true;
+    default: return true;
   }
 }
 

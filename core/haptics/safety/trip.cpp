@@ -9,14 +9,10 @@ namespace {
 
 std::string_view describe(render::Fault fault) noexcept {
   switch (fault) {
-    case render::Fault::kPosition:
-      return "a position was not a number, or beyond 1 km";
-    case render::Fault::kForce:
-      return "the model's force was not a number";
-    case render::Fault::kTime:
-      return "a tick was shorter than a microsecond or longer than a second";
-    default:
-      return "for a reason that it does not tell";
+    case render::Fault::kPosition: return "a position was not a number, or beyond 1 km";
+    case render::Fault::kForce: return "the model's force was not a number";
+    case render::Fault::kTime: return "a tick was shorter than a microsecond or longer than a second";
+    default: return "for a reason that it does not tell";
   }
 }
 
@@ -24,30 +20,18 @@ std::string_view describe(render::Fault fault) noexcept {
 
 std::string_view describe(TripCause cause) noexcept {
   switch (cause) {
-    case TripCause::kNone:
-      return "no trip";
-    case TripCause::kForceNotFinite:
-      return "the force was not a finite number";
-    case TripCause::kPositionNotFinite:
-      return "the position was not a finite number";
-    case TripCause::kTooFastInwards:
-      return "the hand moved inwards too fast";
-    case TripCause::kTooFastOutwards:
-      return "the hand moved outwards too fast";
-    case TripCause::kDeviceSilent:
-      return "the device sent no sample for too long";
-    case TripCause::kWriteStuck:
-      return "no force reached the device for too long";
-    case TripCause::kServoLate:
-      return "the servo missed ticks for too long";
-    case TripCause::kDeviceLost:
-      return "the device is gone";
-    case TripCause::kDeviceFault:
-      return "the device reports a fault";
-    case TripCause::kRenderer:
-      return "the renderer let go";
-    case TripCause::kStopped:
-      return "Stop was pressed";
+    case TripCause::kNone: return "no trip";
+    case TripCause::kForceNotFinite: return "the force was not a finite number";
+    case TripCause::kPositionNotFinite: return "the position was not a finite number";
+    case TripCause::kTooFastInwards: return "the hand moved inwards too fast";
+    case TripCause::kTooFastOutwards: return "the hand moved outwards too fast";
+    case TripCause::kDeviceSilent: return "the device sent no sample for too long";
+    case TripCause::kWriteStuck: return "no force reached the device for too long";
+    case TripCause::kServoLate: return "the servo missed ticks for too long";
+    case TripCause::kDeviceLost: return "the device is gone";
+    case TripCause::kDeviceFault: return "the device reports a fault";
+    case TripCause::kRenderer: return "the renderer let go";
+    case TripCause::kStopped: return "Stop was pressed";
   }
   return "unknown trip";
 }
@@ -55,14 +39,11 @@ std::string_view describe(TripCause cause) noexcept {
 std::string_view unitOf(TripCause cause) noexcept {
   switch (cause) {
     case TripCause::kTooFastInwards:
-    case TripCause::kTooFastOutwards:
-      return "mm/s";
+    case TripCause::kTooFastOutwards: return "mm/s";
     case TripCause::kDeviceSilent:
     case TripCause::kWriteStuck:
-    case TripCause::kServoLate:
-      return "s";
-    default:
-      return "";
+    case TripCause::kServoLate: return "s";
+    default: return "";
   }
 }
 

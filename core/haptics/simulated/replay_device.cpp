@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::haptics {
@@ -89,8 +90,7 @@ base::Result<std::unique_ptr<ReplayDevice>> ReplayDevice::make(const study::Reco
   if (recording.size() < 2)
     return fail(ErrorCode::kData, "recording", std::to_string(recording.size()) + " samples", "at least 2");
   if (auto ok = check(*position, "mm", recording.size()); !ok) return tl::unexpected(std::move(ok.error()));
-  auto times_ns = timesOf(recording);
-  if (!times_ns) return tl::unexpected(std::move(times_ns.error()));
+  TACTUS_TRY(auto times_ns, timesOf(recording));
   std::vector<bool> down(recording.size(), true);
   if (const study::Channel* const button = find(recording, "button")) {
     if (auto ok = check(*button, "1", recording.size()); !ok) return tl::unexpected(std::move(ok.error()));
@@ -102,7 +102,7 @@ base::Result<std::unique_ptr<ReplayDevice>> ReplayDevice::make(const study::Reco
     return fail(ErrorCode::kValue, "replay: return_s", base::formatNumber(settings.return_s),
                 "a number in [0.01, 100]");
   return std::unique_ptr<ReplayDevice>(
-      new ReplayDevice(std::move(*times_ns), position->values, std::move(down), settings));
+      new ReplayDevice(std::move(times_ns), position->values, std::move(down), settings));
 }
 
 ReplayDevice::ReplayDevice(std::vector<std::int64_t> time_ns, std::vector<double> position_mm, std::vector<bool> button,

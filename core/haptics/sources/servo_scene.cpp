@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 
@@ -97,9 +98,8 @@ double measuredCostS(const fuzzy::CompiledModel& compiled, double enough_s) {
 
 base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model, const Conditions& conditions,
                                                                  const SceneSettings& settings) {
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
-  return make(model, *compiled, conditions, settings);
+  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
+  return make(model, compiled, conditions, settings);
 }
 
 base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceModel& model,
@@ -117,10 +117,8 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
                       "two different inputs");
   }
   if (auto units = render::checkTubeUnits(depth, speed, model.output); !units) return tl::unexpected(units.error());
-  const auto fixed = fixedInputs(model, conditions, depth, speed);
-  if (!fixed) return tl::unexpected(fixed.error());
-  auto specialized = fuzzy::Scene::specialize(compiled, *fixed, fuzzy::SceneUse::kPoints);
-  if (!specialized) return tl::unexpected(specialized.error());
+  TACTUS_TRY(const auto fixed, fixedInputs(model, conditions, depth, speed));
+  TACTUS_TRY(auto specialized, fuzzy::Scene::specialize(compiled, fixed, fuzzy::SceneUse::kPoints));
 
   render::TubeSettings tube;
   tube.renderer = model.renderer.value_or(fuzzy::RendererParameters{});
@@ -128,7 +126,7 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   if (depth != nullptr) tube.depth = speed_first ? 1 : 0;
   if (speed != nullptr) tube.speed = depth != nullptr && !speed_first ? 1 : 0;
   if (depth != nullptr) tube.depth_end_mm = depth->max;
-  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(*specialized), tube, settings.fade_s));
+  const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(specialized), tube, settings.fade_s));
   if (settings.known_cost_s) {
     scene->cost_s_ = *settings.known_cost_s;
   } else if (std::isfinite(settings.largest_cost_s)) {

@@ -31,12 +31,9 @@ class Gestures {
     const auto index = static_cast<std::size_t>(random_.below(static_cast<int>(model.experts[0].rules.size()) + 1));
     const bool coin = random_.below(2) == 0;
     switch (random_.below(17)) {
-      case 0:
-        return addTerm(model, list, suggestedTerm(variable, variable.terms, place(variable)));
-      case 1:
-        return removeTerm(model, term, {rules, coin});
-      case 2:
-        return renameTerm(model, term, "t" + std::to_string(random_.below(12)), "T");
+      case 0: return addTerm(model, list, suggestedTerm(variable, variable.terms, place(variable)));
+      case 1: return removeTerm(model, term, {rules, coin});
+      case 2: return renameTerm(model, term, "t" + std::to_string(random_.below(12)), "T");
       case 3: {
         SplitOptions options;
         options.cuts = {place(variable)};
@@ -44,23 +41,16 @@ class Gestures {
         options.copy_rules = random_.below(4) != 0;
         return splitTerm(model, term, options);
       }
-      case 4:
-        return convertShape(model, term, fuzzy::kShapes[random_.below(3)]);
-      case 5:
-        return coin ? makeOwn(model, {variable.id, who}) : backToShared(model, {variable.id, who}, rules);
-      case 6:
-        return makeSumToOne(model, list);
-      case 7:
-        return answer(model, who);
+      case 4: return convertShape(model, term, fuzzy::kShapes[random_.below(3)]);
+      case 5: return coin ? makeOwn(model, {variable.id, who}) : backToShared(model, {variable.id, who}, rules);
+      case 6: return makeSumToOne(model, list);
+      case 7: return answer(model, who);
       case 8:
         return coin ? enableRules(model, who, std::span(&index, 1), random_.below(2) == 0)
                     : removeRules(model, who, std::span(&index, 1));
-      case 9:
-        return coin ? setRuleWeight(model, who, index, number(1)) : setExpertWeight(model, who, number(2));
-      case 10:
-        return acceptance(model);
-      default:
-        return move(model, variable, term);
+      case 9: return coin ? setRuleWeight(model, who, index, number(1)) : setExpertWeight(model, who, number(2));
+      case 10: return acceptance(model);
+      default: return move(model, variable, term);
     }
   }
 
@@ -69,10 +59,8 @@ class Gestures {
     const double to = place(variable);
     const double way = place(variable) - to;
     switch (random_.below(4)) {
-      case 0:
-        return moveEdge(model, term, random_.below(2) == 0 ? Side::kLeft : Side::kRight, way, options);
-      case 1:
-        return moveTerm(model, term, way, options);
+      case 0: return moveEdge(model, term, random_.below(2) == 0 ? Side::kLeft : Side::kRight, way, options);
+      case 1: return moveTerm(model, term, way, options);
       default:
         return moveVertex(model, {term.list, term.term, static_cast<std::size_t>(random_.below(4))}, to, options);
     }

@@ -14,20 +14,13 @@ std::string damaged(std::string text, base::Random& random) {
     const auto at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
     const auto length = static_cast<std::size_t>(random.below(12));
     switch (random.below(5)) {
-      case 0:
-        text[at] = static_cast<char>(random.below(256));
-        break;
-      case 1:
-        text.erase(at, length);
-        break;
+      case 0: text[at] = static_cast<char>(random.below(256)); break;
+      case 1: text.erase(at, length); break;
       case 2:
         text.insert(at, text.substr(static_cast<std::size_t>(random.below(static_cast<int>(text.size()))), length));
         break;
-      case 3:
-        text.insert(at, length * 20, "[{\"\\\n0"[random.below(6)]);
-        break;
-      default:
-        text.insert(at, random.below(2) == 0 ? "1e999" : "\xff");
+      case 3: text.insert(at, length * 20, "[{\"\\\n0"[random.below(6)]); break;
+      default: text.insert(at, random.below(2) == 0 ? "1e999" : "\xff");
     }
   }
   return text;

@@ -122,12 +122,9 @@ class SessionTest : public testing::Test {
         }
         break;
       }
-      case SessionPart::kRating:
-        done = session_->rate(2, 6);
-        break;
+      case SessionPart::kRating: done = session_->rate(2, 6); break;
       case SessionPart::kFinished:
-      case SessionPart::kAborted:
-        FAIL() << "nothing is left to do";
+      case SessionPart::kAborted: FAIL() << "nothing is left to do";
     }
     ASSERT_TRUE(done) << done.error().message();
   }

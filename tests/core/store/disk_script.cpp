@@ -13,12 +13,9 @@ DiskScript::Kind DiskScript::kindOf(int number) {
 base::Result<void> DiskScript::write(StudyFile& file, int number) const {
   auto samples = sampleFor(number);
   switch (kindOf(number)) {
-    case Kind::kStroke:
-      return append(file, samples.stroke(session_, samples_));
-    case Kind::kJudgement:
-      return append(file, samples.judgement(session_));
-    case Kind::kAnswer:
-      break;
+    case Kind::kStroke: return append(file, samples.stroke(session_, samples_));
+    case Kind::kJudgement: return append(file, samples.judgement(session_));
+    case Kind::kAnswer: break;
   }
   return append(file, samples.answer(session_, number));
 }

@@ -286,12 +286,8 @@ void expectDirectEvaluation(const Linted& linted, const RuleFinding& finding) {
   const double to_default = std::abs(own(from) - linted.built.model.default_force_n);
   const double of_mean = std::abs(linted.mean(from) - linted.mean(to));
   switch (finding.kind) {
-    case Kind::kHole:
-      EXPECT_NEAR(*finding.newtons, to_default, kRounding) << finding.text;
-      break;
-    case Kind::kAbstentionJump:
-      EXPECT_NEAR(*finding.newtons, of_mean, kRounding) << finding.text;
-      break;
+    case Kind::kHole: EXPECT_NEAR(*finding.newtons, to_default, kRounding) << finding.text; break;
+    case Kind::kAbstentionJump: EXPECT_NEAR(*finding.newtons, of_mean, kRounding) << finding.text; break;
     case Kind::kRegionWithoutRule:
       EXPECT_TRUE(std::abs(*finding.newtons - to_default) < kRounding ||
                   std::abs(*finding.newtons - of_mean) < kRounding);
@@ -314,8 +310,7 @@ void expectDirectEvaluation(const Linted& linted, const RuleFinding& finding) {
       EXPECT_NEAR(*finding.newtons, spreadOverAnswers(linted, linted.expert(who), conditions, from), kRounding);
       break;
     }
-    default:
-      break;
+    default: break;
   }
 }
 

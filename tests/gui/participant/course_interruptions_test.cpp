@@ -67,16 +67,14 @@ class InterruptedCourse : public CourseTest, public testing::WithParamInterface<
   // What a nurse does on the screen that is shown; counts what was acknowledged.
   void doIt() {
     switch (screen()) {
-      case Screen::kWelcome:
-        return newHereAndOn();
+      case Screen::kWelcome: return newHereAndOn();
       case Screen::kAboutYou:
         answer(at().about.question == AboutYouState::Question::kYears  ? "years_3"
                : at().about.question == AboutYouState::Question::kHand ? "left"
                                                                        : "not_say");
         if (screen() != Screen::kAboutYou) ++acknowledged.profiles;
         return;
-      case Screen::kDeviceCheck:
-        return checkDevice();
+      case Screen::kDeviceCheck: return checkDevice();
       case Screen::kPractice:
       case Screen::kSpeed:
         if (!at().feels_force) {
@@ -90,18 +88,13 @@ class InterruptedCourse : public CourseTest, public testing::WithParamInterface<
         at().force.asks ? answer("small") : next();
         ++acknowledged.judgements;
         return;
-      case Screen::kRating:
-        ++acknowledged.ratings;
-        return rate();
+      case Screen::kRating: ++acknowledged.ratings; return rate();
       case Screen::kQuestion:
         answer("medium");
         ++acknowledged.answers;
         return;
-      case Screen::kOwnModel:
-        ASSERT_TRUE(comesTrue([this] { return at().own.ready; }));
-        return answer("right");
-      default:
-        return next();
+      case Screen::kOwnModel: ASSERT_TRUE(comesTrue([this] { return at().own.ready; })); return answer("right");
+      default: return next();
     }
   }
   void newHereAndOn() {
@@ -141,8 +134,7 @@ class FullDiskCourse : public InterruptedCourse {
   // What she does on the screen while nothing can be stored.
   void actWithoutRoom() {
     switch (screen()) {
-      case Screen::kDeviceCheck:
-        return checkDevice();
+      case Screen::kDeviceCheck: return checkDevice();
       case Screen::kPractice:
       case Screen::kForce:
         if (!at().feels_force && screen() == Screen::kPractice) return push();
@@ -150,13 +142,9 @@ class FullDiskCourse : public InterruptedCourse {
         look();
         nurse->choose(QStringLiteral("small"));
         return nurse->next();
-      case Screen::kSpeed:
-        return push();
-      case Screen::kThanks:
-        return;  // nothing is left to do
-      case Screen::kOwnModel:
-        ASSERT_TRUE(comesTrue([this] { return at().own.ready; }));
-        [[fallthrough]];
+      case Screen::kSpeed: return push();
+      case Screen::kThanks: return;  // nothing is left to do
+      case Screen::kOwnModel: ASSERT_TRUE(comesTrue([this] { return at().own.ready; })); [[fallthrough]];
       default:
         look();
         for (const char* id : {"not_say", "3", "medium", "right"}) nurse->choose(QLatin1String(id));

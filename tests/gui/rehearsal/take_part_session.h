@@ -92,10 +92,8 @@ class TakePartTest : public testing::Test {
                                                                                      : "you.not_say";
         return choose(say(answer), Qt::Key_unknown);
       }
-      case ParticipantScreen::kDeviceCheck:
-        return at().device == DeviceStep::kReady ? goOn() : push(true);
-      case ParticipantScreen::kSpeed:
-        return push(false);
+      case ParticipantScreen::kDeviceCheck: return at().device == DeviceStep::kReady ? goOn() : push(true);
+      case ParticipantScreen::kSpeed: return push(false);
       case ParticipantScreen::kPractice:
       case ParticipantScreen::kForce:
         if (!at().feels_force) return push(false);
@@ -103,16 +101,13 @@ class TakePartTest : public testing::Test {
         if (at().force.phase == ForceState::Phase::kFeel) return push(true);
         if (at().force.asks && at().force.chosen.isEmpty()) return choose(say("w.small"), Qt::Key_2);
         return goOn();
-      case ParticipantScreen::kRating:
-        return at().can_go_on ? goOn() : choose(QStringLiteral("3"), Qt::Key_3);
-      case ParticipantScreen::kQuestion:
-        return at().can_go_on ? goOn() : choose(say("w.medium"), Qt::Key_3);
+      case ParticipantScreen::kRating: return at().can_go_on ? goOn() : choose(QStringLiteral("3"), Qt::Key_3);
+      case ParticipantScreen::kQuestion: return at().can_go_on ? goOn() : choose(say("w.medium"), Qt::Key_3);
       case ParticipantScreen::kOwnModel:
         // Her model is built by another thread, in real time.
         ASSERT_TRUE(tests::comesTrue([this] { return at().own.ready; }));
         return at().can_go_on ? goOn() : choose(say("own.right"), Qt::Key_2);
-      default:
-        return goOn();
+      default: return goOn();
     }
   }
   void doAll() {

@@ -33,12 +33,9 @@ QString centimeters(double length_mm) { return quantityText(length_mm / kMmPerCm
 
 QString formulaName(elicitation::LengthFormula formula) {
   switch (formula) {
-    case elicitation::LengthFormula::kNoseEarXiphoid:
-      return LengthPlot::tr("Nose – ear – xiphoid");
-    case elicitation::LengthFormula::kHanson:
-      return LengthPlot::tr("Hanson");
-    case elicitation::LengthFormula::kCorrected:
-      return LengthPlot::tr("Corrected");
+    case elicitation::LengthFormula::kNoseEarXiphoid: return LengthPlot::tr("Nose – ear – xiphoid");
+    case elicitation::LengthFormula::kHanson: return LengthPlot::tr("Hanson");
+    case elicitation::LengthFormula::kCorrected: return LengthPlot::tr("Corrected");
   }
   return {};
 }

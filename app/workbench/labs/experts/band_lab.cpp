@@ -96,24 +96,18 @@ void BandLab::begin() {
 
 QString bandName(BandKind kind) {
   switch (kind) {
-    case BandKind::kAgain:
-      return BandLab::tr("Again");
-    case BandKind::kOthers:
-      return BandLab::tr("Others");
-    case BandKind::kNext:
-      return BandLab::tr("Next");
+    case BandKind::kAgain: return BandLab::tr("Again");
+    case BandKind::kOthers: return BandLab::tr("Others");
+    case BandKind::kNext: return BandLab::tr("Next");
   }
   return {};
 }
 
 QString bandMeaning(BandKind kind) {
   switch (kind) {
-    case BandKind::kAgain:
-      return BandLab::tr("The same participants once more");
-    case BandKind::kOthers:
-      return BandLab::tr("As many other participants like these");
-    case BandKind::kNext:
-      return BandLab::tr("One more participant");
+    case BandKind::kAgain: return BandLab::tr("The same participants once more");
+    case BandKind::kOthers: return BandLab::tr("As many other participants like these");
+    case BandKind::kNext: return BandLab::tr("One more participant");
   }
   return {};
 }

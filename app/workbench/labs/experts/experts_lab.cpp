@@ -23,16 +23,11 @@ QString pairNewtons(double force_n) { return quantityText(force_n, "N", 3); }
 
 QString policyName(WeightPolicy policy) {
   switch (policy) {
-    case WeightPolicy::kEqual:
-      return ExpertsLab::tr("Equal");
-    case WeightPolicy::kYears:
-      return ExpertsLab::tr("By years of experience");
-    case WeightPolicy::kCategory:
-      return ExpertsLab::tr("By category");
-    case WeightPolicy::kColumn:
-      return ExpertsLab::tr("From the profiles");
-    case WeightPolicy::kTable:
-      return ExpertsLab::tr("Own weights");
+    case WeightPolicy::kEqual: return ExpertsLab::tr("Equal");
+    case WeightPolicy::kYears: return ExpertsLab::tr("By years of experience");
+    case WeightPolicy::kCategory: return ExpertsLab::tr("By category");
+    case WeightPolicy::kColumn: return ExpertsLab::tr("From the profiles");
+    case WeightPolicy::kTable: return ExpertsLab::tr("Own weights");
   }
   return {};
 }

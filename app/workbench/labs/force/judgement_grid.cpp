@@ -162,12 +162,9 @@ QString judgedText(const fuzzy::Variable& words, const session::JudgedWord& word
         if (term.id == word.term) return labelOf(term);
       }
       return harmless(text(word.term));
-    case Judged::kNotFelt:
-      return GridWords::tr("not felt");
-    case Judged::kBeyondPractice:
-      return GridWords::tr("beyond practice");
-    case Judged::kNoAnswer:
-      return GridWords::tr("no answer");
+    case Judged::kNotFelt: return GridWords::tr("not felt");
+    case Judged::kBeyondPractice: return GridWords::tr("beyond practice");
+    case Judged::kNoAnswer: return GridWords::tr("no answer");
   }
   return {};
 }

@@ -18,18 +18,12 @@ struct VoteWords {
 
 QString shortReason(VoteReason reason) {
   switch (reason) {
-    case VoteReason::kMajority:
-      return VoteWords::tr("half or more");
-    case VoteReason::kTieHigher:
-      return VoteWords::tr("tie, the higher wins");
-    case VoteReason::kNextLevel:
-      return VoteWords::tr("no half, next level");
-    case VoteReason::kClamped:
-      return VoteWords::tr("next level, limited");
-    case VoteReason::kFirstMedian:
-      return VoteWords::tr("median");
-    case VoteReason::kNoVotes:
-      return VoteWords::tr("no votes");
+    case VoteReason::kMajority: return VoteWords::tr("half or more");
+    case VoteReason::kTieHigher: return VoteWords::tr("tie, the higher wins");
+    case VoteReason::kNextLevel: return VoteWords::tr("no half, next level");
+    case VoteReason::kClamped: return VoteWords::tr("next level, limited");
+    case VoteReason::kFirstMedian: return VoteWords::tr("median");
+    case VoteReason::kNoVotes: return VoteWords::tr("no votes");
   }
   return {};
 }
@@ -51,9 +45,7 @@ QString reasonText(const elicitation::VoteStep& step) {
 QString reasonRule(const elicitation::VoteStep& step) {
   QString out;
   switch (step.reason) {
-    case VoteReason::kMajority:
-      out = VoteWords::tr("One word has half of the votes or more.");
-      break;
+    case VoteReason::kMajority: out = VoteWords::tr("One word has half of the votes or more."); break;
     case VoteReason::kTieHigher:
       out = VoteWords::tr("Two words have half of the votes each: the higher one wins.");
       break;
@@ -67,9 +59,7 @@ QString reasonRule(const elicitation::VoteStep& step) {
     case VoteReason::kFirstMedian:
       out = VoteWords::tr("No word has half and no force was decided before: the lower median.");
       break;
-    case VoteReason::kNoVotes:
-      out = VoteWords::tr("No participant chose a word.");
-      break;
+    case VoteReason::kNoVotes: out = VoteWords::tr("No participant chose a word."); break;
   }
   if (elicitation::isUnsaid(step)) {
     out += VoteWords::tr(" Nobody said this word here.");
@@ -83,28 +73,20 @@ QString reasonRule(const elicitation::VoteStep& step) {
 
 QString methodName(ForceTermsFrom from) {
   switch (from) {
-    case ForceTermsFrom::kVote:
-      return VoteWords::tr("Vote");
-    case ForceTermsFrom::kFrequency:
-      return VoteWords::tr("Frequency");
-    case ForceTermsFrom::kThresholds:
-      return VoteWords::tr("Thresholds");
-    case ForceTermsFrom::kProbit:
-      return VoteWords::tr("Probit");
+    case ForceTermsFrom::kVote: return VoteWords::tr("Vote");
+    case ForceTermsFrom::kFrequency: return VoteWords::tr("Frequency");
+    case ForceTermsFrom::kThresholds: return VoteWords::tr("Thresholds");
+    case ForceTermsFrom::kProbit: return VoteWords::tr("Probit");
   }
   return {};
 }
 
 QString methodRule(ForceTermsFrom from) {
   switch (from) {
-    case ForceTermsFrom::kVote:
-      return VoteWords::tr("The winner of each force (the paper).");
-    case ForceTermsFrom::kFrequency:
-      return VoteWords::tr("The trapezoids closest to the shares of all answers.");
-    case ForceTermsFrom::kThresholds:
-      return VoteWords::tr("The mean of the participants' own limits.");
-    case ForceTermsFrom::kProbit:
-      return VoteWords::tr("Ordered probit over all answers.");
+    case ForceTermsFrom::kVote: return VoteWords::tr("The winner of each force (the paper).");
+    case ForceTermsFrom::kFrequency: return VoteWords::tr("The trapezoids closest to the shares of all answers.");
+    case ForceTermsFrom::kThresholds: return VoteWords::tr("The mean of the participants' own limits.");
+    case ForceTermsFrom::kProbit: return VoteWords::tr("Ordered probit over all answers.");
   }
   return {};
 }

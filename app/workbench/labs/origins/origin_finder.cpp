@@ -42,14 +42,10 @@ const fuzzy::Variable* variableOf(const fuzzy::ForceModel& model, const std::str
 
 QString judgementText(const fuzzy::Variable& output, const study::ForceJudgement& one) {
   switch (one.kind) {
-    case study::ForceJudgement::Kind::kTerm:
-      return wordOf(output, one.term);
-    case study::ForceJudgement::Kind::kNotFelt:
-      return OriginText::tr("not felt");
-    case study::ForceJudgement::Kind::kBeyondPractice:
-      return OriginText::tr("beyond practice");
-    case study::ForceJudgement::Kind::kNoAnswer:
-      return OriginText::tr("no answer");
+    case study::ForceJudgement::Kind::kTerm: return wordOf(output, one.term);
+    case study::ForceJudgement::Kind::kNotFelt: return OriginText::tr("not felt");
+    case study::ForceJudgement::Kind::kBeyondPractice: return OriginText::tr("beyond practice");
+    case study::ForceJudgement::Kind::kNoAnswer: return OriginText::tr("no answer");
   }
   return {};
 }
@@ -277,8 +273,7 @@ base::Result<elicitation::RecordInfluence> influenceOf(const OriginRecord& recor
     case Kind::kStroke:
       return elicitation::withoutStroke(built, study.study, settings, record.stroke.participant, record.stroke.level,
                                         record.stroke.stroke);
-    case Kind::kJudgement:
-      return elicitation::withoutJudgement(built, study.study, settings, record.index);
+    case Kind::kJudgement: return elicitation::withoutJudgement(built, study.study, settings, record.index);
     case Kind::kAnswer:
     case Kind::kGivenRule:
       if (record.rule) return elicitation::withoutRule(built, record.rule->expert, record.rule->rule);

@@ -366,9 +366,7 @@ void GridsView::keyPressEvent(QKeyEvent* event) {
                  viewport()->mapToGlobal(places_.cell(block_, place, scrolled()).bottomLeft().toPoint()));
       }
       return;
-    default:
-      QAbstractScrollArea::keyPressEvent(event);
-      return;
+    default: QAbstractScrollArea::keyPressEvent(event); return;
   }
   const QRectF at = places_.cell(block_, place, scrolled());
   if (block_ > 0 && at.left() < places_.scrollEdge()) {

@@ -23,10 +23,8 @@ bool movesFocus(const QEvent& event) {
     case Qt::Key_Left:
     case Qt::Key_Right:
     case Qt::Key_Up:
-    case Qt::Key_Down:
-      return true;
-    default:
-      return false;
+    case Qt::Key_Down: return true;
+    default: return false;
   }
 }
 
@@ -45,11 +43,8 @@ class MeansOfMoving : public QObject {
         break;
       case QEvent::MouseButtonPress:
       case QEvent::TouchBegin:
-      case QEvent::TabletPress:
-        note(static_cast<QWidget*>(watched), false);
-        break;
-      default:
-        break;
+      case QEvent::TabletPress: note(static_cast<QWidget*>(watched), false); break;
+      default: break;
     }
     return false;
   }
@@ -176,12 +171,9 @@ bool Button::hitButton(const QPoint& at) const { return isDown() ? endsNear(look
 QColor Button::fill() const {
   if (!isEnabled()) return colors::kWaiting;
   switch (kind_) {
-    case ButtonKind::kPrimary:
-      return isDown() ? colors::kAccentPressed : colors::kAccent;
-    case ButtonKind::kForceOff:
-      return isDown() ? colors::kForceOffPressed : colors::kForceOff;
-    case ButtonKind::kPlain:
-      break;
+    case ButtonKind::kPrimary: return isDown() ? colors::kAccentPressed : colors::kAccent;
+    case ButtonKind::kForceOff: return isDown() ? colors::kForceOffPressed : colors::kForceOff;
+    case ButtonKind::kPlain: break;
   }
   return isDown() ? colors::kChosen : colors::kCard;
 }

@@ -28,9 +28,7 @@ void drawSign(QPainter& painter, Light lamp, const QRectF& box) {
     case Light::kWait:
       for (const double x : {-1.1, 0.0, 1.1}) painter.drawPoint(c + QPointF(x * d, 0));
       break;
-    case Light::kReady:
-      drawTick(painter, box, width);
-      break;
+    case Light::kReady: drawTick(painter, box, width); break;
   }
 }
 

@@ -210,8 +210,7 @@ void ScreenFrame::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Backspace:
       if (back_->isVisible() && back_->isEnabled()) back_->click();
       return;
-    default:
-      QWidget::keyPressEvent(event);
+    default: QWidget::keyPressEvent(event);
   }
 }
 

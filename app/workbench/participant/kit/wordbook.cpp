@@ -9,12 +9,9 @@ namespace tactus::workbench::nurse {
 
 QString idOf(Language language) {
   switch (language) {
-    case Language::kEnglish:
-      return QStringLiteral("en");
-    case Language::kTraditionalChinese:
-      return QStringLiteral("zh-Hant");
-    case Language::kSimplifiedChinese:
-      break;
+    case Language::kEnglish: return QStringLiteral("en");
+    case Language::kTraditionalChinese: return QStringLiteral("zh-Hant");
+    case Language::kSimplifiedChinese: break;
   }
   return QStringLiteral("zh-Hans");
 }
@@ -29,12 +26,9 @@ std::optional<Language> languageWithId(const QString& id) {
 QStringList fontFamilies(Language language) {
   const QString latin = QStringLiteral("DejaVu Sans");
   switch (language) {
-    case Language::kEnglish:
-      return {latin};
-    case Language::kTraditionalChinese:
-      return {QStringLiteral("Noto Sans CJK TC"), latin};
-    case Language::kSimplifiedChinese:
-      break;
+    case Language::kEnglish: return {latin};
+    case Language::kTraditionalChinese: return {QStringLiteral("Noto Sans CJK TC"), latin};
+    case Language::kSimplifiedChinese: break;
   }
   return {QStringLiteral("Noto Sans CJK SC"), latin};
 }

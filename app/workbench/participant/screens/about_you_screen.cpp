@@ -5,16 +5,11 @@ namespace {
 
 QString questionId(AboutQuestion question) {
   switch (question) {
-    case AboutQuestion::kYears:
-      return QStringLiteral("you.years");
-    case AboutQuestion::kHand:
-      return QStringLiteral("you.hand");
-    case AboutQuestion::kGloves:
-      return QStringLiteral("you.gloves");
-    case AboutQuestion::kHaptic:
-      return QStringLiteral("you.haptic");
-    case AboutQuestion::kComfort:
-      break;
+    case AboutQuestion::kYears: return QStringLiteral("you.years");
+    case AboutQuestion::kHand: return QStringLiteral("you.hand");
+    case AboutQuestion::kGloves: return QStringLiteral("you.gloves");
+    case AboutQuestion::kHaptic: return QStringLiteral("you.haptic");
+    case AboutQuestion::kComfort: break;
   }
   return QStringLiteral("you.comfort");
 }
@@ -24,13 +19,11 @@ QStringList idsOf(AboutQuestion question) {
     case AboutQuestion::kYears:
       return {QStringLiteral("years_1"), QStringLiteral("years_2"), QStringLiteral("years_3"),
               QStringLiteral("years_4")};
-    case AboutQuestion::kHand:
-      return {QStringLiteral("left"), QStringLiteral("right"), QStringLiteral("both")};
+    case AboutQuestion::kHand: return {QStringLiteral("left"), QStringLiteral("right"), QStringLiteral("both")};
     case AboutQuestion::kHaptic:
       return {QStringLiteral("haptic_0"), QStringLiteral("haptic_1"), QStringLiteral("haptic_2")};
     case AboutQuestion::kGloves:
-    case AboutQuestion::kComfort:
-      break;
+    case AboutQuestion::kComfort: break;
   }
   return {QStringLiteral("yes"), QStringLiteral("no")};
 }

@@ -40,18 +40,12 @@ namespace {
 
 Phrase sentenceOf(const StoppedState& state) {
   switch (state.reason) {
-    case StopReason::kForToday:
-      return phrase(QStringLiteral("off.stop_kept"), {state.code});
-    case StopReason::kWithdrawn:
-      return phrase(QStringLiteral("off.deleted"));
-    case StopReason::kNoConsent:
-      return phrase(QStringLiteral("con.declined"));
-    case StopReason::kPaused:
-      return phrase(QStringLiteral("err.paused"));
-    case StopReason::kNotSaved:
-      return phrase(QStringLiteral("err.save"));
-    case StopReason::kDeviceLost:
-      break;
+    case StopReason::kForToday: return phrase(QStringLiteral("off.stop_kept"), {state.code});
+    case StopReason::kWithdrawn: return phrase(QStringLiteral("off.deleted"));
+    case StopReason::kNoConsent: return phrase(QStringLiteral("con.declined"));
+    case StopReason::kPaused: return phrase(QStringLiteral("err.paused"));
+    case StopReason::kNotSaved: return phrase(QStringLiteral("err.save"));
+    case StopReason::kDeviceLost: break;
   }
   return phrase(QStringLiteral("dev.lost"));
 }

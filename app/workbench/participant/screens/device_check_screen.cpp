@@ -9,26 +9,16 @@ namespace {
 
 QString sentenceOf(DeviceStep step) {
   switch (step) {
-    case DeviceStep::kWait:
-      return QStringLiteral("dev.wait");
-    case DeviceStep::kHold:
-      return QStringLiteral("dev.hold");
-    case DeviceStep::kStill:
-      return QStringLiteral("dev.still");
-    case DeviceStep::kPush:
-      return QStringLiteral("dev.push");
-    case DeviceStep::kPress:
-      return QStringLiteral("dev.press");
-    case DeviceStep::kRelease:
-      return QStringLiteral("dev.release");
-    case DeviceStep::kWarm:
-      return QStringLiteral("dev.warm");
-    case DeviceStep::kReady:
-      return QStringLiteral("dev.ready");
-    case DeviceStep::kWrong:
-      return QStringLiteral("dev.wrong");
-    case DeviceStep::kLost:
-      break;
+    case DeviceStep::kWait: return QStringLiteral("dev.wait");
+    case DeviceStep::kHold: return QStringLiteral("dev.hold");
+    case DeviceStep::kStill: return QStringLiteral("dev.still");
+    case DeviceStep::kPush: return QStringLiteral("dev.push");
+    case DeviceStep::kPress: return QStringLiteral("dev.press");
+    case DeviceStep::kRelease: return QStringLiteral("dev.release");
+    case DeviceStep::kWarm: return QStringLiteral("dev.warm");
+    case DeviceStep::kReady: return QStringLiteral("dev.ready");
+    case DeviceStep::kWrong: return QStringLiteral("dev.wrong");
+    case DeviceStep::kLost: break;
   }
   return QStringLiteral("dev.lost");
 }

@@ -38,7 +38,7 @@ class ReviewCell : public QAbstractButton {
   int item_;
   QString word_;
   QString situation_;
-  QVariantAnimation pulse_;
+  QVariantAnimation pulse_{this};
   double glow_ = 0;
 };
 

@@ -9,32 +9,22 @@ namespace {
 
 QString sentenceOf(SpeedWord speed) {
   switch (speed) {
-    case SpeedWord::kSlow:
-      return QStringLiteral("spd.slow");
-    case SpeedWord::kMedium:
-      return QStringLiteral("spd.medium");
-    case SpeedWord::kFast:
-      break;
+    case SpeedWord::kSlow: return QStringLiteral("spd.slow");
+    case SpeedWord::kMedium: return QStringLiteral("spd.medium");
+    case SpeedWord::kFast: break;
   }
   return QStringLiteral("spd.fast");
 }
 
 QString noteOf(StrokeNote note) {
   switch (note) {
-    case StrokeNote::kStart:
-      return QStringLiteral("spd.start");
-    case StrokeNote::kReturn:
-      return QStringLiteral("spd.return");
-    case StrokeNote::kRecorded:
-      return QStringLiteral("spd.recorded");
-    case StrokeNote::kTooShort:
-      return QStringLiteral("spd.too_short");
-    case StrokeNote::kNotRecorded:
-      return QStringLiteral("spd.not_recorded");
-    case StrokeNote::kBackwards:
-      return QStringLiteral("spd.backwards");
-    case StrokeNote::kOutOfRange:
-      break;
+    case StrokeNote::kStart: return QStringLiteral("spd.start");
+    case StrokeNote::kReturn: return QStringLiteral("spd.return");
+    case StrokeNote::kRecorded: return QStringLiteral("spd.recorded");
+    case StrokeNote::kTooShort: return QStringLiteral("spd.too_short");
+    case StrokeNote::kNotRecorded: return QStringLiteral("spd.not_recorded");
+    case StrokeNote::kBackwards: return QStringLiteral("spd.backwards");
+    case StrokeNote::kOutOfRange: break;
   }
   return QStringLiteral("spd.out_of_range");
 }

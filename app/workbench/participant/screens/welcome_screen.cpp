@@ -148,16 +148,12 @@ void WelcomeScreen::setState(const WelcomeState& state) {
 
 void WelcomeScreen::press() {
   switch (state_.step) {
-    case WelcomeStep::kStart:
-      emit newHere();
-      break;
+    case WelcomeStep::kStart: emit newHere(); break;
     case WelcomeStep::kEnterCode:
       if (!field_->code().isEmpty()) emit codeEntered(field_->code());
       break;
     case WelcomeStep::kNewCode:
-    case WelcomeStep::kWelcomeBack:
-      emit goOn();
-      break;
+    case WelcomeStep::kWelcomeBack: emit goOn(); break;
   }
 }
 

@@ -104,14 +104,10 @@ void paintFrame(QPainter& painter, const QStyleOptionViewItem& option) {
 
 QColor findingColor(FindingGroup group) {
   switch (group) {
-    case FindingGroup::kCoverage:
-      return theme::warningInk();
-    case FindingGroup::kConflict:
-      return theme::errorInk();
-    case FindingGroup::kDirection:
-      return theme::accent();
-    case FindingGroup::kNeedless:
-      break;
+    case FindingGroup::kCoverage: return theme::warningInk();
+    case FindingGroup::kConflict: return theme::errorInk();
+    case FindingGroup::kDirection: return theme::accent();
+    case FindingGroup::kNeedless: break;
   }
   return theme::mutedInk();
 }

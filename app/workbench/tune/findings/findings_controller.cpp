@@ -28,36 +28,21 @@ struct FindingRowsText {
 
 QString countText(Kind kind, int n) {
   switch (kind) {
-    case Kind::kHole:
-      return FindingRowsText::tr("%n hole(s)", nullptr, n);
-    case Kind::kAbstentionJump:
-      return FindingRowsText::tr("%n jump(s) of the mean", nullptr, n);
-    case Kind::kForceStep:
-      return FindingRowsText::tr("%n step(s) of the force", nullptr, n);
-    case Kind::kRegionWithoutRule:
-      return FindingRowsText::tr("%n region(s) without a rule", nullptr, n);
-    case Kind::kMissingItem:
-      return FindingRowsText::tr("%n missing answer(s)", nullptr, n);
-    case Kind::kConflict:
-      return FindingRowsText::tr("%n conflict(s)", nullptr, n);
-    case Kind::kExpertsApart:
-      return FindingRowsText::tr("apart at %n place(s)", nullptr, n);
-    case Kind::kAgainstDeclaration:
-      return FindingRowsText::tr("%n step(s) against the declaration", nullptr, n);
-    case Kind::kLevelJump:
-      return FindingRowsText::tr("%n jump(s)", nullptr, n);
-    case Kind::kDirectionChange:
-      return FindingRowsText::tr("%n change(s) of direction", nullptr, n);
-    case Kind::kDisagreement:
-      return FindingRowsText::tr("%n disagreement(s)", nullptr, n);
-    case Kind::kRedundantRule:
-      return FindingRowsText::tr("%n redundant rule(s)", nullptr, n);
-    case Kind::kUnreachableRule:
-      return FindingRowsText::tr("%n rule(s) that never fire", nullptr, n);
-    case Kind::kUnreachableTerm:
-      return FindingRowsText::tr("%n unreachable term(s)", nullptr, n);
-    case Kind::kUnusedTerm:
-      return FindingRowsText::tr("%n unused term(s)", nullptr, n);
+    case Kind::kHole: return FindingRowsText::tr("%n hole(s)", nullptr, n);
+    case Kind::kAbstentionJump: return FindingRowsText::tr("%n jump(s) of the mean", nullptr, n);
+    case Kind::kForceStep: return FindingRowsText::tr("%n step(s) of the force", nullptr, n);
+    case Kind::kRegionWithoutRule: return FindingRowsText::tr("%n region(s) without a rule", nullptr, n);
+    case Kind::kMissingItem: return FindingRowsText::tr("%n missing answer(s)", nullptr, n);
+    case Kind::kConflict: return FindingRowsText::tr("%n conflict(s)", nullptr, n);
+    case Kind::kExpertsApart: return FindingRowsText::tr("apart at %n place(s)", nullptr, n);
+    case Kind::kAgainstDeclaration: return FindingRowsText::tr("%n step(s) against the declaration", nullptr, n);
+    case Kind::kLevelJump: return FindingRowsText::tr("%n jump(s)", nullptr, n);
+    case Kind::kDirectionChange: return FindingRowsText::tr("%n change(s) of direction", nullptr, n);
+    case Kind::kDisagreement: return FindingRowsText::tr("%n disagreement(s)", nullptr, n);
+    case Kind::kRedundantRule: return FindingRowsText::tr("%n redundant rule(s)", nullptr, n);
+    case Kind::kUnreachableRule: return FindingRowsText::tr("%n rule(s) that never fire", nullptr, n);
+    case Kind::kUnreachableTerm: return FindingRowsText::tr("%n unreachable term(s)", nullptr, n);
+    case Kind::kUnusedTerm: return FindingRowsText::tr("%n unused term(s)", nullptr, n);
   }
   return {};
 }

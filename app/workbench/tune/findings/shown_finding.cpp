@@ -190,22 +190,18 @@ FindingGroup groupOf(Kind kind) {
     case Kind::kHole:
     case Kind::kAbstentionJump:
     case Kind::kRegionWithoutRule:
-    case Kind::kMissingItem:
-      return FindingGroup::kCoverage;
+    case Kind::kMissingItem: return FindingGroup::kCoverage;
     case Kind::kConflict:
     case Kind::kExpertsApart:
-    case Kind::kDisagreement:
-      return FindingGroup::kConflict;
+    case Kind::kDisagreement: return FindingGroup::kConflict;
     case Kind::kAgainstDeclaration:
     case Kind::kLevelJump:
     case Kind::kDirectionChange:
-    case Kind::kForceStep:
-      return FindingGroup::kDirection;
+    case Kind::kForceStep: return FindingGroup::kDirection;
     case Kind::kRedundantRule:
     case Kind::kUnreachableRule:
     case Kind::kUnreachableTerm:
-    case Kind::kUnusedTerm:
-      break;
+    case Kind::kUnusedTerm: break;
   }
   return FindingGroup::kNeedless;
 }

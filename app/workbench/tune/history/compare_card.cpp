@@ -38,12 +38,9 @@ QString changeText(const analysis::ModelChange& change) {
   const QString before = harmless(text(change.before));
   const QString after = harmless(text(change.after));
   switch (change.kind) {
-    case Kind::kAdded:
-      return QStringLiteral("+ %1: %2").arg(place, after);
-    case Kind::kRemoved:
-      return QStringLiteral("− %1: %2").arg(place, before);
-    case Kind::kChanged:
-      break;
+    case Kind::kAdded: return QStringLiteral("+ %1: %2").arg(place, after);
+    case Kind::kRemoved: return QStringLiteral("− %1: %2").arg(place, before);
+    case Kind::kChanged: break;
   }
   return QStringLiteral("%1: %2 → %3").arg(place, before, after);
 }

@@ -107,15 +107,13 @@ QString CompareController::nameOf(const CompareChoice& choice) const {
       return edits_.model().experts.size() > 1
                  ? tr("Open model, mean of %n expert(s)", nullptr, static_cast<int>(edits_.model().experts.size()))
                  : tr("Open model");
-    case Kind::kPrevious:
-      return tr("Before the last edit");
+    case Kind::kPrevious: return tr("Before the last edit");
     case Kind::kExpert:
       for (const fuzzy::Expert& expert : edits_.model().experts) {
         if (expert.id == choice.expert) return tr("%1 alone").arg(labelOf(expert));
       }
       return text(choice.expert);
-    case Kind::kState:
-      break;
+    case Kind::kState: break;
   }
   const editing::EditHistory& history = edits_.history();
   const auto& events = history.events();

@@ -71,18 +71,10 @@ QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
     lines.append(tr("%1 · %2 · %3").arg(what, text(event.stamp.author), timeText(event.stamp.utc_ms)));
   }
   switch (row.place) {
-    case Place::kCurrent:
-      lines.append(tr("The current model"));
-      break;
-    case Place::kDone:
-      lines.append(tr("A click goes back to it; nothing is lost"));
-      break;
-    case Place::kUndone:
-      lines.append(tr("Undone: a click brings it back"));
-      break;
-    case Place::kBranch:
-      lines.append(tr("An earlier branch. Click to return to it"));
-      break;
+    case Place::kCurrent: lines.append(tr("The current model")); break;
+    case Place::kDone: lines.append(tr("A click goes back to it; nothing is lost")); break;
+    case Place::kUndone: lines.append(tr("Undone: a click brings it back")); break;
+    case Place::kBranch: lines.append(tr("An earlier branch. Click to return to it")); break;
   }
   const bool newtons = edits_.model().output.unit == "N";
   if (newtons && edits_.impactOf(row.state)) lines.append(explained(Statistic::kNoticeable));

@@ -245,49 +245,27 @@ bool RuleGrids::answerKey(int key) {
   }
   switch (key) {
     case Qt::Key_Delete:
-    case Qt::Key_Backspace:
-      rules_.answer(std::nullopt);
-      return true;
-    case Qt::Key_Space:
-      rules_.goOn();
-      return true;
+    case Qt::Key_Backspace: rules_.answer(std::nullopt); return true;
+    case Qt::Key_Space: rules_.goOn(); return true;
     case Qt::Key_Return:
     case Qt::Key_Enter:
       if (const auto cell = rules_.selected()) makeMenu()->popup(mapToGlobal(cellRect(*cell).center()));
       return true;
-    default:
-      return false;
+    default: return false;
   }
 }
 
 bool RuleGrids::moveKey(int key) {
   switch (key) {
-    case Qt::Key_Left:
-      rules_.step(-1, 0);
-      return true;
-    case Qt::Key_Right:
-      rules_.step(1, 0);
-      return true;
-    case Qt::Key_Up:
-      rules_.step(0, -1);
-      return true;
-    case Qt::Key_Down:
-      rules_.step(0, 1);
-      return true;
-    case Qt::Key_PageUp:
-      rules_.stepGrid(-1);
-      return true;
-    case Qt::Key_PageDown:
-      rules_.stepGrid(1);
-      return true;
-    case Qt::Key_Home:
-      rules_.stepToEnd(false);
-      return true;
-    case Qt::Key_End:
-      rules_.stepToEnd(true);
-      return true;
-    default:
-      return false;
+    case Qt::Key_Left: rules_.step(-1, 0); return true;
+    case Qt::Key_Right: rules_.step(1, 0); return true;
+    case Qt::Key_Up: rules_.step(0, -1); return true;
+    case Qt::Key_Down: rules_.step(0, 1); return true;
+    case Qt::Key_PageUp: rules_.stepGrid(-1); return true;
+    case Qt::Key_PageDown: rules_.stepGrid(1); return true;
+    case Qt::Key_Home: rules_.stepToEnd(false); return true;
+    case Qt::Key_End: rules_.stepToEnd(true); return true;
+    default: return false;
   }
 }
 

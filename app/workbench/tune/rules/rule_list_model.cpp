@@ -62,8 +62,7 @@ QVariant RuleListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const RuleRow& row = rows_[static_cast<std::size_t>(index.row())];
   switch (role) {
-    case Qt::DisplayRole:
-      return shown(row, index.row(), index.column());
+    case Qt::DisplayRole: return shown(row, index.row(), index.column());
     case Qt::EditRole:
       return index.column() == kWeight ? QVariant(row.rule.weight) : shown(row, index.row(), index.column());
     case Qt::CheckStateRole:
@@ -73,62 +72,43 @@ QVariant RuleListModel::data(const QModelIndex& index, int role) const {
       const bool number = index.column() == kNumber || index.column() == kWeight || index.column() == kStrength;
       return static_cast<int>((number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
     }
-    case Qt::ForegroundRole:
-      return row.rule.enabled ? QVariant() : QVariant(theme::mutedInk());
-    case Qt::ToolTipRole:
-      return sentence(row, index.row());
-    case kSort:
-      return order(row, index.row(), index.column());
-    case kConflict:
-      return row.conflict;
-    case kActs:
-      return row.strength;
-    case kIsEnabled:
-      return row.rule.enabled;
+    case Qt::ForegroundRole: return row.rule.enabled ? QVariant() : QVariant(theme::mutedInk());
+    case Qt::ToolTipRole: return sentence(row, index.row());
+    case kSort: return order(row, index.row(), index.column());
+    case kConflict: return row.conflict;
+    case kActs: return row.strength;
+    case kIsEnabled: return row.rule.enabled;
     case kWord: {
       const auto word = rules_.wordOf(row.rule.then);
       return word ? QVariant(static_cast<int>(*word)) : QVariant();
     }
-    case kLines:
-      return row.words.conditions.join(QChar(QChar::LineSeparator) + tr("and "));
-    default:
-      return {};
+    case kLines: return row.words.conditions.join(QChar(QChar::LineSeparator) + tr("and "));
+    default: return {};
   }
 }
 
 QVariant RuleListModel::shown(const RuleRow& row, int number, int column) const {
   switch (column) {
-    case kNumber:
-      return number + 1;
-    case kConditions:
-      return row.words.conditions.join(tr(" and "));
-    case kConsequent:
-      return row.words.consequent;
-    case kWeight:
-      return numberText(row.rule.weight, 3);
-    case kStrength:
-      return row.strength > 0 ? numberText(row.strength, 3) : QString();
-    default:
-      return {};
+    case kNumber: return number + 1;
+    case kConditions: return row.words.conditions.join(tr(" and "));
+    case kConsequent: return row.words.consequent;
+    case kWeight: return numberText(row.rule.weight, 3);
+    case kStrength: return row.strength > 0 ? numberText(row.strength, 3) : QString();
+    default: return {};
   }
 }
 
 QVariant RuleListModel::order(const RuleRow& row, int number, int column) const {
   switch (column) {
-    case kNumber:
-      return number;
-    case kConditions:
-      return row.words.conditions.join(QLatin1Char(' '));
+    case kNumber: return number;
+    case kConditions: return row.words.conditions.join(QLatin1Char(' '));
     case kConsequent: {
       const auto word = rules_.wordOf(row.rule.then);
       return word ? static_cast<int>(*word) : -1;
     }
-    case kWeight:
-      return row.rule.weight;
-    case kEnabled:
-      return row.rule.enabled;
-    default:
-      return row.strength;
+    case kWeight: return row.rule.weight;
+    case kEnabled: return row.rule.enabled;
+    default: return row.strength;
   }
 }
 
@@ -150,18 +130,12 @@ QVariant RuleListModel::headerData(int section, Qt::Orientation orientation, int
   if (role == Qt::ToolTipRole && section == kStrength) return tr("Firing strength at the place that is read");
   if (role != Qt::DisplayRole) return {};
   switch (section) {
-    case kNumber:
-      return tr("No.");
-    case kConditions:
-      return tr("If");
-    case kConsequent:
-      return tr("Then");
-    case kWeight:
-      return tr("Weight");
-    case kEnabled:
-      return tr("On");
-    default:
-      return tr("Here");
+    case kNumber: return tr("No.");
+    case kConditions: return tr("If");
+    case kConsequent: return tr("Then");
+    case kWeight: return tr("Weight");
+    case kEnabled: return tr("On");
+    default: return tr("Here");
   }
 }
 

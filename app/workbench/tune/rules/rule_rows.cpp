@@ -30,8 +30,7 @@ void RuleListSieve::setOnly(Only only) {
 bool RuleListSieve::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
   const QModelIndex index = list_.index(row, 0);
   switch (only_) {
-    case Only::kAll:
-      break;
+    case Only::kAll: break;
     case Only::kActing:
       if (index.data(RuleListModel::kActs).toDouble() <= 0) return false;
       break;

@@ -230,12 +230,9 @@ base::Result<editing::Edit> TermController::moved(const Grip& grip, double by) c
       // A hand that is back where it began leaves the value as it was, rounded or not.
       return editing::moveVertex(base, vertex, place(by) == 0 ? from : place(to), options());
     }
-    case Part::kLeftEdge:
-      return editing::moveEdge(base, placeOf(term), editing::Side::kLeft, place(by), options());
-    case Part::kRightEdge:
-      return editing::moveEdge(base, placeOf(term), editing::Side::kRight, place(by), options());
-    case Part::kTerm:
-      break;
+    case Part::kLeftEdge: return editing::moveEdge(base, placeOf(term), editing::Side::kLeft, place(by), options());
+    case Part::kRightEdge: return editing::moveEdge(base, placeOf(term), editing::Side::kRight, place(by), options());
+    case Part::kTerm: break;
   }
   return editing::moveTerm(base, placeOf(term), place(by), options());
 }

@@ -198,8 +198,7 @@ std::vector<GripHandle> handlesOf(const std::vector<Term>& terms, std::size_t in
   switch (term.shape) {
     case Shape::kTrapezoid:
       return {{vertex(0), p[0], 0}, {vertex(1), p[1], 1}, {vertex(2), p[2], 1}, {vertex(3), p[3], 0}};
-    case Shape::kTriangle:
-      return {{vertex(0), p[0], 0}, {vertex(1), p[1], 1}, {vertex(2), p[2], 0}};
+    case Shape::kTriangle: return {{vertex(0), p[0], 0}, {vertex(1), p[1], 1}, {vertex(2), p[2], 0}};
     case Shape::kGaussian:
       return {{vertex(1, true), p[0] - p[1], kAtSigma}, {vertex(0), p[0], 1}, {vertex(1), p[0] + p[1], kAtSigma}};
   }
@@ -211,13 +210,10 @@ bool holds(const std::vector<Term>& terms, const Grip& grip) {
   const Term& term = terms[grip.term];
   const bool gaussian = term.shape == Shape::kGaussian;
   switch (grip.part) {
-    case Part::kVertex:
-      return grip.point < term.points.size() && (!grip.mirrored || (gaussian && grip.point == 1));
+    case Part::kVertex: return grip.point < term.points.size() && (!grip.mirrored || (gaussian && grip.point == 1));
     case Part::kLeftEdge:
-    case Part::kRightEdge:
-      return !gaussian;
-    case Part::kTerm:
-      return true;
+    case Part::kRightEdge: return !gaussian;
+    case Part::kTerm: return true;
   }
   return false;
 }
@@ -226,14 +222,10 @@ std::vector<std::size_t> pointsOf(const std::vector<Term>& terms, const Grip& gr
   const Term& term = terms[grip.term];
   const std::size_t count = term.points.size();
   switch (grip.part) {
-    case Part::kVertex:
-      return {grip.point};
-    case Part::kLeftEdge:
-      return {0, 1};
-    case Part::kRightEdge:
-      return {count - 2, count - 1};
-    case Part::kTerm:
-      break;
+    case Part::kVertex: return {grip.point};
+    case Part::kLeftEdge: return {0, 1};
+    case Part::kRightEdge: return {count - 2, count - 1};
+    case Part::kTerm: break;
   }
   if (term.shape == Shape::kGaussian) return {0};
   std::vector<std::size_t> all(count);
@@ -250,12 +242,9 @@ QString gripText(const fuzzy::Variable& variable, const std::vector<Term>& terms
   switch (grip.part) {
     case Part::kVertex:
       return named(text(editing::pointName(term.shape, grip.point)), quantity(variable, p[grip.point]));
-    case Part::kLeftEdge:
-      return named(GripText::tr("left edge"), range(variable, p[0], p[1]));
-    case Part::kRightEdge:
-      return named(GripText::tr("right edge"), range(variable, p[p.size() - 2], p.back()));
-    case Part::kTerm:
-      break;
+    case Part::kLeftEdge: return named(GripText::tr("left edge"), range(variable, p[0], p[1]));
+    case Part::kRightEdge: return named(GripText::tr("right edge"), range(variable, p[p.size() - 2], p.back()));
+    case Part::kTerm: break;
   }
   const QString whole = GripText::tr("whole term");
   return named(whole, term.shape == Shape::kGaussian ? quantity(variable, p[0]) : range(variable, p[0], p.back()));

@@ -167,12 +167,9 @@ int columnOf(Shape shape, std::size_t point) {
 
 QString shapeText(Shape shape) {
   switch (shape) {
-    case Shape::kTrapezoid:
-      return TermTable::tr("Trapezoid");
-    case Shape::kTriangle:
-      return TermTable::tr("Triangle");
-    case Shape::kGaussian:
-      return TermTable::tr("Gaussian");
+    case Shape::kTrapezoid: return TermTable::tr("Trapezoid");
+    case Shape::kTriangle: return TermTable::tr("Triangle");
+    case Shape::kGaussian: return TermTable::tr("Gaussian");
   }
   return {};
 }

@@ -143,23 +143,15 @@ void SurfacePlot::wheelEvent(QWheelEvent* event) {
 void SurfacePlot::keyPressEvent(QKeyEvent* event) {
   const double step = event->modifiers().testFlag(Qt::ShiftModifier) ? kCoarseDeg : kFineDeg;
   switch (event->key()) {
-    case Qt::Key_Left:
-      return turn(-step, 0);
-    case Qt::Key_Right:
-      return turn(step, 0);
-    case Qt::Key_Up:
-      return turn(0, -step);
-    case Qt::Key_Down:
-      return turn(0, step);
+    case Qt::Key_Left: return turn(-step, 0);
+    case Qt::Key_Right: return turn(step, 0);
+    case Qt::Key_Up: return turn(0, -step);
+    case Qt::Key_Down: return turn(0, step);
     case Qt::Key_Plus:
-    case Qt::Key_Equal:
-      return zoomBy(kZoomStep, frame_.boxArea().center());
-    case Qt::Key_Minus:
-      return zoomBy(1 / kZoomStep, frame_.boxArea().center());
-    case Qt::Key_Home:
-      return setLook({});
-    default:
-      QWidget::keyPressEvent(event);
+    case Qt::Key_Equal: return zoomBy(kZoomStep, frame_.boxArea().center());
+    case Qt::Key_Minus: return zoomBy(1 / kZoomStep, frame_.boxArea().center());
+    case Qt::Key_Home: return setLook({});
+    default: QWidget::keyPressEvent(event);
   }
 }
 

@@ -163,17 +163,10 @@ TEST(ReportDescriptor, SurvivesRandomChangesOfRealLayouts) {
       for (int i = 0; i < changes && !bytes.empty(); ++i) {
         const auto at = bytes.begin() + random.below(static_cast<int>(bytes.size()));
         switch (random.below(4)) {
-          case 0:
-            *at = static_cast<std::uint8_t>(random.below(256));
-            break;
-          case 1:
-            *at ^= static_cast<std::uint8_t>(1 << random.below(8));
-            break;
-          case 2:
-            bytes.erase(at);
-            break;
-          default:
-            bytes.insert(at, static_cast<std::uint8_t>(random.below(256)));
+          case 0: *at = static_cast<std::uint8_t>(random.below(256)); break;
+          case 1: *at ^= static_cast<std::uint8_t>(1 << random.below(8)); break;
+          case 2: bytes.erase(at); break;
+          default: bytes.insert(at, static_cast<std::uint8_t>(random.below(256)));
         }
       }
       useAll(bytes, random);

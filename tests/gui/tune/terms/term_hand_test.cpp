@@ -34,50 +34,28 @@ class RandomHand {
         terms_.setExpert(pick(2) == 0 ? "" : terms_.model().experts[pick(2)].id);
         terms_.chooseScope(pick(2) == 0);
         break;
-      case 2:
-        terms_.setKeepsSum(pick(2) == 0);
-        break;
-      case 3:
-        terms_.setLocked(id, pick(4), pick(3) == 0);
-        break;
-      case 4:
-        terms_.convert(id, fuzzy::kShapes[pick(3)]);
-        break;
+      case 2: terms_.setKeepsSum(pick(2) == 0); break;
+      case 3: terms_.setLocked(id, pick(4), pick(3) == 0); break;
+      case 4: terms_.convert(id, fuzzy::kShapes[pick(3)]); break;
       case 5:
         if (count < 12) terms_.add(QStringLiteral("New"), place);
         break;
-      case 6:
-        terms_.remove(id, pick(4) == 0);
-        break;
+      case 6: terms_.remove(id, pick(4) == 0); break;
       case 7:
         if (count < 12) terms_.split(id, {place});
         break;
-      case 8:
-        terms_.rename(id, QStringLiteral("Name %1").arg(pick(100)));
-        break;
-      case 9:
-        terms_.setOwnList(pick(2) == 0);
-        break;
-      case 10:
-        terms_.setPoint(id, pick(4), place);
-        break;
-      case 11:
-        edits_.undo();
-        break;
-      case 12:
-        edits_.redo();
-        break;
-      case 13:
-        terms_.selectNext(pick(2) == 0 ? 1 : -1);
-        break;
+      case 8: terms_.rename(id, QStringLiteral("Name %1").arg(pick(100))); break;
+      case 9: terms_.setOwnList(pick(2) == 0); break;
+      case 10: terms_.setPoint(id, pick(4), place); break;
+      case 11: edits_.undo(); break;
+      case 12: edits_.redo(); break;
+      case 13: terms_.selectNext(pick(2) == 0 ? 1 : -1); break;
       case 14:
       case 15:
         for (std::size_t i = pick(6) + 1; i > 0; --i) terms_.step(pick(2) == 0 ? 1 : -1, pick(3) == 0);
         if (pick(3) != 0) terms_.endSteps();
         break;
-      default:
-        dragSomething(t, range);
-        break;
+      default: dragSomething(t, range); break;
     }
   }
 
@@ -94,16 +72,12 @@ class RandomHand {
     terms_.beginMove(grip);
     for (std::size_t i = pick(8) + 1; i > 0; --i) terms_.moveBy(range * random_.uniform(-0.5, 0.5));
     switch (pick(6)) {
-      case 0:
-        terms_.cancelMove();
-        break;
+      case 0: terms_.cancelMove(); break;
       case 1:
         edits_.undo();  // Ctrl+Z while the button is down
         terms_.endMove();
         break;
-      default:
-        terms_.endMove();
-        break;
+      default: terms_.endMove(); break;
     }
   }
 
