@@ -101,7 +101,7 @@ void paintCode(QPainter& painter, const ParticipantRow& row, const QRect& cell, 
   const QString code = QFontMetrics(name).elidedText(row.code, Qt::ElideRight, inside.width());
   painter.drawText(QRect(inside.left(), top, inside.width(), height), Qt::AlignLeft | Qt::AlignVCenter, code);
   if (!marked) return;
-  const QString word = row.simulated ? ParticipantTable::tr("SIMULATED") : ParticipantTable::tr("VIRTUAL");
+  const QString word = row.simulated ? StudyHome::tr("SIMULATED") : StudyHome::tr("VIRTUAL");
   const QRect box(inside.left(), top + height + 2, QFontMetrics(badge).horizontalAdvance(word) + theme::kGrid,
                   badge_height);
   painter.setPen(Qt::NoPen);
@@ -115,9 +115,9 @@ void paintCode(QPainter& painter, const ParticipantRow& row, const QRect& cell, 
 }  // namespace
 
 void StepDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  const auto* const table = qobject_cast<const ParticipantTable*>(index.model());
+  const auto* const table = dynamic_cast<const ParticipantTable*>(index.model());
   if (table == nullptr) return;
-  const ParticipantRow& row = table->participant(index.row());
+  const ParticipantRow& row = table->row(index.row());
   const bool selected = option.state.testFlag(QStyle::State_Selected);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
@@ -165,7 +165,7 @@ constexpr int kRowHeight = 7 * theme::kGrid;
 
 // The participants' table: quiet lines, one selected row.
 QTableView* makeTable(ParticipantTable& model, QWidget* parent) {
-  QTableView* const view = makeQuietTable(model, ParticipantTable::tr("Participants"), parent);
+  QTableView* const view = makeQuietTable(model, StudyHome::tr("Participants"), parent);
   view->setItemDelegate(new StepDelegate(view));
   view->verticalHeader()->setDefaultSectionSize(kRowHeight);
   QHeaderView* const head = view->horizontalHeader();
@@ -173,7 +173,7 @@ QTableView* makeTable(ParticipantTable& model, QWidget* parent) {
   head->setMinimumHeight(4 * theme::kGrid);
   keepFitted(*view, [view, &model] {
     const QFontMetrics metrics(theme::smallFont());
-    for (int column = 0; column < ParticipantTable::kColumns; ++column) {
+    for (int column = 0; column < model.columnCount(); ++column) {
       const QString title = model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
       const int width = std::max(metrics.horizontalAdvance(title) + theme::kGrid, appearance::scaled(kStepWidth));
       view->setColumnWidth(column, ParticipantTable::stepOf(column) ? width : width + 2 * theme::kGrid);
@@ -345,7 +345,7 @@ void StudyHome::showData(const BuildNotes& notes) {
 std::optional<study::RecordId> StudyHome::selected() const {
   const QModelIndexList rows = view_->selectionModel()->selectedRows();
   if (rows.isEmpty()) return std::nullopt;
-  return table_->participant(rows.first().row()).person;
+  return table_->row(rows.first().row()).person;
 }
 
 void StudyHome::select(const study::RecordId& person) {

@@ -1,7 +1,6 @@
 // Makes the bundle of the open model in the background and reads it back.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QObject>
 #include <QString>
 #include <QStringList>
@@ -9,6 +8,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/base/worker.h"
 #include "core/fuzzy/force_model.h"
 
@@ -30,25 +30,7 @@ struct DeliveredFile {
   QString wrong;  ///< one sentence where `ok` is false
 };
 
-class DeliveredModel : public QAbstractTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { kFile, kError, kTolerance, kCentroid, kColumns };
-
-  using QAbstractTableModel::QAbstractTableModel;
-
-  void setFiles(std::vector<DeliveredFile> files);
-  const DeliveredFile& file(int row) const { return files_[static_cast<std::size_t>(row)]; }
-
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
- private:
-  std::vector<DeliveredFile> files_;
-};
+std::vector<Column<DeliveredFile>> deliveredColumns();
 
 /// An error in newtons with two digits: `0.0025 N`, `1.1e-12 N`, `0 N`.
 QString errorText(double newtons);

@@ -130,7 +130,7 @@ QWidget* BundlePanel::makeResult() {
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->verticalHeader()->setDefaultSectionSize(3 * theme::kGrid);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(DeliveredModel::kFile, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
 
   auto* layout = new QGridLayout(page);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -194,7 +194,7 @@ void BundlePanel::showResult() {
   const bool any = delivered || !maker_.failure().isEmpty();
   body_->setCurrentWidget(any ? result_ : contents_);
   if (!any) return;
-  files_.setFiles(delivered ? delivered->files : std::vector<DeliveredFile>());
+  files_.setRows(delivered ? delivered->files : std::vector<DeliveredFile>());
   table_->setVisible(delivered.has_value());
   open_->setVisible(delivered.has_value());
   folder_->setVisible(delivered.has_value());

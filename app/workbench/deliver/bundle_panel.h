@@ -45,7 +45,7 @@ class BundlePanel : public Card {
 
   BundleMaker& maker_;
   const ReadinessController& readiness_;
-  DeliveredModel files_;
+  Columns<DeliveredFile> files_{deliveredColumns()};
   QPushButton* make_;
   QLabel* waits_for_;
   QStackedWidget* body_;

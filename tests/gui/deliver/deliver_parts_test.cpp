@@ -87,6 +87,9 @@ TEST_F(DeliverPartsTest, ABundleShowsTheErrorOfEachFile) {
   ASSERT_NE(table, nullptr);
   EXPECT_TRUE(table->isVisible());
   ASSERT_TRUE(bench.bundles.delivered());
+  struct DeliveredModel {
+    enum { kFile, kError };
+  };
   EXPECT_EQ(table->model()->rowCount(), static_cast<int>(bench.bundles.delivered()->files.size()));
   EXPECT_EQ(table->model()->index(0, DeliveredModel::kFile).data().toString(), QStringLiteral("model.tactus.json"));
   EXPECT_EQ(table->model()->index(0, DeliveredModel::kError).data().toString(), QStringLiteral("0 N"));

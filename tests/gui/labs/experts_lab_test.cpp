@@ -42,8 +42,11 @@ TEST_F(ExpertsLabTest, EqualWeightsDifferByNothingAndWhatTheDataLackSaysWhy) {
       EXPECT_FALSE(one.unavailable.isEmpty());
     }
   }
-  PolicyTable table(lab);
-  table.follow();
+  struct PolicyTable {
+    enum { kLargest = 2 };
+  };
+  Columns<PolicyRow> table(policyColumns());
+  table.setRows(policyRows(lab.compared()));
   EXPECT_EQ(table.index(0, PolicyTable::kLargest).data().toString(), QStringLiteral("0 N"));
 }
 
@@ -97,8 +100,8 @@ TEST_F(ExpertsLabTest, TheLastWeightCannotBeTakenAway) {
 }
 
 TEST_F(ExpertsLabTest, DistancesAreThoseOfTheBuild) {
-  PairTable table(lab);
-  table.follow();
+  Columns<DistanceRow> table;
+  showDistances(table, lab.built().get());
   ASSERT_EQ(table.rowCount(), 4);
   EXPECT_TRUE(table.index(2, 2).data().toString().isEmpty());
   EXPECT_EQ(table.index(0, 3).data().toString(), table.index(3, 0).data().toString());

@@ -162,8 +162,11 @@ TEST_F(ForceLabTest, TheAnswerFollowsACorrection) {
 
 TEST_F(ForceLabTest, ChecksOfEachParticipant) {
   ASSERT_EQ(lab.checks().size(), 4U);
-  CheckTable table;
-  table.setChecks(lab.checks());
+  struct CheckTable {
+    enum { kWho = 0 };
+  };
+  Columns<ParticipantChecks> table(checkColumns());
+  table.setRows(lab.checks());
   EXPECT_EQ(table.index(0, CheckTable::kWho).data().toString(), QStringLiteral("S1"));
   // Table 2 splits into four monotone participants: no larger force has a smaller word in the rising series.
   for (const ParticipantChecks& one : lab.checks()) {

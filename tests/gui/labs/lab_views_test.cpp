@@ -31,6 +31,14 @@ namespace {
 
 using tests::comesTrue;
 
+struct CellTable {
+  enum { kExpert, kWord, kFelt, kFromMean };
+  static constexpr int kOrderRole = workbench::kOrderRole;
+};
+struct WeightTable {
+  enum { kExpert, kWeight };
+};
+
 class LabViews : public testing::Test {
  protected:
   void SetUp() override { study.open(path); }
@@ -199,7 +207,7 @@ TEST_F(LabViews, AWeightIsTypedIntoTheTable) {
   ExpertsLabView view(lab);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return view.weights().rowCount() == 4; }));
-  WeightTable& table = view.weights();
+  Columns<WeightRow>& table = view.weights();
   EXPECT_TRUE(table.setData(table.index(1, WeightTable::kWeight), QStringLiteral("2,5"), Qt::EditRole));
   EXPECT_EQ(data.settings().weights.table.at("S2"), 2.5);
   EXPECT_FALSE(table.setData(table.index(1, WeightTable::kWeight), QStringLiteral("many"), Qt::EditRole));

@@ -45,8 +45,11 @@ TEST_F(MethodLabTest, ComparesOnRequestAndDrawsTheCurvesWhereTheyDifferMost) {
   lab.setWanted(true);
   EXPECT_FALSE(lab.isBusy());
 
-  FactorTable factors;
-  factors.setStudy(lab.found());
+  struct FactorTable {
+    enum { kSentence = kVerdictColumn };
+  };
+  Columns<FactorRow> factors(factorColumns());
+  factors.setRows(factorRows(*lab.found()));
   EXPECT_EQ(factors.rowCount(), static_cast<int>(lab.found()->factors.size()));
   for (int row = 0; row < factors.rowCount(); ++row) {
     const QModelIndex at = factors.index(row, FactorTable::kSentence);
@@ -55,12 +58,13 @@ TEST_F(MethodLabTest, ComparesOnRequestAndDrawsTheCurvesWhereTheyDifferMost) {
         << verdict.toStdString();
     EXPECT_TRUE(at.data(Qt::ToolTipRole).toString().contains(QStringLiteral("here")));
   }
-  VariantTable variants;
-  variants.setFactor(*lab.found(), "force_terms", lab.model());
+  Columns<VariantRow> variants(variantColumns());
+  variants.setRows(variantRows(*lab.found(), "force_terms", lab.model()));
   ASSERT_EQ(variants.rowCount(), 3) << "frequency, thresholds and probit beside the vote";
 
   const std::size_t thresholds = variant("force_terms", "thresholds");
-  EXPECT_EQ(variants.variantAt(variants.rowOf(thresholds)), thresholds);
+  EXPECT_TRUE(std::any_of(variants.rows().begin(), variants.rows().end(),
+                          [&](const VariantRow& row) { return row.index == thresholds; }));
   lab.choose(thresholds);
   ASSERT_TRUE(comesTrue([this] { return lab.curves() != nullptr; }));
   // Both curves pass through the largest difference.

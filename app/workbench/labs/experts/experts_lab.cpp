@@ -17,97 +17,77 @@ using elicitation::WeightPolicy;
 
 const QString kUnknown = QStringLiteral("–");
 
-QString policyNewtons(double force_n) { return quantityText(force_n, "N", 3); }
+QString pairNewtons(double force_n) { return quantityText(force_n, "N", 3); }
 
 }  // namespace
 
 QString policyName(WeightPolicy policy) {
   switch (policy) {
-    case WeightPolicy::kEqual: return PolicyTable::tr("Equal");
-    case WeightPolicy::kYears: return PolicyTable::tr("By years of experience");
-    case WeightPolicy::kCategory: return PolicyTable::tr("By category");
-    case WeightPolicy::kColumn: return PolicyTable::tr("From the profiles");
-    case WeightPolicy::kTable: return PolicyTable::tr("Own weights");
+    case WeightPolicy::kEqual: return ExpertsLab::tr("Equal");
+    case WeightPolicy::kYears: return ExpertsLab::tr("By years of experience");
+    case WeightPolicy::kCategory: return ExpertsLab::tr("By category");
+    case WeightPolicy::kColumn: return ExpertsLab::tr("From the profiles");
+    case WeightPolicy::kTable: return ExpertsLab::tr("Own weights");
   }
   return {};
 }
 
-PolicyTable::PolicyTable(const ExpertsLab& lab, QObject* parent)
-    : LabTableModel({{tr("Weights")},
-                     {tr("Of the experts")},
-                     {tr("From equal, at most"), Qt::AlignRight},
-                     {tr("rms"), Qt::AlignRight},
-                     {tr("Where")}},
-                    parent),
-      lab_(lab) {}
-
-void PolicyTable::follow() {
-  beginResetModel();
-  rows_ = lab_.compared();
-  endResetModel();
+std::vector<Column<PolicyRow>> policyColumns() {
+  using Row = PolicyRow;
+  const auto tip = [](QString Row::*cell) -> std::map<int, CellOf<Row>> {
+    return {
+        {Qt::ToolTipRole, [cell](const Row& row) { return row.unavailable.isEmpty() ? row.*cell : row.unavailable; }}};
+  };
+  return {{ExpertsLab::tr("Weights"), &Row::policy, Qt::AlignLeft, {}, {{Qt::ToolTipRole, &Row::unavailable}}},
+          {ExpertsLab::tr("Of the experts"), &Row::weights, Qt::AlignLeft, {}, tip(&Row::weights)},
+          {ExpertsLab::tr("From equal, at most"), &Row::largest, Qt::AlignRight, {}, tip(&Row::largest)},
+          {ExpertsLab::tr("rms"), &Row::rms, Qt::AlignRight, {}, tip(&Row::rms)},
+          {ExpertsLab::tr("Where"), &Row::where, Qt::AlignLeft, {}, tip(&Row::where)}};
 }
 
-int PolicyTable::rows() const { return static_cast<int>(rows_.size()); }
-
-QVariant PolicyTable::cell(int row, int column, int role) const {
-  const ComparedWeights& at = rows_[static_cast<std::size_t>(row)];
-  if (role == Qt::ToolTipRole && !at.unavailable.isEmpty()) return at.unavailable;
-  if (role == Qt::ToolTipRole && column >= kWeights) return cell(row, column, Qt::DisplayRole);
-  if (role != Qt::DisplayRole) return {};
-  if (column == kPolicy) return policyName(at.policy);
-  if (!at.unavailable.isEmpty()) return column == kWeights ? tr("not in the data") : kUnknown;
-  switch (column) {
-    case kWeights: {
-      QStringList weights;
-      for (const double weight : at.weights) weights << numberText(weight, 2);
-      return weights.join(QStringLiteral(" · "));
-    }
-    case kLargest: return policyNewtons(at.from_equal.largest_n);
-    case kRms: return policyNewtons(at.from_equal.rms_n);
-    case kWhere: return at.where;
-    default: return {};
+std::vector<PolicyRow> policyRows(const std::vector<ComparedWeights>& compared) {
+  std::vector<PolicyRow> rows;
+  for (const ComparedWeights& one : compared) {
+    rows.push_back(
+        {policyName(one.policy), ExpertsLab::tr("not in the data"), kUnknown, kUnknown, kUnknown, one.unavailable});
+    PolicyRow& row = rows.back();
+    if (!one.unavailable.isEmpty()) continue;
+    QStringList weights;
+    for (const double weight : one.weights) weights << numberText(weight, 2);
+    row.weights = weights.join(QStringLiteral(" · "));
+    row.largest = pairNewtons(one.from_equal.largest_n);
+    row.rms = pairNewtons(one.from_equal.rms_n);
+    row.where = one.where;
   }
+  return rows;
 }
 
-namespace {
-
-QString pairNewtons(double force_n) { return quantityText(force_n, "N", 3); }
-
-}  // namespace
-
-PairTable::PairTable(const ExpertsLab& lab, QObject* parent) : QAbstractTableModel(parent), lab_(lab) {}
-
-void PairTable::follow() {
-  if (built_ == lab_.built()) return;
-  beginResetModel();
-  built_ = lab_.built();
-  endResetModel();
-}
-
-int PairTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() || built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size());
-}
-
-const elicitation::ExpertDistance& PairTable::between(int first, int second) const {
-  const auto row = static_cast<std::size_t>(std::min(first, second));
-  const auto column = static_cast<std::size_t>(std::max(first, second));
-  const std::size_t before = row * built_->model.experts.size() - row * (row + 1) / 2;  // the pairs of earlier rows
-  return built_->influences.pairs[before + column - row - 1];
-}
-
-QVariant PairTable::data(const QModelIndex& index, int role) const {
-  if (role == Qt::TextAlignmentRole) return static_cast<int>(Qt::AlignCenter);
-  if (index.row() == index.column() || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) return {};
-  const elicitation::ExpertDistance& pair = between(index.row(), index.column());
-  if (role == Qt::DisplayRole) return pairNewtons(pair.rms_n);
-  if (!pair.largest) return {};
-  return tr("At most %1: %2")
-      .arg(pairNewtons(pair.largest->newtons), text(elicitation::pointText(built_->model, pair.largest->at)));
-}
-
-QVariant PairTable::headerData(int section, Qt::Orientation, int role) const {
-  if (role != Qt::DisplayRole || section >= rowCount()) return {};
-  return harmless(labelOf(built_->model.experts[static_cast<std::size_t>(section)]));
+void showDistances(Columns<DistanceRow>& table, const elicitation::BuiltModel* built) {
+  std::vector<Column<DistanceRow>> columns;
+  std::vector<DistanceRow> rows;
+  const std::size_t count = built == nullptr ? 0 : built->model.experts.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const QString expert = harmless(labelOf(built->model.experts[i]));
+    columns.push_back({expert,
+                       [i](const DistanceRow& row) { return row.distances[i]; },
+                       Qt::AlignHCenter,
+                       {},
+                       {{Qt::ToolTipRole, [i](const DistanceRow& row) { return row.tips[i]; }}}});
+    rows.push_back({expert, std::vector<QString>(count), std::vector<QString>(count)});
+  }
+  std::size_t pair = 0;  // they stand in this order
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t j = i + 1; j < count; ++j, ++pair) {
+      const elicitation::ExpertDistance& one = built->influences.pairs[pair];
+      rows[i].distances[j] = rows[j].distances[i] = pairNewtons(one.rms_n);
+      if (!one.largest) continue;
+      rows[i].tips[j] = rows[j].tips[i] =
+          ExpertsLab::tr("At most %1: %2")
+              .arg(pairNewtons(one.largest->newtons), text(elicitation::pointText(built->model, one.largest->at)));
+    }
+  }
+  table.setRowHeads(&DistanceRow::expert);
+  table.setTable(std::move(columns), std::move(rows));
 }
 
 namespace {

@@ -2,7 +2,6 @@
 // where.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <QObject>
 #include <atomic>
 #include <map>
@@ -11,10 +10,10 @@
 #include <vector>
 
 #include "app/figures/force_curves.h"
+#include "app/workbench/base/columns.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/experts/band_lab.h"
-#include "app/workbench/labs/frame/lab_table_model.h"
 #include "elicitation/model/expert_weights_compared.h"
 
 namespace tactus::workbench {
@@ -96,44 +95,23 @@ class ExpertsLab : public QObject {
 /// The distance of each expert from the mean along the curves, one list per expert; NaN where the expert abstains.
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves);
 
-/// The distance between each two experts as an item model: root mean square in N where both have a rule.
-class PairTable : public QAbstractTableModel {
-  Q_OBJECT
-
- public:
-  explicit PairTable(const ExpertsLab& lab, QObject* parent = nullptr);
-  void follow();
-
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override { return rowCount(parent); }
-  QVariant data(const QModelIndex& index, int role) const override;
-  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-
- private:
-  /// Of two different experts.
-  const elicitation::ExpertDistance& between(int first, int second) const;
-
-  const ExpertsLab& lab_;
-  std::shared_ptr<const elicitation::BuiltModel> built_;
+/// What an expert is apart from each one: root mean square in N where both have a rule, and where it is most.
+struct DistanceRow {
+  QString expert;
+  std::vector<QString> distances, tips;  ///< empty from itself
 };
 
-/// The weight policies beside equal weights, in newtons, as an item model.
-class PolicyTable : public LabTableModel {
-  Q_OBJECT
+/// Shows the distances between each two experts of `built`; null: none.
+void showDistances(Columns<DistanceRow>& table, const elicitation::BuiltModel* built);
 
- public:
-  enum Column { kPolicy, kWeights, kLargest, kRms, kWhere };
-
-  explicit PolicyTable(const ExpertsLab& lab, QObject* parent = nullptr);
-  void follow();
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-
-  const ExpertsLab& lab_;
-  std::vector<ComparedWeights> rows_;
+/// A weight policy beside equal weights, in newtons, as the screen shows it.
+struct PolicyRow {
+  QString policy, weights, largest, rms, where;
+  QString unavailable;  ///< why it has no numbers; empty if it has
 };
+
+std::vector<Column<PolicyRow>> policyColumns();
+std::vector<PolicyRow> policyRows(const std::vector<ComparedWeights>& compared);
 
 /// `Equal`, `By years of experience`, …
 QString policyName(elicitation::WeightPolicy policy);

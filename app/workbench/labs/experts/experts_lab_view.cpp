@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
@@ -34,68 +35,54 @@ constexpr int kForceDigits = 3;
 
 QString newtons(double force_n) { return quantityText(force_n, "N", kForceDigits); }
 
-QString leftOutTip() { return WeightTable::tr("How far the averaged force moves without this expert."); }
+std::vector<WeightRow> weightRows(const elicitation::BuiltModel* built) {
+  std::vector<WeightRow> rows;
+  if (built == nullptr) return rows;
+  const auto& experts = built->model.experts;
+  const auto numbers = figures::expertNumbers(experts);
+  for (std::size_t i = 0; i < experts.size(); ++i) {
+    rows.push_back({experts[i].id, numbers[i], harmless(labelOf(experts[i])), numberText(experts[i].weight, 3), kAbsent,
+                    kAbsent, kAbsent, kAbsent});
+    WeightRow& row = rows.back();
+    if (i >= built->influences.experts.size()) continue;
+    const elicitation::ExpertInfluence& influence = built->influences.experts[i];
+    row.rms = newtons(influence.rms_n);
+    if (!influence.largest) continue;
+    row.largest = newtons(influence.largest->newtons);
+    if (influence.most_noticeable) row.noticeable = numberText(influence.most_noticeable->noticeable, 1);
+    row.where = text(elicitation::pointText(built->model, influence.largest->at));
+  }
+  return rows;
+}
+
+std::vector<Column<WeightRow>> weightColumns(ExpertsLab& lab) {
+  using Row = WeightRow;
+  const QString left_out = ExpertsLabView::tr("How far the averaged force moves without this expert.");
+  return withRole<Row>({{ExpertsLabView::tr("Expert"),
+                         &Row::expert,
+                         Qt::AlignLeft,
+                         {},
+                         {{Qt::DecorationRole, [](const Row& row) { return theme::expert(row.number); }}}},
+                        {ExpertsLabView::tr("Weight"),
+                         &Row::weight,
+                         Qt::AlignRight,
+                         ExpertsLabView::tr("Double-click a weight to change it."),
+                         {{Qt::EditRole, &Row::weight}},
+                         [&lab](const Row& row, const QVariant& typed) {
+                           const auto weight = typedNumber(typed.toString());
+                           if (!weight || *weight < 0) return false;
+                           lab.setWeight(std::string(row.id), *weight);  // the row may be another one then
+                           return true;
+                         }},
+                        {ExpertsLabView::tr("Left out, rms"), &Row::rms, Qt::AlignRight, left_out},
+                        {ExpertsLabView::tr("At most"), &Row::largest, Qt::AlignRight, left_out},
+                        {ExpertsLabView::tr("JND"), &Row::noticeable, Qt::AlignRight,
+                         ExpertsLabView::tr("The largest change in just-noticeable differences.")},
+                        {ExpertsLabView::tr("Where"), &Row::where, Qt::AlignLeft, left_out}},
+                       Qt::ToolTipRole);
+}
 
 }  // namespace
-
-WeightTable::WeightTable(ExpertsLab& lab, QObject* parent)
-    : LabTableModel({{tr("Expert")},
-                     {tr("Weight"), Qt::AlignRight, tr("Double-click a weight to change it.")},
-                     {tr("Left out, rms"), Qt::AlignRight, leftOutTip()},
-                     {tr("At most"), Qt::AlignRight, leftOutTip()},
-                     {tr("JND"), Qt::AlignRight, tr("The largest change in just-noticeable differences.")},
-                     {tr("Where"), Qt::AlignLeft, leftOutTip()}},
-                    parent),
-      lab_(lab) {}
-
-void WeightTable::follow() {
-  const bool same = built_ != nullptr && lab_.built() != nullptr &&
-                    built_->model.experts.size() == lab_.built()->model.experts.size();
-  if (!same) beginResetModel();
-  built_ = lab_.built();
-  numbers_ = built_ == nullptr ? std::vector<std::size_t>() : figures::expertNumbers(built_->model.experts);
-  // The cell that is being edited stays while only numbers change.
-  same ? emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)) : endResetModel();
-}
-
-int WeightTable::rows() const { return built_ == nullptr ? 0 : static_cast<int>(built_->model.experts.size()); }
-
-Qt::ItemFlags WeightTable::flags(const QModelIndex& index) const {
-  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-  return index.column() == kWeight ? flags | Qt::ItemIsEditable : flags;
-}
-
-QVariant WeightTable::cell(int row, int column, int role) const {
-  const auto expert = static_cast<std::size_t>(row);
-  if (role == Qt::DecorationRole && column == kExpert) return theme::expert(numbers_[expert]);
-  if (role == Qt::EditRole && column == kWeight) return numberText(built_->model.experts[expert].weight, 3);
-  if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return shown(expert, column);
-  return {};
-}
-
-QString WeightTable::shown(std::size_t expert, int column) const {
-  const fuzzy::Expert& one = built_->model.experts[expert];
-  if (column == kExpert) return harmless(labelOf(one));
-  if (column == kWeight) return numberText(one.weight, 3);
-  const auto& influences = built_->influences.experts;
-  if (expert >= influences.size()) return kAbsent;
-  const elicitation::ExpertInfluence& influence = influences[expert];
-  if (column == kRms) return newtons(influence.rms_n);
-  if (!influence.largest) return kAbsent;
-  if (column == kLargest) return newtons(influence.largest->newtons);
-  if (column == kNoticeable) {
-    return influence.most_noticeable ? numberText(influence.most_noticeable->noticeable, 1) : kAbsent;
-  }
-  return text(elicitation::pointText(built_->model, influence.largest->at));
-}
-
-bool WeightTable::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (role != Qt::EditRole || index.column() != kWeight) return false;
-  const auto weight = typedNumber(value.toString());
-  if (!weight || *weight < 0) return false;
-  lab_.setWeight(built_->model.experts[static_cast<std::size_t>(index.row())].id, *weight);
-  return true;
-}
 
 // The numbers of the pull plot: the averaged force and everybody's distance from it.
 
@@ -155,9 +142,9 @@ constexpr elicitation::BandKind kBands[] = {elicitation::BandKind::kAgain, elici
 ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
-      weights_(new WeightTable(lab, this)),
-      policies_(new PolicyTable(lab, this)),
-      pairs_(new PairTable(lab, this)),
+      weights_(new Columns<WeightRow>(weightColumns(lab), this)),
+      policies_(new Columns<PolicyRow>(policyColumns(), this)),
+      pairs_(new Columns<DistanceRow>(this)),
       plot_(new PullPlot),
       policy_(new QComboBox),
       open_(new PrimaryButton(tr("&Open in the bench"))),
@@ -290,9 +277,9 @@ void ExpertsLabView::hideEvent(QHideEvent* event) {
 
 void ExpertsLabView::follow() {
   makeSettings();
-  weights_->follow();
-  policies_->follow();
-  pairs_->follow();
+  weights_->updateRows(weightRows(lab_.built().get()));
+  policies_->setRows(policyRows(lab_.compared()));
+  if (std::exchange(of_, lab_.built()) != lab_.built()) showDistances(*pairs_, lab_.built().get());
   open_->setEnabled(lab_.built() != nullptr);
   failure_->setText(lab_.failure());
   failure_->setVisible(!lab_.failure().isEmpty());

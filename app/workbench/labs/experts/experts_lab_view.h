@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/workbench/labs/experts/experts_lab.h"
-#include "app/workbench/labs/frame/lab_table_model.h"
 
 class QComboBox;
 class QLabel;
@@ -14,39 +13,15 @@ class QPushButton;
 
 namespace tactus::workbench {
 
-/// The experts with their weights and what leaving each one out would change, as an item model. The weights can be
-/// edited.
-class WeightTable : public LabTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { kExpert, kWeight, kRms, kLargest, kNoticeable, kWhere };
-
-  /// `lab` outlives this.
-  explicit WeightTable(ExpertsLab& lab, QObject* parent = nullptr);
-
-  /// Shows what the lab has.
-  void follow();
-
-  Qt::ItemFlags flags(const QModelIndex& index) const override;
-  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-  QString shown(std::size_t expert, int column) const;
-
-  ExpertsLab& lab_;
-  std::shared_ptr<const elicitation::BuiltModel> built_;
-  std::vector<std::size_t> numbers_;  ///< of the experts, for their colors
+/// An expert with the weight, which can be edited, and what leaving this one out would change.
+struct WeightRow {
+  std::string id;
+  std::size_t number = 0;  ///< of the color
+  QString expert, weight, rms, largest, noticeable, where;
 };
 
-class ExpertsLab;
-class PairTable;
-class PolicyTable;
 class PullPlot;
 class SettingRow;
-class WeightTable;
 
 class ExpertsLabView : public QWidget {
   Q_OBJECT
@@ -55,7 +30,7 @@ class ExpertsLabView : public QWidget {
   /// `lab` outlives this.
   explicit ExpertsLabView(ExpertsLab& lab, QWidget* parent = nullptr);
 
-  WeightTable& weights() { return *weights_; }
+  Columns<WeightRow>& weights() { return *weights_; }
   PullPlot& plot() { return *plot_; }
 
  signals:
@@ -75,9 +50,10 @@ class ExpertsLabView : public QWidget {
   void followBand();
 
   ExpertsLab& lab_;
-  WeightTable* weights_;
-  PolicyTable* policies_;
-  PairTable* pairs_;
+  Columns<WeightRow>* weights_;
+  Columns<PolicyRow>* policies_;
+  Columns<DistanceRow>* pairs_;
+  std::shared_ptr<const elicitation::BuiltModel> of_;  ///< what `pairs_` shows
   PullPlot* plot_;
   QComboBox* policy_;
   QPushButton* open_;

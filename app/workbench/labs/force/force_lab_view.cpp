@@ -196,21 +196,13 @@ class NotableDelegate : public QStyledItemDelegate {
  protected:
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
     QStyledItemDelegate::initStyleOption(option, index);
-    if (!index.data(CheckTable::kNotableRole).toBool()) return;
+    if (!index.data(kNotableRole).toBool()) return;
     option->backgroundBrush = theme::warningFill();
     option->palette.setColor(QPalette::Text, theme::warningInk());
   }
 };
 
 }  // namespace
-
-CheckView::CheckView(QWidget* parent) : QWidget(parent), table_(new CheckTable(this)) {
-  QTableView* const view = makeLabTable(*table_, -1, tr("Checks of the judgements"), this);
-  view->setItemDelegate(new NotableDelegate(view));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->addWidget(view);
-}
 
 namespace {
 
@@ -226,7 +218,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
       votes_(new VotesView),
       terms_(new ForceTermsView),
       judgements_(new JudgementView),
-      checks_(new CheckView),
+      checks_(new Columns<ParticipantChecks>(checkColumns(), this)),
       delivered_(new DeliveredPlot),
       details_(new QTabWidget),
       series_(new QComboBox),
@@ -234,7 +226,6 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   setObjectName(QStringLiteral("force"));
   setWindowTitle(tr("Force"));
   judgements_->setObjectName(QStringLiteral("judgements"));
-  checks_->setObjectName(QStringLiteral("checks"));
   delivered_->setObjectName(QStringLiteral("delivered"));
   series_->setAccessibleName(tr("Series that votes"));
   series_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -253,7 +244,14 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   new TabLook(*details_->tabBar());
   details_->setDocumentMode(true);
   details_->addTab(judgements_, tr("Judgements"));
-  details_->addTab(checks_, tr("Checks"));
+  auto* checks = new QWidget;
+  checks->setObjectName(QStringLiteral("checks"));
+  QTableView* const participants = makeLabTable(*checks_, -1, tr("Checks of the judgements"), checks);
+  participants->setItemDelegate(new NotableDelegate(participants));
+  auto* around = new QVBoxLayout(checks);
+  around->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
+  around->addWidget(participants);
+  details_->addTab(checks, tr("Checks"));
   details_->addTab(delivered_, tr("Delivered force"));
   details_->setCornerWidget(new StatisticHelp({Statistic::kWeightedKappa, Statistic::kInterval}));
   delivered_->addTool(new PlotMenu(
@@ -319,7 +317,7 @@ void ForceLabView::follow() {
   terms_->setVotes(lab_.votes());
   terms_->setChosen(lab_.settings().force_terms);
   judgements_->setJudgements(lab_.votes().words, lab_.judgements());
-  checks_->setChecks(lab_.checks());
+  checks_->setRows(lab_.checks());
   delivered_->setForces(deliveredForces(lab_.judgements()));
   followSeries();
 }

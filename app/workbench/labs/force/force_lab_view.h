@@ -59,22 +59,6 @@ class DeliveredPlot : public QWidget, public PlotSource {
   std::vector<LegendEntry> legend_;
 };
 
-/// The checks of the judgements, a row for each participant.
-class CheckView : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit CheckView(QWidget* parent = nullptr);
-
-  void setChecks(std::vector<ParticipantChecks> checks) { table_->setChecks(std::move(checks)); }
-  const CheckTable& table() const { return *table_; }
-
- private:
-  CheckTable* table_;
-};
-
-class CheckView;
-class DeliveredPlot;
 class ForceLab;
 class ForceTermsView;
 class JudgementView;
@@ -108,7 +92,7 @@ class ForceLabView : public QWidget {
   VotesView* votes_;
   ForceTermsView* terms_;
   JudgementView* judgements_;
-  CheckView* checks_;
+  Columns<ParticipantChecks>* checks_;
   DeliveredPlot* delivered_;
   QTabWidget* details_;
   QComboBox* series_;

@@ -13,22 +13,12 @@ namespace {
 
 const QString kNone = QStringLiteral("–");
 
-// The name in JudgementFinding::check, by column.
-const char* checkOf(int column) {
-  switch (column) {
-    case CheckTable::kReversals: return "monotonicity";
-    case CheckTable::kHysteresis: return "hysteresis";
-    case CheckTable::kRepeats: return "repeats";
-    case CheckTable::kBlanks: return "blanks";
-    case CheckTable::kThresholds: return "thresholds";
-    case CheckTable::kAnswerTime: return "response_time";
-    case CheckTable::kMotion: return "motion";
-    default: return "";
-  }
-}
+struct CheckWords {
+  Q_DECLARE_TR_FUNCTIONS(CheckWords)
+};
 
 QString share(std::size_t part, std::size_t whole) {
-  return whole == 0 ? kNone : CheckTable::tr("%1 of %2").arg(part).arg(whole);
+  return whole == 0 ? kNone : CheckWords::tr("%1 of %2").arg(part).arg(whole);
 }
 
 QString reversals(const experiments::JudgementChecks& checks) {
@@ -45,7 +35,7 @@ QString repeats(const experiments::RepeatCheck& check) {
   if (check.pairs == 0) return kNone;
   const QString kappa = check.kappa ? QStringLiteral("κ ") + numberText(*check.kappa) : QString();
   const QString near =
-      check.within_one ? CheckTable::tr("%1 % near").arg(numberText(*check.within_one * 100, 0)) : QString();
+      check.within_one ? CheckWords::tr("%1 % near").arg(numberText(*check.within_one * 100, 0)) : QString();
   return kappa.isEmpty() || near.isEmpty() ? kappa + near : kappa + QStringLiteral(" · ") + near;
 }
 
@@ -55,24 +45,6 @@ QString thresholds(const study::TermThresholds& found) {
   QString out = parts.join(QStringLiteral(" · ")) + QStringLiteral(" N");
   if (found.sigma_n) out += QStringLiteral(" ± ") + numberText(*found.sigma_n);
   return out;
-}
-
-QString shownCheck(const ParticipantChecks& row, int column) {
-  const experiments::JudgementChecks& checks = row.checks;
-  switch (column) {
-    case CheckTable::kWho: return harmless(text(row.participant));
-    case CheckTable::kReversals: return reversals(checks);
-    case CheckTable::kHysteresis:
-      return checks.hysteresis.index ? CheckTable::tr("%1 words").arg(numberText(*checks.hysteresis.index)) : kNone;
-    case CheckTable::kRepeats: return repeats(checks.repeats);
-    case CheckTable::kBlanks: return share(checks.blanks.false_alarms, checks.blanks.blanks);
-    case CheckTable::kThresholds: return thresholds(checks.thresholds);
-    case CheckTable::kAnswerTime:
-      return checks.response_time.median_s ? quantityText(*checks.response_time.median_s, "s", 1) : kNone;
-    case CheckTable::kMotion:
-      return checks.motion.median_mm_s ? quantityText(*checks.motion.median_mm_s, "mm/s", 0) : kNone;
-    default: return {};
-  }
 }
 
 }  // namespace
@@ -95,39 +67,61 @@ std::vector<ParticipantChecks> judgementChecks(const fuzzy::Variable& words,
   return out;
 }
 
-CheckTable::CheckTable(QObject* parent)
-    : LabTableModel(
-          {{tr("Participant")},
-           {tr("Falling words"), Qt::AlignHCenter, tr("Pairs of forces in which the larger one got the lower word.")},
-           {tr("Rising – falling"), Qt::AlignHCenter,
-            tr("Mean word in the rising series less that in the falling series, at equal forces.")},
-           {tr("Repeats"), Qt::AlignHCenter,
-            tr("Agreement of the answers to equal forces: kappa with quadratic weights, and the share within one "
-               "word.")},
-           {tr("Blanks felt"), Qt::AlignHCenter, tr("Blanks of 0 N that were judged as felt.")},
-           {tr("Limits between words"), Qt::AlignHCenter,
-            tr("Ordered probit: the force at which one word gives way to the next, and the spread of what is felt.")},
-           {tr("Answer after"), Qt::AlignHCenter},
-           {tr("Forward speed"), Qt::AlignHCenter}},
-          parent) {}
-
-void CheckTable::setChecks(std::vector<ParticipantChecks> checks) {
-  beginResetModel();
-  rows_ = std::move(checks);
-  endResetModel();
-}
-
-QVariant CheckTable::cell(int row, int column, int role) const {
-  const ParticipantChecks& at = rows_[static_cast<std::size_t>(row)];
-  const auto& findings = at.checks.findings;
-  const auto finding = std::find_if(findings.begin(), findings.end(),
-                                    [column](const auto& one) { return one.check == checkOf(column); });
-  switch (role) {
-    case Qt::DisplayRole: return shownCheck(at, column);
-    case Qt::ToolTipRole: return finding == findings.end() ? QVariant() : text(finding->sentence);
-    case kNotableRole: return finding != findings.end() && finding->notable;
-    default: return {};
-  }
+std::vector<Column<ParticipantChecks>> checkColumns() {
+  using Row = ParticipantChecks;
+  // `check`: the name in JudgementFinding::check.
+  const auto column = [](const QString& head, const char* check,
+                         QString (*text_of)(const experiments::JudgementChecks&),
+                         const QString& tip = {}) -> Column<Row> {
+    const auto finding = [check](const Row& row) {
+      const auto& all = row.checks.findings;
+      const auto found = std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.check == check; });
+      return found == all.end() ? nullptr : &*found;
+    };
+    return {head,
+            [text_of](const Row& row) { return text_of(row.checks); },
+            Qt::AlignHCenter,
+            tip,
+            {{Qt::ToolTipRole,
+              [finding](const Row& row) {
+                const auto* const found = finding(row);
+                return found == nullptr ? QVariant() : text(found->sentence);
+              }},
+             {kNotableRole, [finding](const Row& row) {
+                const auto* const found = finding(row);
+                return found != nullptr && found->notable;
+              }}}};
+  };
+  using Checks = const experiments::JudgementChecks&;
+  return {
+      {CheckWords::tr("Participant"), [](const Row& row) { return harmless(text(row.participant)); }},
+      column(CheckWords::tr("Falling words"), "monotonicity", &reversals,
+             CheckWords::tr("Pairs of forces in which the larger one got the lower word.")),
+      column(
+          CheckWords::tr("Rising – falling"), "hysteresis",
+          [](Checks all) {
+            return all.hysteresis.index ? CheckWords::tr("%1 words").arg(numberText(*all.hysteresis.index)) : kNone;
+          },
+          CheckWords::tr("Mean word in the rising series less that in the falling series, at equal forces.")),
+      column(
+          CheckWords::tr("Repeats"), "repeats", [](Checks all) { return repeats(all.repeats); },
+          CheckWords::tr("Agreement of the answers to equal forces: kappa with quadratic weights, and the share within "
+                         "one word.")),
+      column(
+          CheckWords::tr("Blanks felt"), "blanks",
+          [](Checks all) { return share(all.blanks.false_alarms, all.blanks.blanks); },
+          CheckWords::tr("Blanks of 0 N that were judged as felt.")),
+      column(
+          CheckWords::tr("Limits between words"), "thresholds", [](Checks all) { return thresholds(all.thresholds); },
+          CheckWords::tr("Ordered probit: the force at which one word gives way to the next, and the spread of what is "
+                         "felt.")),
+      column(CheckWords::tr("Answer after"), "response_time",
+             [](Checks all) {
+               return all.response_time.median_s ? quantityText(*all.response_time.median_s, "s", 1) : kNone;
+             }),
+      column(CheckWords::tr("Forward speed"), "motion", [](Checks all) {
+        return all.motion.median_mm_s ? quantityText(*all.motion.median_mm_s, "mm/s", 0) : kNone;
+      })};
 }
 
 namespace {
@@ -193,34 +187,64 @@ std::vector<session::JudgedWord> offeredWords(const fuzzy::Variable& words,
   return out;
 }
 
+namespace {
+
+/// The judgements of one cell, for one role.
+QString cellText(const fuzzy::Variable& words, const std::vector<session::JudgedForce>& cell, bool tip) {
+  QStringList parts;
+  for (const session::JudgedForce& judged : cell) {
+    QString part = judgedText(words, judgedWord(judged.record));
+    if (!tip) {
+      parts << part;
+      continue;
+    }
+    for (const session::JudgedWord& before : judged.before) {
+      part += QLatin1Char('\n') + GridWords::tr("Corrected; before: %1").arg(judgedText(words, before));
+    }
+    const QString rest = measured(judged);
+    parts << (rest.isEmpty() ? part : part + QLatin1Char('\n') + rest);
+  }
+  return parts.join(tip ? QStringLiteral("\n\n") : QStringLiteral(", "));
+}
+
+}  // namespace
+
 void JudgementGrid::setJudgements(const fuzzy::Variable& words, const std::vector<session::JudgedForce>& all,
                                   const std::string& series) {
-  beginResetModel();
   words_ = words;
-  judgements_.clear();
-  rows_.clear();
-  columns_.clear();
+  forces_n_.clear();
+  for (const session::JudgedForce& one : all) {
+    if (one.record.series == series) forces_n_.push_back(one.record.commanded_n);
+  }
+  std::sort(forces_n_.begin(), forces_n_.end());
+  const auto same = [](double a, double b) { return std::abs(a - b) < elicitation::kSameForceN; };
+  forces_n_.erase(std::unique(forces_n_.begin(), forces_n_.end(), same), forces_n_.end());
+  std::vector<JudgedRow> rows;
   for (const session::JudgedForce& one : all) {
     if (one.record.series != series) continue;
-    judgements_.push_back(one);
-    if (rows_.empty() || rows_.back() != one.participant) rows_.push_back(one.participant);
-    columns_.push_back(one.record.commanded_n);
+    if (rows.empty() || rows.back().participant != one.participant) {
+      rows.push_back({one.participant, std::vector<std::vector<session::JudgedForce>>(forces_n_.size())});
+    }
+    rows.back().cells[static_cast<std::size_t>(columnOf(one.record.commanded_n))].push_back(one);
   }
-  std::sort(columns_.begin(), columns_.end());
-  const auto same = [](double a, double b) { return std::abs(a - b) < elicitation::kSameForceN; };
-  columns_.erase(std::unique(columns_.begin(), columns_.end(), same), columns_.end());
-  cells_.assign(rows_.size(), std::vector<std::vector<std::size_t>>(columns_.size()));
-  std::size_t row = 0;
-  for (std::size_t i = 0; i < judgements_.size(); ++i) {
-    if (judgements_[i].participant != rows_[row]) ++row;
-    cells_[row][static_cast<std::size_t>(columnOf(judgements_[i].record.commanded_n))].push_back(i);
+  std::vector<Column<JudgedRow>> columns;
+  for (std::size_t i = 0; i < forces_n_.size(); ++i) {
+    const auto cell = [this, i](bool tip) {
+      return [this, i, tip](const JudgedRow& row) { return cellText(words_, row.cells[i], tip); };
+    };
+    columns.push_back({quantityText(forces_n_[i], words_.unit),
+                       cell(false),
+                       {},
+                       {},
+                       {{Qt::ToolTipRole, cell(true)}, {Qt::AccessibleTextRole, cell(false)}}});
   }
-  endResetModel();
+  setRowHeads([](const JudgedRow& row) { return harmless(text(row.participant)); });
+  setTable(std::move(columns), std::move(rows));
 }
 
 int JudgementGrid::columnOf(double force_n) const {
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (std::abs(columns_[i] - force_n) < elicitation::kSameForceN) return static_cast<int>(i);
+  for (std::size_t i = 0; i < forces_n_.size(); ++i) {
+    if (std::abs(forces_n_[i] - force_n) < elicitation::kSameForceN) return static_cast<int>(i);
   }
   return -1;
 }
@@ -228,42 +252,10 @@ int JudgementGrid::columnOf(double force_n) const {
 std::vector<const session::JudgedForce*> JudgementGrid::at(const QModelIndex& index) const {
   std::vector<const session::JudgedForce*> out;
   if (!index.isValid()) return out;
-  for (const std::size_t i : cells_[static_cast<std::size_t>(index.row())][static_cast<std::size_t>(index.column())]) {
-    out.push_back(&judgements_[i]);
+  for (const session::JudgedForce& one : row(index.row()).cells[static_cast<std::size_t>(index.column())]) {
+    out.push_back(&one);
   }
   return out;
-}
-
-int JudgementGrid::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-int JudgementGrid::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(columns_.size());
-}
-
-QVariant JudgementGrid::data(const QModelIndex& index, int role) const {
-  if (role != Qt::DisplayRole && role != Qt::ToolTipRole && role != Qt::AccessibleTextRole) return {};
-  QStringList parts;
-  for (const session::JudgedForce* judged : at(index)) {
-    QString part = judgedText(words_, judgedWord(judged->record));
-    if (role != Qt::ToolTipRole) {
-      parts << part;
-      continue;
-    }
-    for (const session::JudgedWord& before : judged->before) {
-      part += QLatin1Char('\n') + tr("Corrected; before: %1").arg(judgedText(words_, before));
-    }
-    const QString rest = measured(*judged);
-    parts << (rest.isEmpty() ? part : part + QLatin1Char('\n') + rest);
-  }
-  return parts.join(role == Qt::ToolTipRole ? QStringLiteral("\n\n") : QStringLiteral(", "));
-}
-
-QVariant JudgementGrid::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (role != Qt::DisplayRole) return {};
-  if (orientation == Qt::Vertical) return harmless(text(participant(section)));
-  return quantityText(forceN(section), words_.unit);
 }
 
 }  // namespace tactus::workbench

@@ -98,49 +98,38 @@ QString seriesText(const std::string& series) {
   return harmless(text(series));
 }
 
-namespace {
-
-int cast(const elicitation::VoteStep& step) { return std::accumulate(step.votes.begin(), step.votes.end(), 0); }
-
-}  // namespace
-
 void VoteTable::setVotes(const ForceVotes& votes) {
-  beginResetModel();
+  using Row = elicitation::VoteStep;
   words_ = votes.words;
-  steps_ = votes.steps;
-  std::vector<LabColumn> columns = {{tr("Force"), Qt::AlignRight}};
-  for (const fuzzy::Term& word : words_.terms) {
-    columns.push_back({initialsOf(labelOf(word)), Qt::AlignHCenter, labelOf(word)});
+  std::vector<Column<Row>> columns = {{VoteWords::tr("Force"),
+                                       [this](const Row& row) { return quantityText(row.force_n, words_.unit); },
+                                       Qt::AlignRight}};
+  for (std::size_t i = 0; i < words_.terms.size(); ++i) {
+    columns.push_back({initialsOf(labelOf(words_.terms[i])),
+                       [i](const Row& row) { return QString::number(row.votes[i]); },
+                       Qt::AlignHCenter,
+                       labelOf(words_.terms[i]),
+                       {{kShareRole,
+                         [i](const Row& row) {
+                           const int cast = std::accumulate(row.votes.begin(), row.votes.end(), 0);
+                           return cast > 0 ? static_cast<double>(row.votes[i]) / cast : 0.0;
+                         }},
+                        {kWinsRole, [i](const Row& row) { return row.term == i; }}}});
   }
-  columns.push_back({tr("Winner")});
-  columns.push_back({tr("Why")});
-  setColumns(std::move(columns));
-  endResetModel();
+  const std::map<int, CellOf<Row>> rule = {{Qt::ToolTipRole, &reasonRule}};
+  columns.push_back(
+      {VoteWords::tr("Winner"),
+       [this](const Row& row) { return row.term ? labelOf(words_.terms[*row.term]) : QStringLiteral("–"); },
+       Qt::AlignLeft,
+       {},
+       rule});
+  columns.push_back({VoteWords::tr("Why"), &reasonText, Qt::AlignLeft, {}, rule});
+  setTable(std::move(columns), votes.steps);
 }
 
 std::string VoteTable::wordAt(int column) const {
   if (column < kFirstWord || column >= winnerColumn()) return {};
   return words_.terms[static_cast<std::size_t>(column - kFirstWord)].id;
-}
-
-QVariant VoteTable::cell(int row, int column, int role) const {
-  const elicitation::VoteStep& at = step(row);
-  const bool is_word = column >= kFirstWord && column < winnerColumn();
-  const auto word = static_cast<std::size_t>(column - kFirstWord);
-  switch (role) {
-    case Qt::DisplayRole: return shown(at, column);
-    case Qt::ToolTipRole: return is_word || column == kForce ? QVariant() : reasonRule(at);
-    case kShareRole: return is_word && cast(at) > 0 ? static_cast<double>(at.votes[word]) / cast(at) : 0.0;
-    case kWinsRole: return is_word && at.term == word;
-    default: return {};
-  }
-}
-
-QString VoteTable::shown(const elicitation::VoteStep& step, int column) const {
-  if (column == kForce) return quantityText(step.force_n, words_.unit);
-  if (column < winnerColumn()) return QString::number(step.votes[static_cast<std::size_t>(column - kFirstWord)]);
-  if (column == reasonColumn()) return reasonText(step);
-  return step.term ? labelOf(words_.terms[*step.term]) : QStringLiteral("–");
 }
 
 }  // namespace tactus::workbench

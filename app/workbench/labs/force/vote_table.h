@@ -1,11 +1,11 @@
-// Table 2 of the study as an item model: a row for each force, with the votes for each word, the winner and the reason.
+// Table 2 of the study as a table: a row for each force, with the votes for each word, the winner and the reason.
 #pragma once
 
 #include <QString>
 #include <string>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/labs/force/force_lab.h"
-#include "app/workbench/labs/frame/lab_table_model.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/force/force_voting.h"
 
@@ -26,16 +26,14 @@ QString methodRule(elicitation::ForceTermsFrom from);
 /// `ascending`, `descending`, `random` for the screen; any other name unchanged.
 QString seriesText(const std::string& series);
 
-class VoteTable : public LabTableModel {
-  Q_OBJECT
-
+class VoteTable : public Columns<elicitation::VoteStep> {
  public:
   static constexpr int kForce = 0;
   static constexpr int kFirstWord = 1;
   static constexpr int kShareRole = Qt::UserRole;     ///< double: share of the votes at this force
   static constexpr int kWinsRole = Qt::UserRole + 1;  ///< bool: the word of this column won
 
-  using LabTableModel::LabTableModel;
+  explicit VoteTable(QObject* parent = nullptr) : Columns(parent) {}
 
   void setVotes(const ForceVotes& votes);
   int words() const { return static_cast<int>(words_.terms.size()); }
@@ -43,15 +41,9 @@ class VoteTable : public LabTableModel {
   /// The id of the word of a column; empty for the other columns.
   std::string wordAt(int column) const;
   int reasonColumn() const { return winnerColumn() + 1; }
-  const elicitation::VoteStep& step(int row) const { return steps_[static_cast<std::size_t>(row)]; }
 
  private:
-  int rows() const override { return static_cast<int>(steps_.size()); }
-  QVariant cell(int row, int column, int role) const override;
-  QString shown(const elicitation::VoteStep& step, int column) const;
-
   fuzzy::Variable words_;
-  std::vector<elicitation::VoteStep> steps_;
 };
 
 }  // namespace tactus::workbench

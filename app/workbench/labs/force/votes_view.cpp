@@ -38,7 +38,7 @@ void VoteDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setFont(option.font);
   const QRectF place = QRectF(option.rect).adjusted(kGap, kGap, -kGap, -kGap);
-  const auto& term = votes_.step(index.row()).term;
+  const auto& term = votes_.row(index.row()).term;
   if (is_word) {
     paintVotes(*painter, place, index);
   } else if (term) {
@@ -114,12 +114,12 @@ VotesView::VotesView(QWidget* parent)
   layout->addWidget(refusal_, 1);
   refusal_->hide();
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
-    if (index.isValid()) emit forceChosen(table_->step(index.row()).force_n);
+    if (index.isValid()) emit forceChosen(table_->row(index.row()).force_n);
   });
   view_->setContextMenuPolicy(Qt::CustomContextMenu);
   connect(view_, &QTableView::customContextMenuRequested, this, &VotesView::openMenu);
   connect(view_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
-    emit originAsked(table_->step(index.row()).force_n, table_->wordAt(index.column()));
+    emit originAsked(table_->row(index.row()).force_n, table_->wordAt(index.column()));
   });
 }
 
@@ -129,7 +129,7 @@ void VotesView::openMenu(const QPoint& place) {
   auto* menu = new QMenu(view_);
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->addAction(tr("Where does this come from?"), this,
-                  [this, force_n = table_->step(index.row()).force_n, word = table_->wordAt(index.column())] {
+                  [this, force_n = table_->row(index.row()).force_n, word = table_->wordAt(index.column())] {
                     emit originAsked(force_n, word);
                   });
   menu->popup(view_->viewport()->mapToGlobal(place));

@@ -11,105 +11,77 @@
 
 namespace tactus::workbench {
 
-VariantTable::VariantTable(QObject* parent)
-    : LabTableModel({{tr("Instead")},
-                     {tr("rms"), Qt::AlignRight},
-                     {tr("JND"), Qt::AlignRight},
-                     {tr("Felt at"), Qt::AlignRight},
-                     {tr("At most"), Qt::AlignRight},
-                     {tr("Where")}},
-                    parent) {}
-
-void VariantTable::setFactor(const elicitation::MethodStudy& study, const std::string& factor,
-                             const fuzzy::ForceModel& model) {
-  beginResetModel();
-  rows_.clear();
-  for (std::size_t i = 0; i < study.variants.size(); ++i) {
-    const auto& one = study.variants[i];
-    if (one.factor != factor) continue;
-    rows_.push_back({i, one, one.at.empty() ? QString() : text(elicitation::pointText(model, one.at))});
-  }
-  endResetModel();
-}
-
-void VariantTable::clear() {
-  beginResetModel();
-  rows_.clear();
-  endResetModel();
-}
-
-int VariantTable::rowOf(std::size_t variant) const {
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].index == variant) return static_cast<int>(i);
-  }
-  return -1;
-}
-
-int VariantTable::rows() const { return static_cast<int>(rows_.size()); }
-
-QVariant VariantTable::cell(int row, int column, int role) const {
-  const Row& at = rows_[static_cast<std::size_t>(row)];
-  const auto& one = at.variant;
-  if (role == Qt::ToolTipRole && !one.unavailable.empty()) return text(one.unavailable);
-  if (role == Qt::ToolTipRole && column == kWhere) return at.where;
-  if (role != Qt::DisplayRole) return {};
-  if (column == kValue) return text(one.value);
-  if (!one.unavailable.empty()) return column == kWhere ? text(one.unavailable) : QStringLiteral("–");
-  switch (column) {
-    case kRms: return quantityText(one.rms_n, "N", 3);
-    case kNoticeable: return numberText(one.rms_noticeable, 2);
-    case kFelt: return feltText(one.noticeable_share);
-    case kLargest: return quantityText(one.largest_n, "N", 3);
-    case kWhere: return at.where;
-    default: return {};
-  }
-}
-
 namespace {
 
 const QString kNotCompared = QStringLiteral("–");
 
+QString methodNewtons(double force_n) { return quantityText(force_n, "N", 3); }
+
 }  // namespace
+
+std::vector<Column<VariantRow>> variantColumns() {
+  using Row = VariantRow;
+  return withRole<Row>({{MethodLab::tr("Instead"), &Row::value},
+                        {MethodLab::tr("rms"), &Row::rms, Qt::AlignRight},
+                        {MethodLab::tr("JND"), &Row::noticeable, Qt::AlignRight},
+                        {MethodLab::tr("Felt at"), &Row::felt, Qt::AlignRight},
+                        {MethodLab::tr("At most"), &Row::largest, Qt::AlignRight},
+                        {MethodLab::tr("Where"), &Row::where, Qt::AlignLeft, {}, {{Qt::ToolTipRole, &Row::where}}}},
+                       Qt::ToolTipRole, &Row::unavailable);
+}
+
+std::vector<VariantRow> variantRows(const elicitation::MethodStudy& study, const std::string& factor,
+                                    const fuzzy::ForceModel& model) {
+  std::vector<VariantRow> rows;
+  for (std::size_t i = 0; i < study.variants.size(); ++i) {
+    const auto& one = study.variants[i];
+    if (one.factor != factor) continue;
+    const QString why = text(one.unavailable);
+    VariantRow row{i, text(one.value), kNotCompared, kNotCompared, kNotCompared, kNotCompared, why, why};
+    if (why.isEmpty()) {
+      row.rms = methodNewtons(one.rms_n);
+      row.noticeable = numberText(one.rms_noticeable, 2);
+      row.felt = feltText(one.noticeable_share);
+      row.largest = methodNewtons(one.largest_n);
+      row.where = one.at.empty() ? QString() : text(elicitation::pointText(model, one.at));
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
 
 QString feltText(double share) {
   if (share > 0 && share < 0.0005) return QStringLiteral("< 0.1 %");
   return QStringLiteral("%1 %").arg(numberText(100 * share, 1));
 }
 
-FactorTable::FactorTable(QObject* parent)
-    : LabTableModel({{tr("Choice")},
-                     {tr("Now")},
-                     {tr("Does it matter here?")},
-                     {tr("At most"), Qt::AlignRight},
-                     {tr("JND"), Qt::AlignRight,
-                      tr("Root mean square of the difference over the input space, in just-noticeable differences, for "
-                         "the value that moves the force most.")}},
-                    parent) {}
-
-void FactorTable::setStudy(const elicitation::MethodStudy* study) {
-  beginResetModel();
-  study_ = study == nullptr ? elicitation::MethodStudy() : *study;
-  order_ = elicitation::factorsByEffect(study_);
-  endResetModel();
+std::vector<Column<FactorRow>> factorColumns() {
+  using Row = FactorRow;
+  return withRole<Row>(
+      {{MethodLab::tr("Choice"), &Row::factor},
+       {MethodLab::tr("Now"), &Row::now},
+       {MethodLab::tr("Does it matter here?"), &Row::verdict, Qt::AlignLeft, {}, {{Qt::ToolTipRole, &Row::sentence}}},
+       {MethodLab::tr("At most"), &Row::largest, Qt::AlignRight},
+       {MethodLab::tr("JND"), &Row::noticeable, Qt::AlignRight,
+        MethodLab::tr("Root mean square of the difference over the input space, in just-noticeable "
+                      "differences, for the value that moves the force most.")}},
+      Qt::ToolTipRole);
 }
 
-int FactorTable::rows() const { return static_cast<int>(order_.size()); }
-
-QVariant FactorTable::cell(int row, int column, int role) const {
-  const auto& factor = study_.factors[factorAt(row)];
-  if (role != Qt::DisplayRole && role != Qt::ToolTipRole) return {};
-  const auto* const worst = factor.worst ? &study_.variants[*factor.worst] : nullptr;
-  switch (column) {
-    case kFactor: return text(elicitation::factorTitle(factor.factor));
-    case kNow: return text(factor.unchanged);
-    case kSentence:
-      if (role == Qt::ToolTipRole) return text(elicitation::factorSentence(study_, factor));
-      // A narrow column shall not break between a number and its sign.
-      return text(elicitation::factorVerdict(study_, factor)).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%"));
-    case kLargest: return worst == nullptr ? kNotCompared : quantityText(worst->largest_n, "N", 3);
-    case kNoticeable: return worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2);
-    default: return {};
+std::vector<FactorRow> factorRows(const elicitation::MethodStudy& study) {
+  std::vector<FactorRow> rows;
+  for (const std::size_t i : elicitation::factorsByEffect(study)) {
+    const auto& factor = study.factors[i];
+    const auto* const worst = factor.worst ? &study.variants[*factor.worst] : nullptr;
+    rows.push_back(
+        {i, text(elicitation::factorTitle(factor.factor)), text(factor.unchanged),
+         // A narrow column shall not break between a number and its sign.
+         text(elicitation::factorVerdict(study, factor)).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%")),
+         text(elicitation::factorSentence(study, factor)),
+         worst == nullptr ? kNotCompared : methodNewtons(worst->largest_n),
+         worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2)});
   }
+  return rows;
 }
 
 namespace {

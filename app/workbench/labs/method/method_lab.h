@@ -10,63 +10,37 @@
 #include <vector>
 
 #include "app/figures/force_curves.h"
+#include "app/workbench/base/columns.h"
 #include "app/workbench/base/worker.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
-#include "app/workbench/labs/frame/lab_table_model.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/model/method_study.h"
 
 namespace tactus::workbench {
 
-/// The values that were tried for one choice, as an item model.
-class VariantTable : public LabTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { kValue, kRms, kNoticeable, kFelt, kLargest, kWhere };
-
-  explicit VariantTable(QObject* parent = nullptr);
-  /// The variants of `factor`; an empty one shows none.
-  void setFactor(const elicitation::MethodStudy& study, const std::string& factor, const fuzzy::ForceModel& model);
-  void clear();
-  /// The index in the study of the variant in `row`.
-  std::size_t variantAt(int row) const { return rows_[static_cast<std::size_t>(row)].index; }
-  /// The row of a variant, -1 if it is none of them.
-  int rowOf(std::size_t variant) const;
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-
-  struct Row {
-    std::size_t index;
-    elicitation::MethodVariant variant;
-    QString where;
-  };
-  std::vector<Row> rows_;
+/// A value that was tried for a choice, as the screen shows it.
+struct VariantRow {
+  std::size_t index = 0;  ///< in the study
+  QString value, rms, noticeable, felt, largest, where;
+  QString unavailable;  ///< why it has no numbers; empty if it has
 };
 
-/// The choices of the method study as an item model, the largest effect first, each with one sentence: does it matter?
-class FactorTable : public LabTableModel {
-  Q_OBJECT
+std::vector<Column<VariantRow>> variantColumns();
+/// The variants of `factor`.
+std::vector<VariantRow> variantRows(const elicitation::MethodStudy& study, const std::string& factor,
+                                    const fuzzy::ForceModel& model);
 
- public:
-  enum Column { kFactor, kNow, kSentence, kLargest, kNoticeable };
-
-  explicit FactorTable(QObject* parent = nullptr);
-  /// Null: no study.
-  void setStudy(const elicitation::MethodStudy* study);
-  /// The index in the study of the choice in `row`.
-  std::size_t factorAt(int row) const { return order_[static_cast<std::size_t>(row)]; }
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-
-  elicitation::MethodStudy study_;
-  std::vector<std::size_t> order_;
+/// A choice of the method with one sentence: does it matter?
+struct FactorRow {
+  std::size_t index = 0;  ///< in the study
+  QString factor, now, verdict, sentence, largest, noticeable;
 };
+
+inline constexpr int kVerdictColumn = 2;  ///< of these
+std::vector<Column<FactorRow>> factorColumns();
+/// The largest effect first.
+std::vector<FactorRow> factorRows(const elicitation::MethodStudy& study);
 
 /// `23.1 %`; a share above 0 is never shown as 0.
 QString feltText(double share);

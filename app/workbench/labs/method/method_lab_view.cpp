@@ -9,6 +9,7 @@
 #include <QSplitter>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -158,8 +159,8 @@ constexpr int kLowerShare = 170;
 MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
-      factors_(new FactorTable(this)),
-      variants_(new VariantTable(this)),
+      factors_(new Columns<FactorRow>(factorColumns(), this)),
+      variants_(new Columns<VariantRow>(variantColumns(), this)),
       plot_(new MethodPlot),
       button_(new PrimaryButton(tr("&Compare the choices"))),
       progress_(new QProgressBar),
@@ -189,7 +190,7 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
   connect(factor_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &MethodLabView::followFactor);
   connect(variant_view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
-            if (index.isValid()) lab_.choose(variants_->variantAt(index.row()));
+            if (index.isValid()) lab_.choose(variants_->row(index.row()).index);
           });
   follow();
 }
@@ -214,14 +215,14 @@ QWidget* MethodLabView::makeHead() {
 }
 
 QWidget* MethodLabView::makeLeft() {
-  factor_view_ = makeLabTable(*factors_, FactorTable::kSentence, tr("Choices of the method"), nullptr);
+  factor_view_ = makeLabTable(*factors_, kVerdictColumn, tr("Choices of the method"), nullptr);
   factor_view_->setWordWrap(true);
-  for (const auto& [column, width] : {std::pair(FactorTable::kFactor, kFactorWidth), {FactorTable::kNow, kNowWidth}}) {
+  for (const auto& [column, width] : {std::pair(0, kFactorWidth), {1, kNowWidth}}) {
     factor_view_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
     factor_view_->setColumnWidth(column, width);
   }
   factor_view_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  variant_view_ = makeLabTable(*variants_, VariantTable::kWhere, tr("Values of the choice"), nullptr);
+  variant_view_ = makeLabTable(*variants_, variants_->columnCount() - 1, tr("Values of the choice"), nullptr);
   variant_view_->verticalHeader()->setDefaultSectionSize(kValueRow);
   auto* column = new QSplitter(Qt::Vertical);
   column->setChildrenCollapsible(false);
@@ -276,8 +277,8 @@ void MethodLabView::follow() {
                         .arg(numberText(100 * elicitation::kMattersShare, 0)));
   }
   if (std::exchange(shown_, lab_.foundNumber()) == lab_.foundNumber()) return;
-  factors_->setStudy(found);
-  variants_->clear();
+  factors_->setRows(found == nullptr ? std::vector<FactorRow>() : factorRows(*found));
+  variants_->setRows({});
   if (found != nullptr && factors_->rowCount() > 0) factor_view_->selectRow(0);
 }
 
@@ -285,10 +286,13 @@ void MethodLabView::followFactor() {
   const QModelIndex index = factor_view_->currentIndex();
   const auto* const found = lab_.found();
   if (!index.isValid() || found == nullptr || shown_ != lab_.foundNumber()) return;
-  const auto& factor = found->factors[factors_->factorAt(index.row())];
-  variants_->setFactor(*found, factor.factor, lab_.model());
+  const auto& factor = found->factors[factors_->row(index.row()).index];
+  variants_->setRows(variantRows(*found, factor.factor, lab_.model()));
   if (!factor.worst) return lab_.choose(std::nullopt);
-  variant_view_->selectRow(variants_->rowOf(*factor.worst));
+  const auto& rows = variants_->rows();
+  const auto worst =
+      std::find_if(rows.begin(), rows.end(), [&](const VariantRow& row) { return row.index == *factor.worst; });
+  variant_view_->selectRow(worst == rows.end() ? -1 : static_cast<int>(worst - rows.begin()));
 }
 
 void MethodLabView::followCurves() {

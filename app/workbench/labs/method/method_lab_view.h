@@ -40,11 +40,9 @@ class MethodPlot : public QWidget, public PlotSource {
   std::vector<LegendEntry> legend_;
 };
 
-class FactorTable;
 class LabCard;
 class MethodLab;
 class MethodPlot;
-class VariantTable;
 
 class MethodLabView : public QWidget {
   Q_OBJECT
@@ -70,8 +68,8 @@ class MethodLabView : public QWidget {
   void followCurves();
 
   MethodLab& lab_;
-  FactorTable* factors_;
-  VariantTable* variants_;
+  Columns<FactorRow>* factors_;
+  Columns<VariantRow>* variants_;
   QTableView* factor_view_ = nullptr;
   QTableView* variant_view_ = nullptr;
   MethodPlot* plot_;

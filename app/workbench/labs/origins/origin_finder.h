@@ -14,7 +14,6 @@
 
 #include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/data/lab_model.h"
-#include "app/workbench/labs/frame/lab_table_model.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/record_influence.h"
 #include "elicitation/tracing/sources.h"
@@ -100,7 +99,6 @@ class OriginFinder : public QObject {
 
   /// Null while it is computed, or if nothing is asked.
   const Origin* origin() const { return origin_.get(); }
-  const std::shared_ptr<const Origin>& sharedOrigin() const { return origin_; }
   /// Why there is no answer; empty if there is one, or it is on its way.
   QString failure() const;
   /// What record `row` moves; nothing while it is not known.
@@ -132,26 +130,6 @@ class OriginFinder : public QObject {
   std::optional<std::size_t> wanted_;  ///< the record to compare next
   Background work_;
   Background influence_work_;
-};
-
-/// The records behind a number as an item model.
-class OriginTable : public LabTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { kParticipant, kRecord, kSays, kMoves };
-  static constexpr int kOrderRole = Qt::UserRole;  ///< what a column is sorted by
-
-  /// `finder` outlives this.
-  explicit OriginTable(const OriginFinder& finder, QObject* parent = nullptr);
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-  QString movesText(std::size_t row) const;
-
-  const OriginFinder& finder_;
-  std::shared_ptr<const Origin> origin_;  ///< what the rows show: the finder may have the next one already
 };
 
 }  // namespace tactus::workbench

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/origins/origin_finder.h"
 
@@ -28,6 +29,41 @@ QLabel* makeWords(QWidget* parent) {
   return label;
 }
 
+constexpr int kMovesColumn = 3;
+
+std::vector<Column<OriginRow>> originColumns(const OriginFinder& finder) {
+  using Row = OriginRow;
+  std::vector<Column<Row>> out = {
+      {OriginWindow::tr("Participant"), [](const Row& row) { return row.record.participant; }},
+      {OriginWindow::tr("Record"),
+       [](const Row& row) { return row.record.what; },
+       Qt::AlignLeft,
+       {},
+       {{kOrderRole, [](const Row& row) { return static_cast<int>(row.index); }}}},
+      {OriginWindow::tr("Says"), [](const Row& row) { return row.record.says; }},
+      {OriginWindow::tr("Moves the force"),
+       [&finder](const Row& row) {
+         const OriginFinder::Influence found = finder.influence(row.index);
+         if (!found) return row.index < OriginFinder::kMostUnasked ? QStringLiteral("…") : QStringLiteral("–");
+         return *found ? movedText(**found) : OriginWindow::tr("no model");
+       },
+       Qt::AlignRight,
+       OriginWindow::tr(
+           "How far the averaged force moves without this record, at most, and in just-noticeable differences."),
+       {{Qt::ToolTipRole, [&finder](const Row& row) { return finder.influenceSentence(row.index); }},
+        {kOrderRole, [&finder](const Row& row) {
+           const OriginFinder::Influence found = finder.influence(row.index);
+           return found && *found ? (*found)->difference.largest_n : -1.0;
+         }}}}};
+  return withRole<Row>(std::move(out), kOrderRole);
+}
+
+std::vector<OriginRow> originRows(const Origin* origin) {
+  std::vector<OriginRow> rows;
+  for (std::size_t i = 0; origin != nullptr && i < origin->records.size(); ++i) rows.push_back({i, origin->records[i]});
+  return rows;
+}
+
 }  // namespace
 
 OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
@@ -35,7 +71,7 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
       finder_(finder),
       title_(makeWords(this)),
       notes_(makeWords(this)),
-      table_(new OriginTable(finder, this)),
+      table_(new Columns<OriginRow>(originColumns(finder), this)),
       sorted_(new QSortFilterProxyModel(this)),
       view_(nullptr),
       moved_(makeWords(this)),
@@ -46,8 +82,8 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   setMuted(*notes_);
   setMuted(*moved_);
   sorted_->setSourceModel(table_);
-  sorted_->setSortRole(OriginTable::kOrderRole);
-  view_ = makeLabTable(*sorted_, OriginTable::kRecord, tr("Records behind the number"), this);
+  sorted_->setSortRole(kOrderRole);
+  view_ = makeLabTable(*sorted_, 1, tr("Records behind the number"), this);
   view_->verticalHeader()->setDefaultSectionSize(kRow);
   sortByHeads(*view_);
   moved_->setFixedHeight(3 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
@@ -67,8 +103,12 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   connect(view_, &QTableView::clicked, this, &OriginWindow::lead);
   connect(view_, &QTableView::activated, this, &OriginWindow::lead);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &OriginWindow::followChosen);
-  connect(&finder_, &OriginFinder::changed, this, &OriginWindow::follow);
+  connect(&finder_, &OriginFinder::changed, this, [this] {
+    table_->setRows(originRows(finder_.origin()));
+    follow();
+  });
   connect(&finder_, &OriginFinder::influenceChanged, this, [this](std::size_t row) {
+    table_->updateColumn(kMovesColumn);
     if (static_cast<int>(row) == chosenRow()) followChosen();
   });
   follow();

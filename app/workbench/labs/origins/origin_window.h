@@ -4,6 +4,7 @@
 #include <QDialog>
 #include <functional>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/labs/origins/origin_finder.h"
 
 class QLabel;
@@ -13,7 +14,11 @@ class QTableView;
 
 namespace tactus::workbench {
 
-class OriginTable;
+/// A record behind the number, with its place in the order.
+struct OriginRow {
+  std::size_t index = 0;
+  OriginRecord record;
+};
 
 class OriginWindow : public QDialog {
   Q_OBJECT
@@ -46,7 +51,7 @@ class OriginWindow : public QDialog {
   OriginFinder& finder_;
   QLabel* title_;
   QLabel* notes_;
-  OriginTable* table_;
+  Columns<OriginRow>* table_;
   QSortFilterProxyModel* sorted_;
   QTableView* view_;
   QLabel* moved_;

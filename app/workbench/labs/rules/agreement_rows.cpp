@@ -14,41 +14,26 @@ const QString kNoValue = QStringLiteral("–");
 
 QString fixed(double value, int digits = 3) { return QString::number(value, 'f', digits); }
 
-template <class T>
-QString reasonOf(const elicitation::OrReason<T>& value) {
-  return value ? QString() : text(value.error());
-}
+struct AgreementWords {
+  Q_DECLARE_TR_FUNCTIONS(AgreementWords)
+};
 
-QString measureText(const AgreementRow& row, int column) {
-  const elicitation::Agreement& m = row.measures;
-  const auto number = [](const elicitation::OrReason<double>& value) { return value ? fixed(*value) : kNoValue; };
-  switch (column) {
-    case AgreementTable::kSize: return QStringLiteral("%1 × %2").arg(row.units).arg(row.raters);
-    case AgreementTable::kOrdinal: return number(m.alpha_ordinal);
-    case AgreementTable::kInterval:
-      return row.interval
-                 ? AgreementTable::tr("%1 to %2").arg(fixed(row.interval->low, 2), fixed(row.interval->high, 2))
-                 : kNoValue;
-    case AgreementTable::kConsensus: return row.consensus ? fixed(*row.consensus) : kNoValue;
-    case AgreementTable::kIntervalAlpha: return number(m.alpha_interval);
-    case AgreementTable::kNominal: return number(m.alpha_nominal);
-    case AgreementTable::kKendall: return m.kendall_w ? fixed(m.kendall_w->w) : kNoValue;
-    case AgreementTable::kFleiss: return m.fleiss_kappa ? fixed(m.fleiss_kappa->kappa) : kNoValue;
-    default: return {};
-  }
-}
-
-// Why a measure is missing.
-QString reasonText(const AgreementRow& row, int column) {
-  const elicitation::Agreement& m = row.measures;
-  switch (column) {
-    case AgreementTable::kOrdinal: return reasonOf(m.alpha_ordinal);
-    case AgreementTable::kIntervalAlpha: return reasonOf(m.alpha_interval);
-    case AgreementTable::kNominal: return reasonOf(m.alpha_nominal);
-    case AgreementTable::kKendall: return reasonOf(m.kendall_w);
-    case AgreementTable::kFleiss: return reasonOf(m.fleiss_kappa);
-    default: return {};
-  }
+/// A measure with its reason where it is missing. `get`: elicitation::OrReason<double> of the measures.
+template <class Get>
+Column<AgreementRow> measure(const QString& head, const QString& head_tip, Get get) {
+  using Row = AgreementRow;
+  return {head,
+          [get](const Row& row) {
+            const auto value = get(row.measures);
+            return row.refusal.isEmpty() && value ? fixed(*value) : kNoValue;
+          },
+          Qt::AlignHCenter,
+          head_tip,
+          {{Qt::ToolTipRole, [get](const Row& row) {
+              const auto value = get(row.measures);
+              if (!row.refusal.isEmpty()) return row.refusal;
+              return value ? QString() : text(value.error());
+            }}}};
 }
 
 QString meanText(const questionnaires::ScaleSummary& row) {
@@ -59,84 +44,59 @@ QString spanText(const questionnaires::ScaleSummary& row) {
   return row.n == 0 ? kNoValue : QStringLiteral("%1 – %2").arg(row.min).arg(row.max);
 }
 
-QString orderLessTip() {
-  return AgreementTable::tr("Takes no account of the order of the words: neighbors count as different as the ends.");
-}
-
 }  // namespace
 
-AgreementTable::AgreementTable(QObject* parent)
-    : LabTableModel(
-          {{tr("Ratings")},
-           {tr("Units × raters"), Qt::AlignHCenter},
-           {tr("Ordinal alpha"), Qt::AlignHCenter,
-            tr("Krippendorff's alpha for ordered words: 1 is full agreement, 0 what chance gives.")},
-           {tr("95 % interval"), Qt::AlignHCenter,
-            tr("95 % of 2,000 draws of the forces or items; the participants stay the same.")},
-           {tr("Consensus"), Qt::AlignHCenter,
-            tr("Tastle and Wierman: 1 if all say the same, 0 if half are at each end; mean of the forces or items.")},
-           {tr("Interval alpha"), Qt::AlignHCenter},
-           {tr("Nominal alpha"), Qt::AlignHCenter, orderLessTip()},
-           {tr("Kendall's W"), Qt::AlignHCenter,
-            tr("How similarly the participants order the forces or items, from 0 to 1.")},
-           {tr("Fleiss' kappa"), Qt::AlignHCenter, orderLessTip()}},
-          parent) {}
-
-void AgreementTable::setRows(std::vector<AgreementRow> rows) {
-  beginResetModel();
-  rows_ = std::move(rows);
-  endResetModel();
+std::vector<Column<AgreementRow>> agreementColumns() {
+  using Row = AgreementRow;
+  using Measures = const elicitation::Agreement&;
+  const QString order_less =
+      AgreementWords::tr("Takes no account of the order of the words: neighbors count as different as the ends.");
+  return withRole<Row>(
+      {{AgreementWords::tr("Ratings"), &Row::ratings},
+       {AgreementWords::tr("Units × raters"),
+        [](const Row& row) {
+          return row.refusal.isEmpty() ? QStringLiteral("%1 × %2").arg(row.units).arg(row.raters) : kNoValue;
+        },
+        Qt::AlignHCenter},
+       measure(AgreementWords::tr("Ordinal alpha"),
+               AgreementWords::tr("Krippendorff's alpha for ordered words: 1 is full agreement, 0 what chance gives."),
+               [](Measures all) { return all.alpha_ordinal; }),
+       {AgreementWords::tr("95 % interval"),
+        [](const Row& row) {
+          if (!row.refusal.isEmpty() || !row.interval) return kNoValue;
+          return AgreementWords::tr("%1 to %2").arg(fixed(row.interval->low, 2), fixed(row.interval->high, 2));
+        },
+        Qt::AlignHCenter,
+        AgreementWords::tr("95 % of 2,000 draws of the forces or items; the participants stay the same.")},
+       {AgreementWords::tr("Consensus"),
+        [](const Row& row) { return row.refusal.isEmpty() && row.consensus ? fixed(*row.consensus) : kNoValue; },
+        Qt::AlignHCenter,
+        AgreementWords::tr(
+            "Tastle and Wierman: 1 if all say the same, 0 if half are at each end; mean of the forces or items.")},
+       measure(AgreementWords::tr("Interval alpha"), {}, [](Measures all) { return all.alpha_interval; }),
+       measure(AgreementWords::tr("Nominal alpha"), order_less, [](Measures all) { return all.alpha_nominal; }),
+       measure(AgreementWords::tr("Kendall's W"),
+               AgreementWords::tr("How similarly the participants order the forces or items, from 0 to 1."),
+               [](Measures all) { return all.kendall_w.map([](const auto& found) { return found.w; }); }),
+       measure(AgreementWords::tr("Fleiss' kappa"), order_less,
+               [](Measures all) { return all.fleiss_kappa.map([](const auto& found) { return found.kappa; }); })},
+      Qt::ToolTipRole, &Row::refusal);
 }
 
-int AgreementTable::rows() const { return static_cast<int>(rows_.size()); }
-
-QVariant AgreementTable::cell(int row, int column, int role) const {
-  const AgreementRow& at = rows_[static_cast<std::size_t>(row)];
-  if (role == Qt::DisplayRole) {
-    if (column == kRatings) return at.ratings;
-    return at.refusal.isEmpty() ? measureText(at, column) : kNoValue;
-  }
-  if (role == Qt::ToolTipRole) return at.refusal.isEmpty() ? reasonText(at, column) : at.refusal;
-  return {};
-}
-
-UsabilityTable::UsabilityTable(QObject* parent)
-    : LabTableModel({{tr("Statement")},
-                     {tr("Answers"), Qt::AlignHCenter},
-                     {tr("Mean (SD)"), Qt::AlignHCenter},
-                     {tr("Range"), Qt::AlignHCenter},
-                     {tr("Published"), Qt::AlignHCenter},
-                     {tr("Published range"), Qt::AlignHCenter}},
-                    parent) {}
-
-void UsabilityTable::setRows(std::vector<UsabilityRow> rows) {
-  beginResetModel();
-  rows_ = std::move(rows);
-  endResetModel();
-}
-
-int UsabilityTable::rows() const { return static_cast<int>(rows_.size()); }
-
-QVariant UsabilityTable::cell(int row, int column, int role) const {
-  const UsabilityRow& at = rows_[static_cast<std::size_t>(row)];
-  if (role == Qt::ToolTipRole && column == kStatement) return at.statement;
-  if (role != Qt::DisplayRole) return {};
-  switch (column) {
-    case kStatement: return at.statement;
-    case kCount: return QString::number(at.here.n);
-    case kHere: return meanText(at.here);
-    case kHereRange: return spanText(at.here);
-    case kPublished: return meanText(at.published);
-    case kPublishedRange: return spanText(at.published);
-    default: return {};
-  }
+std::vector<Column<UsabilityRow>> usabilityColumns() {
+  using Row = UsabilityRow;
+  const auto center = [](const QString& head, CellOf<Row> cell) -> Column<Row> {
+    return {head, std::move(cell), Qt::AlignHCenter};
+  };
+  return {{AgreementWords::tr("Statement"), &Row::statement, Qt::AlignLeft, {}, {{Qt::ToolTipRole, &Row::statement}}},
+          center(AgreementWords::tr("Answers"), [](const Row& row) { return QString::number(row.here.n); }),
+          center(AgreementWords::tr("Mean (SD)"), [](const Row& row) { return meanText(row.here); }),
+          center(AgreementWords::tr("Range"), [](const Row& row) { return spanText(row.here); }),
+          center(AgreementWords::tr("Published"), [](const Row& row) { return meanText(row.published); }),
+          center(AgreementWords::tr("Published range"), [](const Row& row) { return spanText(row.published); })};
 }
 
 namespace {
-
-struct AgreementWords {
-  Q_DECLARE_TR_FUNCTIONS(AgreementWords)
-};
 
 std::optional<double> meanConsensus(const elicitation::Agreement& measures) {
   double sum = 0;

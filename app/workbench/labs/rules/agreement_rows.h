@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <vector>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/frame/lab_table_model.h"
 #include "elicitation/agreement/agreement.h"
 #include "elicitation/agreement/krippendorff_alpha.h"
 #include "questionnaires/scale_summary.h"
@@ -37,37 +37,7 @@ struct UsabilityRow {
 
 std::vector<UsabilityRow> usabilityRows(const LabStudy& study);
 
-/// The measures of agreement and the answers to the usability scale (Table 3) as item models.
-class AgreementTable : public LabTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { kRatings, kSize, kOrdinal, kInterval, kConsensus, kIntervalAlpha, kNominal, kKendall, kFleiss };
-
-  explicit AgreementTable(QObject* parent = nullptr);
-  void setRows(std::vector<AgreementRow> rows);
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-
-  std::vector<AgreementRow> rows_;
-};
-
-class UsabilityTable : public LabTableModel {
-  Q_OBJECT
-
- public:
-  enum Column { kStatement, kCount, kHere, kHereRange, kPublished, kPublishedRange };
-
-  explicit UsabilityTable(QObject* parent = nullptr);
-  void setRows(std::vector<UsabilityRow> rows);
-
- private:
-  int rows() const override;
-  QVariant cell(int row, int column, int role) const override;
-
-  std::vector<UsabilityRow> rows_;
-};
+std::vector<Column<AgreementRow>> agreementColumns();
+std::vector<Column<UsabilityRow>> usabilityColumns();
 
 }  // namespace tactus::workbench

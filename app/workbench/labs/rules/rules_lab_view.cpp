@@ -35,123 +35,112 @@ namespace {
 
 const QString kNothing = QStringLiteral("–");
 
-// With its sign, so that more and less are seen at once.
-QString signedText(double force_n, const std::string& unit) {
-  const QString number = quantityText(std::abs(force_n), unit, 3);
-  return (force_n < 0 ? QStringLiteral("−") : QStringLiteral("+")) + number;
+constexpr int kFromMeanColumn = 3;
+constexpr int kWithoutColumn = 4;
+
+std::vector<Column<CellRow>> cellColumns(const RulesLab& lab) {
+  using Row = CellRow;
+  const auto newtons = [&lab](double force_n) { return quantityText(force_n, lab.grids().output.unit, 3); };
+  return {{RulesLabView::tr("Expert"),
+           &Row::expert,
+           Qt::AlignLeft,
+           {},
+           {{Qt::DecorationRole, [](const Row& row) { return theme::expert(row.number); }},
+            {kOrderRole, [](const Row& row) { return static_cast<int>(row.index); }}}},
+          {RulesLabView::tr("Says"),
+           &Row::word,
+           Qt::AlignLeft,
+           {},
+           {{Qt::DecorationRole,
+             [&lab](const Row& row) {
+               const fuzzy::Variable& output = lab.grids().output;
+               return row.term ? QVariant(termFill(output, output.terms, *row.term)) : QVariant();
+             }},
+            {kOrderRole, [](const Row& row) { return row.term ? static_cast<int>(*row.term) : -1; }}}},
+          {RulesLabView::tr("Would feel"),
+           [newtons](const Row& row) { return row.felt_n ? newtons(*row.felt_n) : kNothing; },
+           Qt::AlignRight,
+           {},
+           {{kOrderRole, [](const Row& row) { return row.felt_n.value_or(-1); }}}},
+          {RulesLabView::tr("From the mean"),
+           // With its sign, so that more and less are seen at once.
+           [newtons](const Row& row) {
+             if (!row.from_mean_n) return kNothing;
+             return (*row.from_mean_n < 0 ? QStringLiteral("−") : QStringLiteral("+")) +
+                    newtons(std::abs(*row.from_mean_n));
+           },
+           Qt::AlignRight,
+           {},
+           {{kOrderRole, [](const Row& row) { return row.from_mean_n ? std::abs(*row.from_mean_n) : -1; }}}},
+          {RulesLabView::tr("Mean without it"),
+           [&lab](const Row& row) {
+             if (const auto moved = lab.influenceOf(row.index)) return movedText(*moved);
+             return row.term && lab.isComparing() ? QStringLiteral("…") : kNothing;
+           },
+           Qt::AlignRight,
+           RulesLabView::tr(
+               "How far the averaged force moves without this rule, at most, and in just-noticeable differences."),
+           {{Qt::ToolTipRole,
+             [&lab](const Row& row) {
+               const auto moved = lab.influenceOf(row.index);
+               return moved ? QVariant(influenceText(row.expert, *moved, lab.model())) : QVariant();
+             }},
+            {kOrderRole,
+             [&lab](const Row& row) {
+               const auto moved = lab.influenceOf(row.index);
+               return moved ? moved->difference.largest_n : -1;
+             }}}},
+          {RulesLabView::tr("From"), &Row::source, Qt::AlignLeft, {}, {{kOrderRole, &Row::source}}}};
+}
+
+std::vector<CellRow> cellRows(const RulesLab& lab) {
+  std::vector<CellRow> rows;
+  if (!lab.chosen()) return rows;
+  const ExpertGrids& grids = lab.grids();
+  const elicitation::CellConflict* const conflict = lab.conflictAt(*lab.chosen());
+  double sum = 0;
+  double weights = 0;
+  for (std::size_t e = 0; e < grids.experts.size(); ++e) {
+    const AskedCell& cell = grids.at(e, lab.chosen()->row, lab.chosen()->column);
+    CellRow row{e, grids.experts[e].number, harmless(grids.experts[e].label), kNothing, cell.word, {}, {}, {}};
+    if (cell.word) row.word = labelOf(grids.output.terms[*cell.word]);
+    if (!cell.asked) row.word = RulesLabView::tr("not asked");
+    if (cell.asked && !cell.word && !cell.without.isEmpty()) row.word = cell.without;
+    row.source = cell.given      ? RulesLabView::tr("given directly")
+                 : cell.item > 0 ? RulesLabView::tr("item %1").arg(cell.item)
+                                 : kNothing;
+    if (cell.corrected) row.source += RulesLabView::tr(", corrected");
+    if (cell.word && conflict != nullptr && e < conflict->felt_n.size()) {
+      row.felt_n = conflict->felt_n[e];
+      sum += grids.experts[e].weight * *row.felt_n;
+      weights += grids.experts[e].weight;
+    }
+    rows.push_back(std::move(row));
+  }
+  for (CellRow& row : rows) {
+    if (row.felt_n && weights > 0) row.from_mean_n = *row.felt_n - sum / weights;
+  }
+  return rows;
 }
 
 }  // namespace
 
-CellTable::CellTable(const RulesLab& lab, QObject* parent)
-    : LabTableModel({{tr("Expert")},
-                     {tr("Says")},
-                     {tr("Would feel"), Qt::AlignRight},
-                     {tr("From the mean"), Qt::AlignRight},
-                     {tr("Mean without it"), Qt::AlignRight,
-                      tr("How far the averaged force moves without this rule, at most, and in just-noticeable "
-                         "differences.")},
-                     {tr("From")}},
-                    parent),
-      lab_(lab) {}
-
-void CellTable::follow() {
-  beginResetModel();
-  rows_.clear();
-  mean_n_.reset();
-  const ExpertGrids& grids = lab_.grids();
-  if (lab_.chosen()) {
-    const GridPlace place = *lab_.chosen();
-    const elicitation::CellConflict* const conflict = lab_.conflictAt(place);
-    double sum = 0;
-    double weights = 0;
-    for (std::size_t e = 0; e < grids.experts.size(); ++e) {
-      const AskedCell& cell = grids.at(e, place.row, place.column);
-      Row row{harmless(grids.experts[e].label), grids.experts[e].number, kNothing, cell.word, {}, {}};
-      if (cell.word) row.word = labelOf(grids.output.terms[*cell.word]);
-      if (!cell.asked) row.word = tr("not asked");
-      if (cell.asked && !cell.word && !cell.without.isEmpty()) row.word = cell.without;
-      row.source = cell.given ? tr("given directly") : cell.item > 0 ? tr("item %1").arg(cell.item) : kNothing;
-      if (cell.corrected) row.source += tr(", corrected");
-      if (cell.word && conflict != nullptr && e < conflict->felt_n.size()) {
-        row.felt_n = conflict->felt_n[e];
-        sum += grids.experts[e].weight * *row.felt_n;
-        weights += grids.experts[e].weight;
-      }
-      rows_.push_back(row);
-    }
-    if (weights > 0) mean_n_ = sum / weights;
-  }
-  endResetModel();
-}
-
-void CellTable::followInfluences() {
-  if (!rows_.empty()) emit dataChanged(index(0, kWithout), index(rows() - 1, kWithout));
-}
-
-int CellTable::rows() const { return static_cast<int>(rows_.size()); }
-
-QString CellTable::withoutText(std::size_t row) const {
-  const auto moved = lab_.influenceOf(row);
-  if (!moved) return rows_[row].term && lab_.isComparing() ? QStringLiteral("…") : kNothing;
-  return movedText(*moved);
-}
-
-QVariant CellTable::orderOf(std::size_t row, int column) const {
-  const Row& at = rows_[row];
-  switch (column) {
-    case kWord: return at.term ? static_cast<int>(*at.term) : -1;
-    case kFelt: return at.felt_n.value_or(-1);
-    case kFromMean: return at.felt_n && mean_n_ ? std::abs(*at.felt_n - *mean_n_) : -1;
-    case kWithout: {
-      const auto moved = lab_.influenceOf(row);
-      return moved ? moved->difference.largest_n : -1;
-    }
-    case kSource: return at.source;
-    default: return static_cast<int>(row);
-  }
-}
-
-QVariant CellTable::cell(int row, int column, int role) const {
-  const auto expert = static_cast<std::size_t>(row);
-  const Row& at = rows_[expert];
-  const std::string& unit = lab_.grids().output.unit;
-  if (role == kOrderRole) return orderOf(expert, column);
-  if (role == Qt::DecorationRole && column == kExpert) return theme::expert(at.number);
-  if (role == Qt::DecorationRole && column == kWord && at.term) {
-    return termFill(lab_.grids().output, lab_.grids().output.terms, *at.term);
-  }
-  if (role == Qt::ToolTipRole && column == kWithout) {
-    const auto moved = lab_.influenceOf(expert);
-    return moved ? QVariant(influenceText(at.expert, *moved, lab_.model())) : QVariant();
-  }
-  if (role != Qt::DisplayRole) return {};
-  switch (column) {
-    case kExpert: return at.expert;
-    case kWord: return at.word;
-    case kFelt: return at.felt_n ? quantityText(*at.felt_n, unit, 3) : kNothing;
-    case kFromMean: return at.felt_n && mean_n_ ? signedText(*at.felt_n - *mean_n_, unit) : kNothing;
-    case kWithout: return withoutText(expert);
-    default: return at.source;
-  }
-}
-
 QString cellSummary(const RulesLab& lab) {
   if (!lab.chosen()) return {};
   const elicitation::CellConflict* const conflict = lab.conflictAt(*lab.chosen());
-  if (conflict == nullptr) return CellTable::tr("No expert has a rule here.");
+  if (conflict == nullptr) return RulesLabView::tr("No expert has a rule here.");
   const fuzzy::Variable& output = lab.grids().output;
   const QString apart = quantityText(conflict->rms_n, output.unit, 3);
   const QString times = numberText(conflict->rms_noticeable, 1);
   QStringList out;
   if (conflict->rms_n == 0) {
-    out << CellTable::tr("All say the same here.");
+    out << RulesLabView::tr("All say the same here.");
   } else if (conflict->rms_noticeable > 1) {
-    out << CellTable::tr(
+    out << RulesLabView::tr(
                "With each other's word the experts would feel %1 more or less: %2 just-noticeable differences.")
                .arg(apart, times);
   } else {
-    out << CellTable::tr("With each other's word the experts would feel %1 more or less: not noticeable (%2).")
+    out << RulesLabView::tr("With each other's word the experts would feel %1 more or less: not noticeable (%2).")
                .arg(apart, times);
   }
   if (conflict->rms_n > 0) {
@@ -159,8 +148,8 @@ QString cellSummary(const RulesLab& lab) {
     const double percent = std::round(conflict->share * 100);
     const QString said =
         percent < 0
-            ? CellTable::tr("If all said %1, the mean would move by %2, and the disagreement would grow by %3 %.")
-            : CellTable::tr("If all said %1, the mean would move by %2, and %3 % of the disagreement would vanish.");
+            ? RulesLabView::tr("If all said %1, the mean would move by %2, and the disagreement would grow by %3 %.")
+            : RulesLabView::tr("If all said %1, the mean would move by %2, and %3 % of the disagreement would vanish.");
     out << said.arg(middle == nullptr ? text(conflict->middle_word) : labelOf(*middle),
                     quantityText(conflict->stake_n, output.unit, 3), numberText(std::abs(percent), 0));
   }
@@ -169,63 +158,49 @@ QString cellSummary(const RulesLab& lab) {
 
 namespace {
 
-using Kind = elicitation::RuleFinding::Kind;
+std::vector<Column<RuleFindingRow>> findingColumns() {
+  using Row = RuleFindingRow;
+  return withRole<Row>({{RulesLabView::tr("Kind"),
+                         &Row::kind,
+                         Qt::AlignLeft,
+                         {},
+                         {{Qt::ForegroundRole, [](const Row&) { return theme::ink(); }}}},
+                        {RulesLabView::tr("At stake"), &Row::newtons, Qt::AlignRight},
+                        {RulesLabView::tr("Experts"), &Row::who},
+                        {RulesLabView::tr("What is found; a click leads to the cell"), &Row::sentence}},
+                       Qt::ToolTipRole, &Row::sentence);
+}
 
-}  // namespace
-
-FindingTable::FindingTable(QObject* parent)
-    : LabTableModel({{tr("Kind")},
-                     {tr("At stake"), Qt::AlignRight},
-                     {tr("Experts")},
-                     {tr("What is found; a click leads to the cell")}},
-                    parent) {}
-
-void FindingTable::setFindings(const std::vector<WordedFinding>& findings, const std::string& unit) {
-  beginResetModel();
-  findings_ = findings;
-  unit_ = unit;
-  const auto newtons = [this](std::size_t i) { return findings_[i].finding.newtons.value_or(-1); };
+/// The group with the most newtons first. `unit`: of the force.
+std::vector<RuleFindingRow> findingRows(const std::vector<WordedFinding>& all, const std::string& unit) {
+  using Kind = elicitation::RuleFinding::Kind;
+  const auto newtons = [&](std::size_t i) { return all[i].finding.newtons.value_or(-1); };
   std::map<Kind, std::pair<double, std::size_t>> groups;  // largest newtons and members
-  for (std::size_t i = 0; i < findings_.size(); ++i) {
-    auto& [largest, members] = groups.try_emplace(findings_[i].finding.kind, -1.0, 0U).first->second;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    auto& [largest, members] = groups.try_emplace(all[i].finding.kind, -1.0, 0U).first->second;
     largest = std::max(largest, newtons(i));
     ++members;
   }
-  std::vector<std::size_t> order(findings_.size());
+  std::vector<std::size_t> order(all.size());
   std::iota(order.begin(), order.end(), 0U);
   const auto key = [&](std::size_t i) {
-    const Kind kind = findings_[i].finding.kind;
+    const Kind kind = all[i].finding.kind;
     return std::tuple(-groups.at(kind).first, kind, -newtons(i));
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
-  rows_.clear();
+  std::vector<RuleFindingRow> rows;
   for (const std::size_t i : order) {
-    const bool first = rows_.empty() || findings_[rows_.back().finding].finding.kind != findings_[i].finding.kind;
-    rows_.push_back({i, first ? groups.at(findings_[i].finding.kind).second : 0});
+    const elicitation::RuleFinding& finding = all[i].finding;
+    const bool first = rows.empty() || all[rows.back().index].finding.kind != finding.kind;
+    RuleFindingRow row{i, {}, kNothing, all[i].who, all[i].sentence};
+    if (first) row.kind = QStringLiteral("%1 (%2)").arg(kindText(finding.kind)).arg(groups.at(finding.kind).second);
+    if (finding.newtons) {
+      row.newtons = (finding.at_least ? QStringLiteral("≥ ") : QString()) + quantityText(*finding.newtons, unit, 3);
+    }
+    rows.push_back(std::move(row));
   }
-  endResetModel();
+  return rows;
 }
-
-int FindingTable::rows() const { return static_cast<int>(rows_.size()); }
-
-QVariant FindingTable::cell(int row, int column, int role) const {
-  const Row& at = rows_[static_cast<std::size_t>(row)];
-  const WordedFinding& worded = findings_[at.finding];
-  const elicitation::RuleFinding& finding = worded.finding;
-  if (role == Qt::ToolTipRole) return worded.sentence;
-  if (role == Qt::ForegroundRole && column == kKind) return theme::ink();
-  if (role != Qt::DisplayRole) return {};
-  switch (column) {
-    case kKind: return at.group == 0 ? QString() : QStringLiteral("%1 (%2)").arg(kindText(finding.kind)).arg(at.group);
-    case kNewtons:
-      if (!finding.newtons) return QStringLiteral("–");
-      return (finding.at_least ? QStringLiteral("≥ ") : QString()) + quantityText(*finding.newtons, unit_, 3);
-    case kExperts: return worded.who;
-    default: return worded.sentence;
-  }
-}
-
-namespace {
 
 constexpr int kReadAtOnce = 24;  // experts
 constexpr int kExpertRow = 22;   // px: four experts are seen at once in a window of 720 px
@@ -250,13 +225,13 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       lab_(lab),
       grids_(new GridsView(lab)),
       spread_(new QLabel),
-      cell_(new CellTable(lab, this)),
+      cell_(new Columns<CellRow>(cellColumns(lab), this)),
       cell_title_(new QLabel),
       cell_summary_(new WrappedLabel),
-      findings_(new FindingTable(this)),
+      findings_(new Columns<RuleFindingRow>(findingColumns(), this)),
       findings_note_(new ElidedLabel),
-      agreement_(new AgreementTable(this)),
-      usability_(new UsabilityTable(this)),
+      agreement_(new Columns<AgreementRow>(agreementColumns(), this)),
+      usability_(new Columns<UsabilityRow>(usabilityColumns(), this)),
       usability_note_(new ElidedLabel),
       details_(new QTabWidget) {
   setObjectName(QStringLiteral("rules"));
@@ -268,7 +243,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   details_->setDocumentMode(true);
   details_->addTab(makeCell(), tr("Chosen cell"));
   details_->addTab(makeFindings(), tr("Findings"));
-  auto* agreement = makeLabTable(*agreement_, AgreementTable::kRatings, tr("Measures of agreement"), nullptr);
+  auto* agreement = makeLabTable(*agreement_, 0, tr("Measures of agreement"), nullptr);
   agreement->setObjectName(QStringLiteral("agreement"));
   details_->addTab(agreement, tr("Agreement"));
   details_->setCornerWidget(new StatisticHelp({Statistic::kAlpha, Statistic::kInterval, Statistic::kConsensus,
@@ -292,7 +267,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   auto* refresh = new Refresh(this, [this] { follow(); });
   connect(&lab_, &RulesLab::changed, refresh, &Refresh::request);
   connect(&lab_, &RulesLab::chosenChanged, this, &RulesLabView::followCell);
-  connect(&lab_, &RulesLab::influencesChanged, cell_, &CellTable::followInfluences);
+  connect(&lab_, &RulesLab::influencesChanged, cell_, [this] { cell_->updateColumn(kWithoutColumn); });
   followCell();
 }
 
@@ -312,8 +287,8 @@ QWidget* RulesLabView::makeCell() {
   row->addLayout(words, 1);
   auto* const sorted = new QSortFilterProxyModel(this);
   sorted->setSourceModel(cell_);
-  sorted->setSortRole(CellTable::kOrderRole);
-  experts_ = makeLabTable(*sorted, CellTable::kSource, tr("Experts in the chosen cell"), page);
+  sorted->setSortRole(kOrderRole);
+  experts_ = makeLabTable(*sorted, cell_->columnCount() - 1, tr("Experts in the chosen cell"), page);
   experts_->verticalHeader()->setDefaultSectionSize(kExpertRow);
   sortByHeads(*experts_);
   row->addWidget(experts_, 2);
@@ -324,10 +299,10 @@ QWidget* RulesLabView::makeFindings() {
   auto* page = new QWidget;
   page->setObjectName(QStringLiteral("findings"));
   setMuted(*findings_note_);
-  auto* const table = makeLabTable(*findings_, FindingTable::kSentence, tr("Findings about the rules"), page);
+  auto* const table = makeLabTable(*findings_, findings_->columnCount() - 1, tr("Findings about the rules"), page);
   table->verticalHeader()->setDefaultSectionSize(kExpertRow);
   connect(table, &QTableView::clicked, this, [this](const QModelIndex& index) {
-    const std::size_t finding = findings_->findingAt(index.row());
+    const std::size_t finding = findings_->row(index.row()).index;
     // The row may be too narrow for the whole sentence.
     const QString sentence = (*lab_.findings())[finding].sentence;
     findings_note_->setFullText(lab_.chooseFinding(finding) ? sentence : tr("%1 (in no single cell)").arg(sentence));
@@ -347,7 +322,7 @@ QWidget* RulesLabView::makeUsability() {
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(0, theme::kGrid, 0, 0);
   column->setSpacing(theme::kGrid / 2);
-  auto* const table = makeLabTable(*usability_, UsabilityTable::kStatement, tr("Usability scale"), page);
+  auto* const table = makeLabTable(*usability_, 0, tr("Usability scale"), page);
   table->verticalHeader()->setDefaultSectionSize(kExpertRow);
   column->addWidget(table, 1);
   column->addWidget(usability_note_);
@@ -368,7 +343,8 @@ void RulesLabView::follow() {
   grids_->follow();
   spread_->setText(spreadText(lab_));
   const auto* const findings = lab_.findings();
-  findings_->setFindings(findings == nullptr ? std::vector<WordedFinding>() : *findings, lab_.grids().output.unit);
+  findings_->setRows(findings == nullptr ? std::vector<RuleFindingRow>()
+                                         : findingRows(*findings, lab_.grids().output.unit));
   findings_note_->setFullText(findings == nullptr ? tr("Looking at the rules…")
                               : findings->empty() ? tr("Nothing is odd in the rules.")
                                                   : QString());
@@ -384,10 +360,10 @@ void RulesLabView::follow() {
 
 void RulesLabView::followCell() {
   const int few = cell_->rowCount();
-  cell_->follow();
+  cell_->setRows(cellRows(lab_));
   // Of many experts those far from the mean are worth reading first.
   if (few <= kReadAtOnce && cell_->rowCount() > kReadAtOnce) {
-    experts_->sortByColumn(CellTable::kFromMean, Qt::DescendingOrder);
+    experts_->sortByColumn(kFromMeanColumn, Qt::DescendingOrder);
   }
   cell_title_->setText(lab_.chosen() ? lab_.textOf(*lab_.chosen()) : tr("No cell is chosen"));
   cell_summary_->setText(lab_.chosen()

@@ -27,92 +27,89 @@ QString fixed(const std::optional<double>& value, int decimals) {
   return value ? fixed(*value, decimals) : QStringLiteral("–");
 }
 
-LabColumn measure(const QString& title, const QString& tip) { return {title, Qt::AlignHCenter, tip}; }
+using SubjectRow = std::shared_ptr<const SpeedSubject>;
 
-std::vector<LabColumn> columnsOf(const fuzzy::Variable& speed) {
-  std::vector<LabColumn> out = {{SpeedTable::tr("Participant")}};
-  for (const fuzzy::Term& level : speed.terms) {
-    out.push_back({SpeedTable::tr("%1\nmean (SD)").arg(labelOf(level)), Qt::AlignHCenter});
+const QString kNoNumber = QStringLiteral("–");
+
+// The numbers come once they are computed.
+CellOf<SubjectRow> whenChecked(std::function<QString(const elicitation::ParticipantSpeeds&)> text) {
+  return [text = std::move(text)](const SubjectRow& row) {
+    return row->checked ? text(row->speeds) : QStringLiteral("…");
+  };
+}
+
+Column<SubjectRow> measure(const QString& head, const QString& tip,
+                           std::function<QString(const elicitation::ParticipantSpeeds&)> text) {
+  return {head, whenChecked(std::move(text)), Qt::AlignHCenter, tip};
+}
+
+QString warningsOf(const SubjectRow& row) {
+  QStringList lines;
+  if (!row->failure.empty()) lines << text(row->failure);
+  for (const std::string& warning : row->speeds.diagnostics.warnings) lines << text(warning);
+  return lines.join(QLatin1Char('\n'));
+}
+
+/// Table 1 of the paper, live, with what the clusters say of each participant: a row for each participant and a column
+/// for each level's mean and SD, then the agreement of clusters and levels.
+std::vector<Column<SubjectRow>> speedColumns(const fuzzy::Variable& speed) {
+  using Speeds = const elicitation::ParticipantSpeeds&;
+  std::vector<Column<SubjectRow>> out;
+  out.push_back({NumberPage::tr("Participant"), [](const SubjectRow& row) {
+                   const QString who = text(row->speeds.participant);
+                   return row->speeds.simulated ? NumberPage::tr("%1 (simulated)").arg(who) : who;
+                 }});
+  for (std::size_t i = 0; i < speed.terms.size(); ++i) {
+    out.push_back(measure(NumberPage::tr("%1\nmean (SD)").arg(labelOf(speed.terms[i])), {}, [i](Speeds one) {
+      const auto& found = one.diagnostics.levels;
+      if (i >= found.size() || found[i].samples == 0) return kNoNumber;
+      return NumberPage::tr("%1 (%2)").arg(fixed(found[i].mean_mm_s, 1), fixed(found[i].sd_mm_s, 1));
+    }));
   }
+  const auto compared = [](Speeds one, double elicitation::LevelConfusion::*value) {
+    const auto& confusion = one.diagnostics.confusion;
+    return confusion.counts.empty() ? kNoNumber : fixed(confusion.*value, 2);
+  };
   out.push_back(
-      measure(SpeedTable::tr("Accuracy"),
-              SpeedTable::tr("Share of the samples whose cluster is that of the level asked for. Warns below 0.6.")));
+      measure(NumberPage::tr("Accuracy"),
+              NumberPage::tr("Share of the samples whose cluster is that of the level asked for. Warns below 0.6."),
+              [compared](Speeds one) { return compared(one, &elicitation::LevelConfusion::accuracy); }));
   out.push_back(
-      measure(SpeedTable::tr("Rand\nindex"),
-              SpeedTable::tr("Agreement of clusters and levels beyond chance; 1 is perfect. Warns below 0.3.")));
-  out.push_back(measure(SpeedTable::tr("Separation\nd′"),
-                        SpeedTable::tr("Difference of neighboring levels in standard deviations. Warns below 1.")));
+      measure(NumberPage::tr("Rand\nindex"),
+              NumberPage::tr("Agreement of clusters and levels beyond chance; 1 is perfect. Warns below 0.3."),
+              [compared](Speeds one) { return compared(one, &elicitation::LevelConfusion::adjusted_rand_index); }));
+  out.push_back(measure(NumberPage::tr("Separation\nd′"),
+                        NumberPage::tr("Difference of neighboring levels in standard deviations. Warns below 1."),
+                        [](Speeds one) {
+                          QStringList all;
+                          for (const auto& each : one.diagnostics.separations) all << fixed(each, 2);
+                          return all.isEmpty() ? kNoNumber : all.join(QStringLiteral(" · "));
+                        }));
   out.push_back(
-      measure(SpeedTable::tr("Trend\np"),
-              SpeedTable::tr("Whether the means of the strokes rise with the level: Jonckheere-Terpstra, one-sided.")));
+      measure(NumberPage::tr("Trend\np"),
+              NumberPage::tr("Whether the means of the strokes rise with the level: Jonckheere-Terpstra, one-sided."),
+              [](Speeds one) {
+                const auto& trend = one.diagnostics.trend;
+                if (!trend) return kNoNumber;
+                return trend->p < 0.001 ? QStringLiteral("< 0.001") : fixed(trend->p, 3);
+              }));
+  out.push_back(measure(NumberPage::tr("Silhouette"),
+                        NumberPage::tr("Fuzzy silhouette: near 1 the clusters are apart."),
+                        [](Speeds one) { return fixed(one.validity.fuzzy_silhouette, 2); }));
+  out.push_back(measure(NumberPage::tr("Xie-Beni"), NumberPage::tr("Xie-Beni index: smaller is better."),
+                        [](Speeds one) { return fixed(one.validity.xie_beni, 3); }));
   out.push_back(
-      measure(SpeedTable::tr("Silhouette"), SpeedTable::tr("Fuzzy silhouette: near 1 the clusters are apart.")));
-  out.push_back(measure(SpeedTable::tr("Xie-Beni"), SpeedTable::tr("Xie-Beni index: smaller is better.")));
-  out.push_back(measure(SpeedTable::tr("Warnings"), SpeedTable::tr("Point at a row to read its warnings.")));
-  return out;
+      measure(NumberPage::tr("Warnings"), NumberPage::tr("Point at a row to read its warnings."), [](Speeds one) {
+        const auto& warnings = one.diagnostics.warnings;
+        return warnings.empty() ? kNoNumber : NumberPage::tr("▲ %1").arg(warnings.size());
+      }));
+  out.back().roles[Qt::ForegroundRole] = [](const SubjectRow& row) {
+    return row->speeds.diagnostics.warnings.empty() ? QVariant() : theme::warningInk();
+  };
+  return withRole<SubjectRow>(std::move(out), Qt::ToolTipRole, &warningsOf);
 }
 
 }  // namespace
-
-void SpeedTable::show(std::shared_ptr<const SpeedResult> result) {
-  const bool same_shape = result && result_ && result->subjects.size() == result_->subjects.size() &&
-                          result->speed.terms.size() == result_->speed.terms.size();
-  if (same_shape) {
-    result_ = std::move(result);
-    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    return;
-  }
-  beginResetModel();
-  result_ = std::move(result);
-  setColumns(result_ ? columnsOf(result_->speed) : std::vector<LabColumn>());
-  endResetModel();
-}
-
-std::size_t SpeedTable::levels() const { return result_ ? result_->speed.terms.size() : 0; }
-
-QVariant SpeedTable::cell(int row, int column, int role) const {
-  const SpeedSubject& subject = *result_->subjects[static_cast<std::size_t>(row)];
-  const int measure = column - 1 - static_cast<int>(levels());
-  const auto& warnings = subject.speeds.diagnostics.warnings;
-  if (role == Qt::ToolTipRole) {
-    QStringList lines;
-    if (!subject.failure.empty()) lines << text(subject.failure);
-    for (const std::string& warning : warnings) lines << text(warning);
-    return lines.join(QLatin1Char('\n'));
-  }
-  if (role == Qt::ForegroundRole && measure == kWarnings && !warnings.empty()) return theme::warningInk();
-  if (role != Qt::DisplayRole) return {};
-  if (column == 0) {
-    const QString who = text(subject.speeds.participant);
-    return subject.speeds.simulated ? tr("%1 (simulated)").arg(who) : who;
-  }
-  if (!subject.checked) return QStringLiteral("…");
-  if (measure >= 0) return measureText(subject, measure);
-  const auto level = static_cast<std::size_t>(column - 1);
-  const auto& found = subject.speeds.diagnostics.levels;
-  if (level >= found.size() || found[level].samples == 0) return QStringLiteral("–");
-  return tr("%1 (%2)").arg(fixed(found[level].mean_mm_s, 1), fixed(found[level].sd_mm_s, 1));
-}
-
-QString SpeedTable::measureText(const SpeedSubject& subject, int measure) const {
-  const elicitation::LevelDiagnostics& found = subject.speeds.diagnostics;
-  const bool compared = !found.confusion.counts.empty();
-  switch (measure) {
-    case kAccuracy: return compared ? fixed(found.confusion.accuracy, 2) : QStringLiteral("–");
-    case kRand: return compared ? fixed(found.confusion.adjusted_rand_index, 2) : QStringLiteral("–");
-    case kSeparation: {
-      QStringList all;
-      for (const auto& one : found.separations) all << fixed(one, 2);
-      return all.isEmpty() ? QStringLiteral("–") : all.join(QStringLiteral(" · "));
-    }
-    case kTrend:
-      if (!found.trend) return QStringLiteral("–");
-      return found.trend->p < 0.001 ? QStringLiteral("< 0.001") : fixed(found.trend->p, 3);
-    case kSilhouette: return fixed(subject.speeds.validity.fuzzy_silhouette, 2);
-    case kXieBeni: return fixed(subject.speeds.validity.xie_beni, 3);
-    default: return found.warnings.empty() ? QStringLiteral("–") : tr("▲ %1").arg(found.warnings.size());
-  }
-}
 
 ObjectivePlot::ObjectivePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   auto* layout = new QVBoxLayout(this);
@@ -176,7 +173,7 @@ Card* titled(const QString& title, QWidget* content, QWidget* parent) {
 NumberPage::NumberPage(SpeedLab& lab, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
-      table_(new SpeedTable(this)),
+      table_(new Columns<SubjectRow>(this)),
       view_(makeLabTable(*table_, -1, tr("Table 1: speeds of each participant at each level"), this)),
       warnings_(new QLabel(this)),
       objective_(new ObjectivePlot(this)) {
@@ -238,7 +235,14 @@ QString NumberPage::warningText() const {
 
 void NumberPage::follow() {
   const auto& result = lab_.result();
-  table_->show(result);
+  const int columns = table_->columnCount();
+  auto heads = result ? speedColumns(result->speed) : std::vector<Column<SubjectRow>>();
+  auto subjects = result ? result->subjects : std::vector<SubjectRow>();
+  if (columns == static_cast<int>(heads.size())) {
+    table_->updateRows(std::move(subjects));
+  } else {
+    table_->setTable(std::move(heads), std::move(subjects));
+  }
   // A few rows take no more room than they need.
   const int rows = table_->rowCount();
   const int height =

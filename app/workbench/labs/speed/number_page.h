@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <memory>
 
-#include "app/workbench/labs/frame/lab_table_model.h"
+#include "app/workbench/base/columns.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/labs/speed/speed_result.h"
 
@@ -13,27 +13,6 @@ class QLabel;
 class QTableView;
 
 namespace tactus::workbench {
-
-/// Table 1 of the paper, live, with what the clusters say of each participant: a row for each participant and a column
-/// for each level's mean and SD, then the agreement of clusters and levels.
-class SpeedTable : public LabTableModel {
-  Q_OBJECT
-
- public:
-  using LabTableModel::LabTableModel;
-
-  void show(std::shared_ptr<const SpeedResult> result);
-
- private:
-  /// Columns after the levels.
-  enum Measure { kAccuracy, kRand, kSeparation, kTrend, kSilhouette, kXieBeni, kWarnings };
-  int rows() const override { return result_ ? static_cast<int>(result_->subjects.size()) : 0; }
-  QVariant cell(int row, int column, int role) const override;
-  std::size_t levels() const;
-  QString measureText(const SpeedSubject& subject, int measure) const;
-
-  std::shared_ptr<const SpeedResult> result_;
-};
 
 /// The objective J against the iteration, for the participants on the page.
 class ObjectivePlot : public QWidget {
@@ -49,10 +28,6 @@ class ObjectivePlot : public QWidget {
   QCustomPlot* plot_;
 };
 
-class ObjectivePlot;
-class SpeedLab;
-class SpeedTable;
-
 class NumberPage : public QWidget {
   Q_OBJECT
 
@@ -65,7 +40,7 @@ class NumberPage : public QWidget {
   QString warningText() const;
 
   SpeedLab& lab_;
-  SpeedTable* table_;
+  Columns<std::shared_ptr<const SpeedSubject>>* table_;
   QTableView* view_;
   QLabel* warnings_;
   ObjectivePlot* objective_;

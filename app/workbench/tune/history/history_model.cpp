@@ -1,6 +1,7 @@
 #include "app/workbench/tune/history/history_model.h"
 
 #include <QDateTime>
+#include <algorithm>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
@@ -10,6 +11,7 @@ namespace tactus::workbench {
 namespace {
 
 using editing::EventKind;
+using Row = editing::HistoryRow;
 using Place = editing::HistoryRow::Place;
 
 // The time of day is enough for today.
@@ -21,44 +23,35 @@ QString timeText(std::int64_t utc_ms) {
 
 }  // namespace
 
-HistoryModel::HistoryModel(EditController& edits, QObject* parent) : QAbstractListModel(parent), edits_(edits) {
+HistoryModel::HistoryModel(EditController& edits, QObject* parent)
+    : Columns({{{},
+                [this](const Row& row) { return labelOf(row); },
+                {},
+                {},
+                {{Qt::ToolTipRole, [this](const Row& row) { return tipOf(row); }},
+                 {Qt::AccessibleTextRole,
+                  [this](const Row& row) { return labelOf(row) + QStringLiteral(", ") + detailOf(row); }},
+                 {kEffectRole, [this](const Row& row) { return detailOf(row); }},
+                 {kSnapshotsRole, [this](const Row& row) { return marksOf(row, EventKind::kSnapshot); }},
+                 {kSignOffsRole, [this](const Row& row) { return marksOf(row, EventKind::kSignOff); }}}}},
+              parent),
+      edits_(edits) {
   // Rows of another history would name states that are not there, and may be painted before the next refresh.
-  connect(&edits_, &EditController::modelReset, this, [this] {
-    beginResetModel();
-    rows_.clear();
-    endResetModel();
-  });
+  connect(&edits_, &EditController::modelReset, this, [this] { setRows({}); });
 }
 
 void HistoryModel::refresh() {
-  beginResetModel();
-  rows_ = edits_.isOpen() ? editing::historyRows(edits_.history()) : std::vector<editing::HistoryRow>();
-  endResetModel();
+  setRows(edits_.isOpen() ? editing::historyRows(edits_.history()) : std::vector<editing::HistoryRow>());
 }
 
 std::optional<int> HistoryModel::currentRow() const {
-  for (std::size_t row = 0; row < rows_.size(); ++row) {
-    if (rows_[row].place == Place::kCurrent) return static_cast<int>(row);
-  }
-  return std::nullopt;
+  const auto current =
+      std::find_if(rows().begin(), rows().end(), [](const Row& row) { return row.place == Place::kCurrent; });
+  return current == rows().end() ? std::nullopt : std::optional(static_cast<int>(current - rows().begin()));
 }
 
-int HistoryModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
-}
-
-QVariant HistoryModel::data(const QModelIndex& index, int role) const {
-  const editing::HistoryRow& row = rows_[static_cast<std::size_t>(index.row())];
-  switch (role) {
-    case Qt::DisplayRole: return text(edits_.history().labelOf(row.state));
-    case Qt::ToolTipRole: return tipOf(row);
-    case Qt::AccessibleTextRole:
-      return text(edits_.history().labelOf(row.state)) + QStringLiteral(", ") + detailOf(row);
-    case kEffectRole: return detailOf(row);
-    case kSnapshotsRole: return marksOf(row, EventKind::kSnapshot);
-    case kSignOffsRole: return marksOf(row, EventKind::kSignOff);
-    default: return {};
-  }
+QString HistoryModel::labelOf(const editing::HistoryRow& row) const {
+  return text(edits_.history().labelOf(row.state));
 }
 
 QString HistoryModel::detailOf(const editing::HistoryRow& row) const {
@@ -70,7 +63,7 @@ QString HistoryModel::detailOf(const editing::HistoryRow& row) const {
 
 QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
   const auto& events = edits_.history().events();
-  QStringList lines = {text(edits_.history().labelOf(row.state)), detailOf(row)};
+  QStringList lines = {labelOf(row), detailOf(row)};
   for (const std::size_t mark : row.marks) {
     const editing::Event& event = events[mark];
     const QString what = event.kind == EventKind::kSnapshot ? tr("Snapshot “%1”").arg(text(event.label))

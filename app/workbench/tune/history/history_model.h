@@ -1,18 +1,18 @@
 // The history as a list for the screen. The effect of an edit is computed when its row is visible.
 #pragma once
 
-#include <QAbstractListModel>
 #include <QStringList>
 #include <optional>
 #include <vector>
 
 #include "app/editing/edit_history.h"
+#include "app/workbench/base/columns.h"
 
 namespace tactus::workbench {
 
 class EditController;
 
-class HistoryModel : public QAbstractListModel {
+class HistoryModel : public Columns<editing::HistoryRow> {
   Q_OBJECT
 
  public:
@@ -27,20 +27,15 @@ class HistoryModel : public QAbstractListModel {
 
   /// Reads the history again.
   void refresh();
-
-  const editing::HistoryRow& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
   std::optional<int> currentRow() const;
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
-
  private:
+  QString labelOf(const editing::HistoryRow& row) const;
   QString detailOf(const editing::HistoryRow& row) const;
   QString tipOf(const editing::HistoryRow& row) const;
   QStringList marksOf(const editing::HistoryRow& row, editing::EventKind kind) const;
 
   EditController& edits_;
-  std::vector<editing::HistoryRow> rows_;
 };
 
 }  // namespace tactus::workbench

@@ -303,8 +303,8 @@ void HistoryPanel::visit(const QModelIndex& index) {
 void HistoryPanel::list() {
   model_->refresh();
   if (const auto row = model_->currentRow()) {
-    view_->setCurrentIndex(model_->index(*row));
-    view_->scrollTo(model_->index(*row));
+    view_->setCurrentIndex(model_->index(*row, 0));
+    view_->scrollTo(model_->index(*row, 0));
   }
 }
 

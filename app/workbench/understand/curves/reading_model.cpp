@@ -59,81 +59,73 @@ void ReadingPanel::showPlace() {
   place_->setText(tr("%1 %2").arg(labelOf(x), placeText(x, scene_.readingX())));
 }
 
-ReadingModel::ReadingModel(const SceneController& scene, QObject* parent) : QAbstractTableModel(parent), scene_(scene) {
+ReadingModel::ReadingModel(const SceneController& scene, QObject* parent)
+    : Columns(
+          {{{},
+            [this](const ReadingRow& one) { return nameOf(one); },
+            {},
+            {},
+            {{Qt::DecorationRole,
+              [](const ReadingRow& one) { return one.index == kMeanRow ? theme::mean() : theme::expert(one.number); }},
+             {Qt::CheckStateRole, [](const ReadingRow& one) { return one.shown ? Qt::Checked : Qt::Unchecked; }},
+             {Qt::FontRole,
+              [](const ReadingRow& one) {
+                return one.index == kMeanRow ? QVariant(theme::headingFont()) : QVariant();
+              }}},
+            [this](const ReadingRow& one, const QVariant& checked) {
+              show(one.index, checked.toInt() == Qt::Checked);
+              return true;
+            }},
+           {{},
+            [this](const ReadingRow& one) { return readingOf(one); },
+            Qt::AlignRight,
+            {},
+            {{Qt::ForegroundRole,
+              [this](const ReadingRow& one) {
+                return evaluation(one).fired ? QVariant() : QVariant(theme::mutedInk());
+              }}}}},
+          parent),
+      scene_(scene) {
   if (scene_.model()) adoptModel();
   connect(&scene_, &SceneController::modelChanged, this, &ReadingModel::adoptModel);
 }
 
-int ReadingModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(shown_.size());
+void ReadingModel::show(int index, bool shown) {
+  std::vector<ReadingRow> all = rows();
+  all[static_cast<std::size_t>(index)].shown = shown;
+  updateRows(std::move(all));
+  emit rowShownChanged(index, shown);
 }
 
-int ReadingModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumnCount; }
-
-QVariant ReadingModel::data(const QModelIndex& index, int role) const {
-  const int row = index.row();
-  if (role == Qt::DisplayRole) return index.column() == kWho ? nameOf(row) : readingOf(row);
-  if (index.column() == kForce) {
-    if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
-    if (role == Qt::ForegroundRole && !evaluation(row).fired) return theme::mutedInk();
-    return {};
-  }
-  switch (role) {
-    case Qt::DecorationRole:
-      return row == kMeanRow ? theme::mean() : theme::expert(numbers_[static_cast<std::size_t>(row) - 1]);
-    case Qt::CheckStateRole: return shown_[static_cast<std::size_t>(row)] ? Qt::Checked : Qt::Unchecked;
-    case Qt::FontRole: return row == kMeanRow ? theme::headingFont() : QVariant();
-    default: return {};
-  }
-}
-
-Qt::ItemFlags ReadingModel::flags(const QModelIndex& index) const {
-  return index.column() == kWho ? Qt::ItemIsEnabled | Qt::ItemIsUserCheckable : Qt::ItemIsEnabled;
-}
-
-bool ReadingModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (role != Qt::CheckStateRole || index.column() != kWho) return false;
-  const bool shown = value.toInt() == Qt::Checked;
-  shown_[static_cast<std::size_t>(index.row())] = shown;
-  emit dataChanged(index, index, {Qt::CheckStateRole});
-  emit rowShownChanged(index.row(), shown);
-  return true;
-}
-
+// Who was hidden stays hidden, where the model still has him. The mean of one expert is that expert.
 void ReadingModel::adoptModel() {
-  beginResetModel();
-  const std::vector<bool> old_shown = std::exchange(shown_, {});
-  const std::vector<std::string> old_ids = std::exchange(ids_, {});
-  // Who was hidden stays hidden, where the model still has him.
-  // The mean of one expert is that expert.
-  const bool hid_the_mean = old_ids.size() > 1 && !old_shown[kMeanRow];
-  shown_.push_back(scene_.model()->model.experts.size() > 1 && !hid_the_mean);
-  for (const fuzzy::Expert& expert : scene_.model()->model.experts) {
-    const auto old = std::find(old_ids.begin(), old_ids.end(), expert.id);
-    shown_.push_back(old == old_ids.end() || old_shown[static_cast<std::size_t>(old - old_ids.begin()) + 1]);
-    ids_.push_back(expert.id);
+  const auto& experts = scene_.model()->model.experts;
+  const auto numbers = figures::expertNumbers(experts);
+  const bool hid_the_mean = rowCount() > 2 && !isShown(kMeanRow);
+  std::vector<ReadingRow> now = {{kMeanRow, {}, 0, experts.size() > 1 && !hid_the_mean}};
+  for (std::size_t i = 0; i < experts.size(); ++i) {
+    const auto old = std::find_if(rows().begin(), rows().end(), [&](const ReadingRow& one) {
+      return one.index != kMeanRow && one.id == experts[i].id;
+    });
+    now.push_back({static_cast<int>(i) + 1, experts[i].id, numbers[i], old == rows().end() || old->shown});
   }
-  numbers_ = figures::expertNumbers(scene_.model()->model.experts);
-  endResetModel();
+  setRows(std::move(now));
 }
 
-void ReadingModel::announceReading() {
-  emit dataChanged(index(0, kForce), index(rowCount() - 1, kForce), {Qt::DisplayRole, Qt::ForegroundRole});
+const fuzzy::Evaluation& ReadingModel::evaluation(const ReadingRow& one) const {
+  return one.index == kMeanRow ? scene_.reading().mean
+                               : scene_.reading().experts[static_cast<std::size_t>(one.index) - 1];
 }
 
-const fuzzy::Evaluation& ReadingModel::evaluation(int row) const {
-  return row == kMeanRow ? scene_.reading().mean : scene_.reading().experts[static_cast<std::size_t>(row) - 1];
-}
-
-QString ReadingModel::nameOf(int row) const {
-  if (row == kMeanRow) return tr("Mean");
-  const fuzzy::Expert& expert = scene_.model()->model.experts[static_cast<std::size_t>(row) - 1];
+QString ReadingModel::nameOf(const ReadingRow& one) const {
+  if (one.index == kMeanRow) return tr("Mean");
+  const fuzzy::Expert& expert = scene_.model()->model.experts[static_cast<std::size_t>(one.index) - 1];
   // Equal weights need no mention.
   return expert.weight == 1 ? labelOf(expert) : tr("%1 (weight %2)").arg(labelOf(expert), numberText(expert.weight));
 }
 
-QString ReadingModel::readingOf(int row) const {
-  const fuzzy::Evaluation& here = evaluation(row);
+QString ReadingModel::readingOf(const ReadingRow& one) const {
+  const fuzzy::Evaluation& here = evaluation(one);
   return here.fired ? forceText(here.force_n, scene_.model()->model.output.unit) : tr("no rule fires");
 }
 

@@ -2,10 +2,10 @@
 // hides the line.
 #pragma once
 
-#include <QAbstractTableModel>
 #include <string>
 #include <vector>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/model/scene_controller.h"
 
@@ -14,47 +14,47 @@ class QTableView;
 
 namespace tactus::workbench {
 
-class ReadingModel : public QAbstractTableModel {
+/// The mean or an expert, whether the line is visible.
+struct ReadingRow {
+  int index = 0;           ///< 0: the mean; i + 1: expert i
+  std::string id;          ///< of the expert
+  std::size_t number = 0;  ///< of the expert's color
+  bool shown = true;
+};
+
+class ReadingModel : public Columns<ReadingRow> {
   Q_OBJECT
 
  public:
-  enum Column { kWho, kForce, kColumnCount };
+  enum { kWho, kForce };
   static constexpr int kMeanRow = 0;  ///< the row of expert i is i + 1
 
   explicit ReadingModel(const SceneController& scene, QObject* parent = nullptr);
 
-  int rowCount(const QModelIndex& parent = {}) const override;
-  int columnCount(const QModelIndex& parent = {}) const override;
-  QVariant data(const QModelIndex& index, int role) const override;
-  Qt::ItemFlags flags(const QModelIndex& index) const override;
-  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
-
+  Qt::ItemFlags flags(const QModelIndex& index) const override {
+    return Columns::flags(index) & ~Qt::ItemFlags(Qt::ItemIsSelectable | Qt::ItemNeverHasChildren);
+  }
   /// Whether the line of `row` is visible.
-  bool isShown(int row) const { return shown_[static_cast<std::size_t>(row)]; }
+  bool isShown(int index) const { return row(index).shown; }
 
  public slots:
   /// Makes the views read the forces again. Called by the visible view, so that hidden forces are never computed.
-  void announceReading();
+  void announceReading() { updateColumn(kForce); }
 
  signals:
   void rowShownChanged(int row, bool shown);
 
  private:
   void adoptModel();
-  const fuzzy::Evaluation& evaluation(int row) const;
-  QString nameOf(int row) const;
-  QString readingOf(int row) const;
+  void show(int index, bool shown);
+  const fuzzy::Evaluation& evaluation(const ReadingRow& one) const;
+  QString nameOf(const ReadingRow& one) const;
+  QString readingOf(const ReadingRow& one) const;
 
   const SceneController& scene_;
-  std::vector<bool> shown_;
-  std::vector<std::string> ids_;      ///< ids of the experts
-  std::vector<std::size_t> numbers_;  ///< of the experts, for their colors
 };
 
 // The forces at the reading place, one row for the mean and each expert. It is also the legend of the curves.
-
-class ReadingModel;
-class SceneController;
 
 class ReadingPanel : public Card {
   Q_OBJECT
