@@ -138,7 +138,7 @@ TEST_P(TextSize, NothingIsCutAtTheStartAndInCollect) {
   expectWhole(QStringLiteral("collect"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Percent, TextSize, testing::Values(90, 100, 110, 130, 150),
+INSTANTIATE_TEST_SUITE_P(Percent, TextSize, testing::Values(100, 125, 150),
                          [](const testing::TestParamInfo<int>& size) { return std::to_string(size.param); });
 
 }  // namespace

@@ -123,7 +123,7 @@ namespace tactus::workbench::appearance {
 
 // What the user chose for the whole program: the look, and how large its text is.
 
-inline constexpr std::array kTextSizes = {90, 100, 110, 125, 150};  ///< percent of the system's
+inline constexpr std::array kTextSizes = {100, 125, 150};  ///< percent of the system's
 
 /// The look that the user chose; nothing: that of the system.
 std::optional<theme::Look> chosenLook(const QSettings& settings);
