@@ -1,5 +1,3 @@
-#include "experiments/judgement_tables.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -13,6 +11,7 @@
 #include "core/study/data_finding.h"
 #include "experiments/force_series.h"
 #include "experiments/judgement_checks.h"
+#include "experiments/table_findings.h"
 
 namespace tactus::experiments {
 namespace {

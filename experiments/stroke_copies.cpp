@@ -1,5 +1,3 @@
-#include "experiments/stroke_copies.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "experiments/table_findings.h"
 #include "experiments/table_strokes.h"
 
 namespace tactus::experiments {

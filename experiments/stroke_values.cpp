@@ -1,5 +1,3 @@
-#include "experiments/stroke_values.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,7 @@
 #include "core/base/close_match.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
+#include "experiments/table_findings.h"
 
 namespace tactus::experiments {
 namespace {

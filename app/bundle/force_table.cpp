@@ -1,9 +1,8 @@
-#include "app/bundle/force_table.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "app/bundle/bounded_table.h"
 #include "core/analysis/sample_points.h"
 #include "core/base/error.h"
 #include "core/base/tables/csv.h"

@@ -1,5 +1,3 @@
-#include "app/bundle/table_bound.h"
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -9,6 +7,7 @@
 #include <span>
 #include <thread>
 
+#include "app/bundle/bounded_table.h"
 #include "app/bundle/force_enclosure.h"
 
 namespace tactus::bundle {

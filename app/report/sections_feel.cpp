@@ -9,7 +9,7 @@
 #include "app/report/report_sections.h"
 #include "app/simulation/scenario_run.h"
 #include "core/base/text.h"
-#include "core/render/printed_friction.h"
+#include "core/render/friction.h"
 
 namespace tactus::report {
 

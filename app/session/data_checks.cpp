@@ -22,10 +22,8 @@
 #include "core/study/records.h"
 #include "elicitation/variables/ngt_variables.h"
 #include "experiments/force_series.h"
-#include "experiments/judgement_tables.h"
-#include "experiments/stroke_copies.h"
 #include "experiments/stroke_units.h"
-#include "experiments/stroke_values.h"
+#include "experiments/table_findings.h"
 #include "experiments/table_strokes.h"
 #include "questionnaires/answer_checks.h"
 

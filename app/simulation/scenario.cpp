@@ -232,7 +232,7 @@ haptics::HandPlan handPlan(const Scenario& scenario) {
 namespace {
 
 using haptics::HandPlan;
-using haptics::HandWish;
+using haptics::HandTarget;
 using Kind = MotionStep::Kind;
 
 /// A step with what came before it.
@@ -243,8 +243,8 @@ struct Leg {
   bool button = false;
   HandPlan way;  ///< from start_mm on; empty: the hand rests
 
-  HandWish at(double time_s) const {
-    HandWish wish = way ? way(time_s - start_s) : HandWish{};
+  HandTarget at(double time_s) const {
+    HandTarget wish = way ? way(time_s - start_s) : HandTarget{};
     wish.position_mm += start_mm;
     wish.holds = holds;
     wish.button = button;

@@ -191,7 +191,7 @@ class Watch {
 
  private:
   Sample last_;
-  haptics::HandWish wished_;
+  haptics::HandTarget wished_;
   bool slid_ = false;  ///< in this stroke
   bool tripped_ = false;
   double sliding_sum_n_ = 0;

@@ -20,7 +20,7 @@ namespace tactus::simulation {
 /// One tick: the servo's sample, and the true state of the simulation.
 struct TraceTick {
   haptics::Sample sample;  ///< its time counts from the start of the run
-  haptics::HandWish wish;
+  haptics::HandTarget wish;
   double true_position_mm = 0;
   double true_speed_mm_s = 0;
   double device_force_n = 0;                        ///< resistance of the device, after its delay and limits

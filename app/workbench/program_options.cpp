@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/workbench/participant/kit/wordbook.h"
+#include "core/base/error.h"
 #include "core/base/text.h"
 
 namespace tactus::workbench {
@@ -76,9 +77,8 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
   PictureSettings pictures;
   pictures.folder = parser.value(QLatin1String(kScreens));
   if (parser.isSet(QLatin1String(kSize))) {
-    auto size = sizeOf(parser.value(QLatin1String(kSize)));
-    if (!size) return tl::unexpected(size.error());
-    pictures.size = *size;
+    TACTUS_TRY(auto size, sizeOf(parser.value(QLatin1String(kSize))));
+    pictures.size = size;
   }
   if (parser.isSet(QLatin1String(kScale))) {
     const QString text = parser.value(QLatin1String(kScale));
@@ -172,14 +172,12 @@ base::Result<ProgramOptions> readOptions(const QCommandLineParser& parser) {
   if (const QStringList files = parser.positionalArguments(); !files.isEmpty()) options.file = files.first();
   options.take_part = parser.value(QLatin1String(kTakePart));
   if (parser.isSet(QLatin1String(kRehearse))) {
-    auto rehearse = rehearseOf(parser);
-    if (!rehearse) return tl::unexpected(rehearse.error());
-    options.rehearse = std::move(*rehearse);
+    TACTUS_TRY(auto rehearse, rehearseOf(parser));
+    options.rehearse = std::move(rehearse);
   }
   if (parser.isSet(QLatin1String(kScreens))) {
-    auto pictures = picturesOf(parser);
-    if (!pictures) return tl::unexpected(pictures.error());
-    options.pictures = std::move(*pictures);
+    TACTUS_TRY(auto pictures, picturesOf(parser));
+    options.pictures = std::move(pictures);
   }
   return options;
 }

@@ -10,7 +10,7 @@
 
 #include "app/session/simulated_study.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/check_in.h"
 #include "app/workbench/rehearsal/rehearsal.h"
 #include "core/store/persons.h"
 

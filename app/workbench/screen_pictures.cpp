@@ -84,10 +84,9 @@ Result<void> addGuest(store::StudyFile& file, study::RecordIds& ids, const Guest
   if (auto ok = store::append(file, person); !ok) return ok;
   if (guest.steps == 0) return {};
   const auto seed = static_cast<std::uint64_t>(day) + 1;
-  const auto start = session::startUnderProtocol(file, person.id, guest.language, seed);
-  if (!start) return tl::unexpected(start.error());
+  TACTUS_TRY(const auto start, session::startUnderProtocol(file, person.id, guest.language, seed));
   const study::Moment when{kBegin + day * std::int64_t{86'400'000}, 0};
-  auto session = session::Session::begin(file, *start, {[when] { return when; }, study::RecordIds(seed)});
+  auto session = session::Session::begin(file, start, {[when] { return when; }, study::RecordIds(seed)});
   if (!session) return tl::unexpected(session.error());
   return doSteps(*session, guest.steps, traits);
 }
@@ -95,8 +94,7 @@ Result<void> addGuest(store::StudyFile& file, study::RecordIds& ids, const Guest
 // Everybody in it is another way along.
 Result<void> makeStudy(const QString& path) {
   study::RecordIds ids(11);
-  auto file = store::StudyFile::create(path.toStdString(), {ids.next(), "Ward 7", kBegin, "pictures"});
-  if (!file) return tl::unexpected(file.error());
+  TACTUS_TRY(auto file, store::StudyFile::create(path.toStdString(), {ids.next(), "Ward 7", kBegin, "pictures"}));
   session::StudyProtocol protocol;
   protocol.languages = {"en", kChinese};
   protocol.consent_version = "2025-11";
@@ -104,8 +102,8 @@ Result<void> makeStudy(const QString& path) {
                       {kChinese, "本研究由護理學院主持。如有疑問，請洽研究人員。"}};
   protocol.device = {"touch", 0.26, 2, 0.88};
   session::SessionTools tools{[] { return study::Moment{kBegin, 0}; }, study::RecordIds(12)};
-  if (auto set = session::setProtocol(*file, protocol, "lee", {}, tools); !set) return tl::unexpected(set.error());
-  if (auto set = store::setResearchKey(*file, "pictures", kBegin); !set) return set;
+  if (auto set = session::setProtocol(file, protocol, "lee", {}, tools); !set) return tl::unexpected(set.error());
+  if (auto set = store::setResearchKey(file, "pictures", kBegin); !set) return set;
   const Guest guests[] = {{"amber-crow", kChinese, 400},
                           {"blue-fox", "en", 27},
                           {"calm-heron", kChinese, 60},
@@ -114,9 +112,9 @@ Result<void> makeStudy(const QString& path) {
   const session::NurseTraits traits = session::simulatedNurseCalled("S1", session::kDefaultSeed);
   int day = 0;
   for (const Guest& guest : guests) {
-    if (auto ok = addGuest(*file, ids, guest, day++, traits); !ok) return ok;
+    if (auto ok = addGuest(file, ids, guest, day++, traits); !ok) return ok;
   }
-  return file->close();
+  return file.close();
 }
 
 // A session at the forces, as the monitor sees it.
@@ -327,9 +325,8 @@ base::Result<void> makeStudyOfPictures(const QString& wanted, const QString& pat
     if (file.copy(path) && QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner)) return {};
     return base::fail(base::ErrorCode::kIo, wanted.toStdString(), file.errorString().toStdString(), "a study file");
   }
-  auto made = session::makeSimulatedNgtStudy(path.toStdString());
-  if (!made) return tl::unexpected(made.error());
-  return made->close();
+  TACTUS_TRY(auto made, session::makeSimulatedNgtStudy(path.toStdString()));
+  return made.close();
 }
 
 /// Until the study is open and its model is built, or the reason why it cannot be.

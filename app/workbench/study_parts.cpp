@@ -30,6 +30,7 @@
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/study_models.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 
 namespace tactus::workbench {
@@ -44,21 +45,19 @@ base::Result<void> writeStudyReport(const session::StudyView& view, const sessio
   const auto data = session::dataFindings(view.study);
   if (auto ok = study::refuseData(data); !ok) return ok;
   const auto forms = session::knownForms();
-  auto built = elicitation::hasRules(view.study) ? elicitation::buildModel(view.study, forms, settings)
-                                                 : elicitation::buildTerms(view.study, settings);
-  if (!built) return tl::unexpected(built.error());
-  built->notes.insert(built->notes.begin(), view.notes.begin(), view.notes.end());
-  const auto page = report::studyReport({.study = view.study,
-                                         .built = *built,
-                                         .build_settings = settings,
-                                         .forms = forms,
-                                         .data = data,
-                                         .settings = {{"Study", study_name.toStdString()},
-                                                      {"Program", std::string(kGenerator)},
-                                                      {"Created (UTC)", settings.created_utc}},
-                                         .usability = aside.usability});
-  if (!page) return tl::unexpected(page.error());
-  return base::writeFileAtomically(path, *page);
+  TACTUS_TRY(auto built, elicitation::hasRules(view.study) ? elicitation::buildModel(view.study, forms, settings)
+                                                           : elicitation::buildTerms(view.study, settings));
+  built.notes.insert(built.notes.begin(), view.notes.begin(), view.notes.end());
+  TACTUS_TRY(const auto page, report::studyReport({.study = view.study,
+                                                   .built = built,
+                                                   .build_settings = settings,
+                                                   .forms = forms,
+                                                   .data = data,
+                                                   .settings = {{"Study", study_name.toStdString()},
+                                                                {"Program", std::string(kGenerator)},
+                                                                {"Created (UTC)", settings.created_utc}},
+                                                   .usability = aside.usability}));
+  return base::writeFileAtomically(path, page);
 }
 
 }  // namespace
@@ -277,7 +276,7 @@ void StudyParts::onOpened() {
 }
 
 // What else is said of such a study does not take the place of the copy.
-void StudyParts::showReadOnly(Beside beside) {
+void StudyParts::showReadOnly(ReadOnlyReason beside) {
   beside_ = std::move(beside);
   const QString locked =
       tr("%1 is open for reading only, because %2. Nothing can be stored in it; a copy can be changed.")

@@ -77,13 +77,13 @@ class StudyParts : public QObject {
   void connectAll();
   void showState();
   /// What is said of a study beside that it is open for reading only.
-  struct Beside {
+  struct ReadOnlyReason {
     QString sentence;
     MessageAct act;
   };
 
   void onOpened();
-  void showReadOnly(Beside beside);
+  void showReadOnly(ReadOnlyReason beside);
   /// `go_on_there`: the copy is open afterwards, with what the study could not take.
   void chooseCopy(bool go_on_there = false);
   void buildModel();
@@ -106,7 +106,7 @@ class StudyParts : public QObject {
   QAction* build_ = nullptr;
   QAction* copy_ = nullptr;
   QAction* close_ = nullptr;
-  Beside beside_;
+  ReadOnlyReason beside_;
   QString recorded_path_;  ///< of the study that was chosen to record into
   bool ending_ = false;    ///< the window closes as soon as everything is written
 };

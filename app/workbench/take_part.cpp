@@ -10,7 +10,7 @@
 #include "app/workbench/collect/monitor_controller.h"
 #include "app/workbench/collect/monitor_window.h"
 #include "app/workbench/nurse_view.h"
-#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/check_in.h"
 #include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/shell/main_window.h"

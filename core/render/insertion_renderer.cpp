@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/render/friction_element.h"
+#include "core/render/friction.h"
 
 namespace tactus::render {
 

@@ -35,10 +35,9 @@ bool isInBatch(const StudyFile& file);
 template <class Work>
 base::Result<void> inOneBatch(StudyFile& file, Work work) {
   if (isInBatch(file)) return work();
-  auto batch = Batch::begin(file);
-  if (!batch) return tl::unexpected(batch.error());
+  TACTUS_TRY(auto batch, Batch::begin(file));
   if (auto done = work(); !done) return done;
-  return batch->commit();
+  return batch.commit();
 }
 
 }  // namespace tactus::store

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/base/error.h"
 #include "core/store/connection.h"
 #include "core/store/fresh_file.h"
 #include "core/store/opening.h"
@@ -74,10 +75,9 @@ void copyPages(Connection& from, Connection& to) {
 }  // namespace
 
 Result<void> copyDatabase(Connection& connection, const std::string& target) {
-  auto fresh = FreshFile::beside(target);
-  if (!fresh) return tl::unexpected(fresh.error());
+  TACTUS_TRY(auto fresh, FreshFile::beside(target));
   try {
-    Connection copy(fresh->temporary(), Connection::Mode::kReadWrite, connection.vfs());
+    Connection copy(fresh.temporary(), Connection::Mode::kReadWrite, connection.vfs());
     auto copied = guarded(copy, [&] {
       copyPages(connection, copy);
       // The copy is a file of its own, so that no journal of the study can pass for its journal.
@@ -92,13 +92,13 @@ Result<void> copyDatabase(Connection& connection, const std::string& target) {
       }
       copy.leaveJournalOnClose(false);
     });
-    if (!copied) return tl::unexpected(fresh->renamed(copied.error()));
+    if (!copied) return tl::unexpected(fresh.renamed(copied.error()));
   } catch (const Refusal& refusal) {
-    return base::inFile(fresh->renamed(refusal.error), target);
+    return base::inFile(fresh.renamed(refusal.error), target);
   } catch (const SQLite::Exception& exception) {
     return tl::unexpected(describeFailure(target, failureOf(exception)));
   }
-  return fresh->place();
+  return fresh.place();
 }
 
 Result<void> backUp(const StudyFile& file, const std::string& target) {

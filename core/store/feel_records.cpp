@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/json/json_members.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/query.h"
@@ -292,10 +293,9 @@ Result<void> append(StudyFile& file, const study::FeelPiece& record) {
 }
 
 Result<std::vector<study::PlacementRecord>> placements(const StudyFile& file, const Selection& selection) {
-  const auto all = events(file, selection);
-  if (!all) return tl::unexpected(all.error());
+  TACTUS_TRY(const auto all, events(file, selection));
   std::optional<base::Error> first;
-  auto out = readEvents(*all, kPlacementKind, placementOf, [&](const base::Error& error) {
+  auto out = readEvents(all, kPlacementKind, placementOf, [&](const base::Error& error) {
     if (!first) first = error;
   });
   if (first) return base::inFile(*first, file.path());
@@ -303,26 +303,23 @@ Result<std::vector<study::PlacementRecord>> placements(const StudyFile& file, co
 }
 
 Result<std::vector<FeelSummary>> feelRecordings(const StudyFile& file) {
-  const auto all = events(file);
-  if (!all) return tl::unexpected(all.error());
-  const auto codes = codesOfSessions(file);
-  if (!codes) return tl::unexpected(codes.error());
-  const auto pieces = pieceRows(file);
-  if (!pieces) return tl::unexpected(pieces.error());
+  TACTUS_TRY(const auto all, events(file));
+  TACTUS_TRY(const auto codes, codesOfSessions(file));
+  TACTUS_TRY(const auto pieces, pieceRows(file));
   std::optional<base::Error> first;
   const auto keep = [&](const base::Error& error) {
     if (!first) first = error;
   };
   std::set<RecordingKey> finished;
-  for (const auto& end : readEvents(*all, kFeelEndKind, feelEndOf, keep)) {
+  for (const auto& end : readEvents(all, kFeelEndKind, feelEndOf, keep)) {
     finished.emplace(end.entry.session, end.recording);
   }
   std::vector<FeelSummary> out;
-  for (auto& start : readEvents(*all, kFeelStartKind, feelStartOf, keep)) {
+  for (auto& start : readEvents(all, kFeelStartKind, feelStartOf, keep)) {
     FeelSummary summary;
     const RecordingKey key(start.entry.session, start.number);
-    summary.code = codes->at(start.entry.session);
-    if (const auto found = pieces->find(key); found != pieces->end()) {
+    summary.code = codes.at(start.entry.session);
+    if (const auto found = pieces.find(key); found != pieces.end()) {
       summary.pieces = static_cast<int>(found->second.size());
       for (const PieceRow& piece : found->second) {
         summary.length_s += piece.length_s;
@@ -341,29 +338,26 @@ Result<std::vector<FeelSummary>> feelRecordings(const StudyFile& file) {
 }
 
 Result<study::Recording> feelRecording(const StudyFile& file, const RecordId& start) {
-  const auto all = feelRecordings(file);
-  if (!all) return tl::unexpected(all.error());
+  TACTUS_TRY(const auto all, feelRecordings(file));
   const auto found =
-      std::find_if(all->begin(), all->end(), [&](const FeelSummary& one) { return one.start.entry.id == start; });
+      std::find_if(all.begin(), all.end(), [&](const FeelSummary& one) { return one.start.entry.id == start; });
   const auto refused = [&](ErrorCode code, std::string what, std::string wanted) {
     return base::inFile({code, {}, "recording " + study::toText(start), std::move(what), std::move(wanted)},
                         file.path());
   };
-  if (found == all->end()) return refused(ErrorCode::kReference, "none", "a recording of the study");
-  const auto rows = pieceRows(file);
-  if (!rows) return tl::unexpected(rows.error());
-  const auto pieces = rows->find({found->start.entry.session, found->start.number});
-  if (pieces == rows->end()) return refused(ErrorCode::kData, "no samples", "a recording with samples");
+  if (found == all.end()) return refused(ErrorCode::kReference, "none", "a recording of the study");
+  TACTUS_TRY(const auto rows, pieceRows(file));
+  const auto pieces = rows.find({found->start.entry.session, found->start.number});
+  if (pieces == rows.end()) return refused(ErrorCode::kData, "no samples", "a recording with samples");
   std::vector<std::string> findings;
   checkPieces(nameOf(found->start), pieces->second, {}, findings);
   if (!findings.empty()) return refused(ErrorCode::kData, "a piece that is missing", "all pieces in their order");
   std::optional<study::Recording> out;
   for (const PieceRow& piece : pieces->second) {
-    auto samples = recordingOf(file, piece.stroke);
-    if (!samples) return tl::unexpected(samples.error());
+    TACTUS_TRY(auto samples, recordingOf(file, piece.stroke));
     if (!out) {
-      out = std::move(*samples);
-    } else if (auto ok = join(*out, std::move(*samples), nameOf(found->start)); !ok) {
+      out = std::move(samples);
+    } else if (auto ok = join(*out, std::move(samples), nameOf(found->start)); !ok) {
       return base::inFile(ok.error(), file.path());
     }
   }
@@ -371,31 +365,29 @@ Result<study::Recording> feelRecording(const StudyFile& file, const RecordId& st
 }
 
 Result<std::vector<std::string>> checkFeelRecords(const StudyFile& file) {
-  const auto all = events(file);
-  if (!all) return tl::unexpected(all.error());
-  auto pieces = pieceRows(file);
-  if (!pieces) return tl::unexpected(pieces.error());
+  TACTUS_TRY(const auto all, events(file));
+  TACTUS_TRY(auto pieces, pieceRows(file));
   std::vector<std::string> findings;
   const auto tell = [&](const base::Error& error) { findings.push_back(error.message()); };
-  readEvents(*all, kPlacementKind, placementOf, tell);
+  readEvents(all, kPlacementKind, placementOf, tell);
   std::map<RecordingKey, int> ends;
-  for (const auto& end : readEvents(*all, kFeelEndKind, feelEndOf, tell)) {
+  for (const auto& end : readEvents(all, kFeelEndKind, feelEndOf, tell)) {
     ends[{end.entry.session, end.recording}] = end.pieces;
   }
-  for (const auto& start : readEvents(*all, kFeelStartKind, feelStartOf, tell)) {
+  for (const auto& start : readEvents(all, kFeelStartKind, feelStartOf, tell)) {
     const RecordingKey key(start.entry.session, start.number);
     const auto end = ends.find(key);
-    const auto found = pieces->find(key);
-    checkPieces(nameOf(start), found == pieces->end() ? std::vector<PieceRow>() : found->second,
+    const auto found = pieces.find(key);
+    checkPieces(nameOf(start), found == pieces.end() ? std::vector<PieceRow>() : found->second,
                 end == ends.end() ? std::nullopt : std::optional(end->second), findings);
-    if (found == pieces->end()) continue;
+    if (found == pieces.end()) continue;
     for (const PieceRow& piece : found->second) {
       if (!piece.gap_follows) continue;
       findings.push_back(nameOf(start) + ": samples were lost behind piece " + std::to_string(piece.number));
     }
-    pieces->erase(found);
+    pieces.erase(found);
   }
-  for (const auto& [key, rows] : *pieces) {
+  for (const auto& [key, rows] : pieces) {
     findings.push_back("session " + study::toText(key.first) + ": pieces of recording " + std::to_string(key.second) +
                        ", whose beginning is missing");
   }

@@ -9,6 +9,7 @@
 #include <set>
 #include <sqlite3.h>
 
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
@@ -288,14 +289,13 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
   }
   // Before it is open: reading it later would take its locks away.
   const auto hash = sha256.empty() ? base::fileSha256(other) : Result<std::string>(sha256);
-  auto opened = StudyFile::open(other, {Access::kReadOnly, file.connection().vfs()});
-  if (!opened) return tl::unexpected(opened.error());
-  if (opened->version() != file.version()) {
+  TACTUS_TRY(auto opened, StudyFile::open(other, {Access::kReadOnly, file.connection().vfs()}));
+  if (opened.version() != file.version()) {
     return tl::unexpected(base::Error{
         ErrorCode::kVersion,
         other,
         {},
-        "a study of version " + std::to_string(opened->version()),
+        "a study of version " + std::to_string(opened.version()),
         "version " + std::to_string(file.version()) + " as the study it is merged into; open it once for writing"});
   }
 
@@ -303,15 +303,15 @@ Result<Merge> mergeStudy(StudyFile& file, const std::string& other, const Record
   Merge merge;
   bool must_erase = false;
   auto merged = inTransaction(ours, [&] {
-    requireNoMixedImports(ours, opened->connection());
-    MergedWithdrawals withdrawals(ours, opened->connection());
+    requireNoMixedImports(ours, opened.connection());
+    MergedWithdrawals withdrawals(ours, opened.connection());
     withdrawals.apply(merge);
     for (const MergedTable& table : mergedTables()) {
       const long long added =
-          TableMerge(ours, opened->connection(), table, withdrawals.cleanings()).run(merge.conflicts);
+          TableMerge(ours, opened.connection(), table, withdrawals.cleanings()).run(merge.conflicts);
       if (added > 0) merge.added.push_back({table.name, added});
     }
-    for (const auto& circle : circles(opened->connection())) merge.conflicts.push_back(circle + "; left out");
+    for (const auto& circle : circles(opened.connection())) merge.conflicts.push_back(circle + "; left out");
     for (auto& conflict : conflicts(ours)) merge.conflicts.push_back(std::move(conflict));
     must_erase = withdrawals.finish();
     if (merge.added.empty()) return;

@@ -8,13 +8,31 @@
 #include <optional>
 #include <string>
 #include <sys/types.h>
+#include <vector>
 
 #include "core/store/connection.h"
+#include "core/store/study_file.h"
 
 struct sqlite3;
 struct sqlite3_file;
 
 namespace tactus::store {
+
+// Opens a study file: checks before its contents are trusted, and messages about its last opening. Private to
+// core/store.
+
+struct OpenedStudy {
+  std::unique_ptr<Connection> connection;
+  int version = 0;
+  std::vector<Notice> notices;  ///< StudyFile::notices
+};
+
+/// See StudyFile::open.
+base::Result<OpenedStudy> openStudy(const std::string& path, const OpenOptions& options);
+
+/// A connection to `path`, or an error with one sentence.
+base::Result<std::unique_ptr<Connection>> connect(const std::string& path, Connection::Mode mode,
+                                                  const std::string& vfs);
 
 // The opening that a study file and its journal belong to: the single row of the table `opening`. Private to
 // core/store.

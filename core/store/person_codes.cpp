@@ -4,6 +4,7 @@
 
 #include "core/base/check.h"
 #include "core/base/close_match.h"
+#include "core/base/error.h"
 #include "core/base/tables/csv.h"
 #include "core/store/persons.h"
 #include "core/store/query.h"
@@ -64,9 +65,8 @@ Result<void> recode(StudyFile& file, const RecordId& person, const std::string& 
 }
 
 Result<study::Person> personNamed(const StudyFile& file, const std::string& name) {
-  const auto all = persons(file);
-  if (!all) return tl::unexpected(all.error());
-  const auto chosen = choose(*all, name);
+  TACTUS_TRY(const auto all, persons(file));
+  const auto chosen = choose(all, name);
   if (chosen.size() == 1) return chosen.front();
   Connection& connection = file.connection();
   return guarded(connection, [&]() -> study::Person {
@@ -157,14 +157,13 @@ std::vector<std::string> closeCodes(const std::vector<study::Person>& persons, c
 }  // namespace
 
 base::Result<TypedCode> findTyped(const StudyFile& file, const std::string& typed) {
-  auto all = persons(file);
-  if (!all) return tl::unexpected(all.error());
+  TACTUS_TRY(auto all, persons(file));
   const std::string key = study::codeKey(typed);
   TypedCode found;
   if (key.empty()) return found;
   std::vector<study::Person> same;
   std::vector<study::Person> exact;
-  for (const auto& person : *all) {
+  for (const auto& person : all) {
     if (study::codeKey(person.code) == key) same.push_back(person);
     if (person.code == typed) exact.push_back(person);
   }
@@ -173,7 +172,7 @@ base::Result<TypedCode> findTyped(const StudyFile& file, const std::string& type
   } else if (same.size() == 1) {
     found.person = same.front();
   } else {
-    found.meant = closeCodes(*all, key);
+    found.meant = closeCodes(all, key);
   }
   return found;
 }

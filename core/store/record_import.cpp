@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
@@ -402,24 +403,19 @@ Result<StudyFile> studyFromTables(const std::string& folder, const std::string& 
 }  // namespace
 
 Result<void> restoreRecords(const std::string& folder, const std::string& target) {
-  auto work = WorkFolder::beside(target);
-  if (!work) return tl::unexpected(work.error());
-  auto made = studyFromTables(folder, work->file(nameOf(folder)));
-  if (!made) return tl::unexpected(made.error());
-  return backUp(*made, target);
+  TACTUS_TRY(auto work, WorkFolder::beside(target));
+  TACTUS_TRY(auto made, studyFromTables(folder, work.file(nameOf(folder))));
+  return backUp(made, target);
 }
 
 Result<Merge> importRecords(StudyFile& file, const std::string& folder, const study::RecordId& log_id,
                             std::int64_t utc_ms) {
-  auto work = WorkFolder::beside(file.path());
-  if (!work) return tl::unexpected(work.error());
-  const std::string path = work->file(nameOf(folder));
-  auto made = studyFromTables(folder, path);
-  if (!made) return tl::unexpected(made.error());
-  if (auto closed = made->close(); !closed) return tl::unexpected(closed.error());
-  const auto hash = recordsSha256(folder);
-  if (!hash) return tl::unexpected(hash.error());
-  return mergeStudy(file, path, log_id, utc_ms, *hash);
+  TACTUS_TRY(auto work, WorkFolder::beside(file.path()));
+  const std::string path = work.file(nameOf(folder));
+  TACTUS_TRY(auto made, studyFromTables(folder, path));
+  if (auto closed = made.close(); !closed) return tl::unexpected(closed.error());
+  TACTUS_TRY(const auto hash, recordsSha256(folder));
+  return mergeStudy(file, path, log_id, utc_ms, hash);
 }
 
 }  // namespace tactus::store

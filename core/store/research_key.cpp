@@ -3,6 +3,7 @@
 #include <crypt.h>
 #include <memory>
 
+#include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
@@ -48,9 +49,8 @@ Result<std::string> hashOfPassphrase(const std::string& passphrase) {
 }
 
 Result<bool> hasHash(const std::string& passphrase, const std::string& hash) {
-  const auto found = crypted(passphrase, hash);
-  if (!found) return tl::unexpected(found.error());
-  return *found == hash;
+  TACTUS_TRY(const auto found, crypted(passphrase, hash));
+  return found == hash;
 }
 
 namespace {
@@ -78,9 +78,8 @@ Result<std::string> currentHash(const StudyFile& file) {
 Result<void> setResearchKey(StudyFile& file, const std::string& passphrase, std::int64_t utc_ms) {
   std::string hash;
   if (!passphrase.empty()) {
-    auto made = hashOfPassphrase(passphrase);
-    if (!made) return tl::unexpected(made.error());
-    hash = std::move(*made);
+    TACTUS_TRY(auto made, hashOfPassphrase(passphrase));
+    hash = std::move(made);
   }
   Connection& connection = file.connection();
   return inTransaction(connection, [&] {
@@ -91,16 +90,14 @@ Result<void> setResearchKey(StudyFile& file, const std::string& passphrase, std:
 }
 
 Result<bool> hasResearchKey(const StudyFile& file) {
-  const auto hash = currentHash(file);
-  if (!hash) return tl::unexpected(hash.error());
-  return !hash->empty();
+  TACTUS_TRY(const auto hash, currentHash(file));
+  return !hash.empty();
 }
 
 Result<bool> opensResearch(const StudyFile& file, const std::string& passphrase) {
-  const auto hash = currentHash(file);
-  if (!hash) return tl::unexpected(hash.error());
-  if (hash->empty()) return true;
-  return hasHash(passphrase, *hash);
+  TACTUS_TRY(const auto hash, currentHash(file));
+  if (hash.empty()) return true;
+  return hasHash(passphrase, hash);
 }
 
 }  // namespace tactus::store

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/store/connection.h"
 #include "core/store/fresh_file.h"
 #include "core/store/migrations.h"
@@ -13,7 +14,6 @@
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/sqlite_errors.h"
-#include "core/store/study_opening.h"
 
 namespace tactus::store {
 
@@ -47,11 +47,10 @@ Connection& StudyFile::connection() const {
 }
 
 Result<StudyFile> StudyFile::create(const std::string& path, const NewStudy& study, const OpenOptions& options) {
-  auto fresh = FreshFile::beside(path);
-  if (!fresh) return tl::unexpected(fresh.error());
+  TACTUS_TRY(auto fresh, FreshFile::beside(path));
   {
-    auto connection = connect(fresh->temporary(), Mode::kReadWrite, options.vfs);
-    if (!connection) return tl::unexpected(fresh->renamed(connection.error()));
+    auto connection = connect(fresh.temporary(), Mode::kReadWrite, options.vfs);
+    if (!connection) return tl::unexpected(fresh.renamed(connection.error()));
     Connection& db = **connection;
     auto made = guarded(db, [&] {
       db.database().exec("PRAGMA application_id = " + std::to_string(kApplicationId));
@@ -65,16 +64,15 @@ Result<StudyFile> StudyFile::create(const std::string& path, const NewStudy& stu
       });
     }
     if (made) made = guarded(db, [&] { db.database().exec("PRAGMA wal_checkpoint(TRUNCATE)"); });
-    if (!made) return tl::unexpected(fresh->renamed(made.error()));
+    if (!made) return tl::unexpected(fresh.renamed(made.error()));
   }
-  if (auto placed = fresh->place(); !placed) return tl::unexpected(placed.error());
+  if (auto placed = fresh.place(); !placed) return tl::unexpected(placed.error());
   return open(path, options);
 }
 
 Result<StudyFile> StudyFile::open(const std::string& path, const OpenOptions& options) {
-  auto opened = openStudy(path, options);
-  if (!opened) return tl::unexpected(opened.error());
-  return StudyFile(std::move(opened->connection), options.access, opened->version, std::move(opened->notices));
+  TACTUS_TRY(auto opened, openStudy(path, options));
+  return StudyFile(std::move(opened.connection), options.access, opened.version, std::move(opened.notices));
 }
 
 Result<void> StudyFile::close() {

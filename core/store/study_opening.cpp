@@ -1,4 +1,3 @@
-#include "core/store/study_opening.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/store/connection.h"
 #include "core/store/journal_file.h"
 #include "core/store/migrations.h"
@@ -352,9 +352,8 @@ Result<void> beginWriting(Connection& connection, const std::optional<Incident>&
 /// With `known`, the journal was put aside before, and that is what is to be said of it.
 Result<OpenedStudy> openAs(const std::string& path, const OpenOptions& options, Mode mode,
                            const std::optional<Incident>& known) {
-  auto connected = connect(path, mode, options.vfs);
-  if (!connected) return tl::unexpected(connected.error());
-  OpenedStudy study{std::move(*connected), 0, {}};
+  TACTUS_TRY(auto connected, connect(path, mode, options.vfs));
+  OpenedStudy study{std::move(connected), 0, {}};
   Connection& db = *study.connection;
   try {
     db.applicationId();  // takes the lock; SQLite reads the journal
@@ -433,9 +432,8 @@ Result<OpenedStudy> openStudy(const std::string& path, const OpenOptions& option
   if (auto alone = requireNoRollbackJournal(path); !alone) return tl::unexpected(alone.error());
   Mode mode = Mode::kReadWrite;
   if (options.access == Access::kReadOnly) {
-    auto reading = readingMode(path);
-    if (!reading) return tl::unexpected(reading.error());
-    mode = *reading;
+    TACTUS_TRY(auto reading, readingMode(path));
+    mode = reading;
   }
   return openAs(path, options, mode, {});
 }

@@ -251,16 +251,16 @@ void emptyJournal(Connection& connection);
 using base::ErrorCode;
 
 /// An empty file beside the study that only its owner may read; its name goes on every way out.
-class Beside {
+class ScratchFile {
  public:
-  explicit Beside(const std::string& study) : file_(base::makeUnfinishedFile(study, 0600)) {
+  explicit ScratchFile(const std::string& study) : file_(base::makeUnfinishedFile(study, 0600)) {
     if (file_.descriptor.isOpen()) return;
     throw Refusal{
         {ErrorCode::kIo, study, {}, base::systemReason(errno), "a folder in which the study can be written anew"}};
   }
-  ~Beside() { removeName(); }
-  Beside(const Beside&) = delete;
-  Beside& operator=(const Beside&) = delete;
+  ~ScratchFile() { removeName(); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
 
   const std::string& path() const { return file_.path; }
   void removeName() {
@@ -289,7 +289,7 @@ void putInPlace(SQLite::Database& from, Connection& study) {
 /// it again is all that is needed. Only at rest, without a transaction. Throws as Query does.
 void rewriteWithoutTraces(Connection& connection) {
   {
-    Beside beside(connection.path());
+    ScratchFile beside(connection.path());
     // VACUUM INTO holds a few pages in memory; VACUUM alone would put the whole study into a temporary file that may
     // lie on another disk.
     Query copy(connection, "VACUUM INTO ?");

@@ -1,11 +1,10 @@
-#include "elicitation/model/expert_weights.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "elicitation/model/model_builder.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -26,12 +26,12 @@ constexpr std::array<Drawn, 4> kOfPeople = {Drawn::kPeople, Drawn::kWhoMoved, Dr
 
 /// The first of them then stand for all of them, as far as they go: in the order of the enumeration the first ones
 /// would all hold the same few people.
-std::vector<WeightedCast> inAnyOrder(std::vector<WeightedCast> casts) {
+std::vector<WeightedResample> inAnyOrder(std::vector<WeightedResample> resamples) {
   constexpr std::uint64_t kSeed = 1;
   base::Random random(kSeed);
-  for (std::size_t left = casts.size(); left > 1; --left)
-    std::swap(casts[left - 1], casts[static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
-  return casts;
+  for (std::size_t left = resamples.size(); left > 1; --left)
+    std::swap(resamples[left - 1], resamples[static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
+  return resamples;
 }
 
 }  // namespace
@@ -57,13 +57,13 @@ std::string_view name(Drawn drawn) noexcept {
   return "";
 }
 
-ForceBands::ForceBands(RecastStudy study, BandSettings settings)
+ForceBands::ForceBands(ResampledStudy study, BandSettings settings)
     : study_(std::move(study)), settings_(std::move(settings)), random_(settings_.seed) {}
 
 base::Result<ForceBands> ForceBands::of(const study::Study& study, const BuiltModel& built,
                                         const BuildSettings& settings, BandSettings bands) {
   TACTUS_TRY(const auto compiled, fuzzy::compile(built.model));
-  ForceBands out(RecastStudy(study, built, settings), std::move(bands));
+  ForceBands out(ResampledStudy(study, built, settings), std::move(bands));
   for (const auto& point : out.settings_.points) {
     const auto force = compiled.evaluate(point);
     out.own_.push_back(force.fired ? std::optional(force.force_n) : std::nullopt);
@@ -135,8 +135,8 @@ void ForceBands::plan() {
     }
     auto& plan = plans_.emplace_back();
     plan.drawn = drawn;
-    if (enumerated) plan.casts = inAnyOrder(everyCast(people));
-    plan.planned = enumerated ? plan.casts.size() : settings_.replicates;
+    if (enumerated) plan.resamples = inAnyOrder(everyResample(people));
+    plan.planned = enumerated ? plan.resamples.size() : settings_.replicates;
   }
   if (stroke_spread_) plans_.push_back({Drawn::kOwnStrokes, settings_.replicates, {}, {}, {}});
   if (!thresholds_n_.empty()) plans_.push_back({Drawn::kOwnJudgements, settings_.replicates, {}, {}, {}});
@@ -156,38 +156,38 @@ std::vector<study::ForceJudgement> ForceBands::judgedAgain(std::size_t who) {
   return judged;
 }
 
-Recast ForceBands::nextOf(const Plan& plan, double& weight) {
-  const Cast all = everyPerson(study_.people());
-  Recast recast{all, all, all};
+Resample ForceBands::nextOf(const Plan& plan, double& weight) {
+  const ResampleCounts all = everyPerson(study_.people());
+  Resample resample{all, all, all};
   if (plan.drawn == Drawn::kOwnStrokes) {
     for (auto& strokes : strokes_) {
       if (strokes) strokes->add(1);
-      recast.ramps.push_back(strokes ? strokes->ramps().back() : std::vector<Ramp>{});
+      resample.ramps.push_back(strokes ? strokes->ramps().back() : std::vector<Ramp>{});
     }
-    return recast;
+    return resample;
   }
   if (plan.drawn == Drawn::kOwnJudgements) {
-    for (std::size_t who = 0; who < study_.people(); ++who) recast.judged.push_back(judgedAgain(who));
-    return recast;
+    for (std::size_t who = 0; who < study_.people(); ++who) resample.judged.push_back(judgedAgain(who));
+    return resample;
   }
-  Cast cast;
-  if (plan.casts.empty()) {
-    cast = drawCast(study_.people(), random_);
+  ResampleCounts counts;
+  if (plan.resamples.empty()) {
+    counts = drawResample(study_.people(), random_);
   } else {
-    cast = plan.casts[plan.forces.size()].cast;
-    weight = plan.casts[plan.forces.size()].weight;
+    counts = plan.resamples[plan.forces.size()].counts;
+    weight = plan.resamples[plan.forces.size()].weight;
   }
-  if (plan.drawn == Drawn::kPeople) return {cast, cast, cast};
-  (plan.drawn == Drawn::kWhoMoved    ? recast.speeds
-   : plan.drawn == Drawn::kWhoJudged ? recast.judgements
-                                     : recast.rules) = cast;
-  return recast;
+  if (plan.drawn == Drawn::kPeople) return {counts, counts, counts};
+  (plan.drawn == Drawn::kWhoMoved    ? resample.speeds
+   : plan.drawn == Drawn::kWhoJudged ? resample.judgements
+                                     : resample.rules) = counts;
+  return resample;
 }
 
 void ForceBands::addOne(Plan& plan) {
   double weight = 1;
-  const Recast recast = nextOf(plan, weight);
-  plan.forces.push_back(study_.forces(recast, settings_.points));
+  const Resample resample = nextOf(plan, weight);
+  plan.forces.push_back(study_.forces(resample, settings_.points));
   plan.weights.push_back(weight);
 }
 

@@ -17,7 +17,7 @@
 
 #include "core/base/error.h"
 #include "elicitation/speed/stroke_bootstrap.h"
-#include "elicitation/uncertainty/recast_study.h"
+#include "elicitation/uncertainty/resampled_study.h"
 
 namespace tactus::elicitation {
 
@@ -101,22 +101,22 @@ class ForceBands {
   struct Plan {
     Drawn drawn = Drawn::kPeople;
     std::size_t planned = 0;
-    std::vector<WeightedCast> casts;                         // if enumerated
+    std::vector<WeightedResample> resamples;                 // if enumerated
     std::vector<double> weights;                             // of the replicates made
     std::vector<std::vector<std::optional<double>>> forces;  // of the replicates made, one per point
   };
 
-  ForceBands(RecastStudy study, BandSettings settings);
+  ForceBands(ResampledStudy study, BandSettings settings);
   void prepareStrokes(const study::Study& study, const BuiltModel& built);
   void prepareThresholds(const BuiltModel& built);
   void plan();
   void addOne(Plan& plan);
-  Recast nextOf(const Plan& plan, double& weight);
+  Resample nextOf(const Plan& plan, double& weight);
   std::vector<study::ForceJudgement> judgedAgain(std::size_t who);
   const Plan* find(Drawn drawn) const;
   void setHalfWidths(BandKind kind, ForceBand& band) const;
 
-  RecastStudy study_;
+  ResampledStudy study_;
   BandSettings settings_;
   base::Random random_;
   std::vector<Plan> plans_;

@@ -36,7 +36,7 @@ std::vector<double> simulated(const Subject& subject, int steps_per_ms) {
   std::vector<double> positions_mm;
   positions_mm.reserve(kMilliseconds);
   for (int ms = 0; ms < kMilliseconds; ++ms) {
-    const haptics::HandWish wish = subject.plan(1e-3 * ms);
+    const haptics::HandTarget wish = subject.plan(1e-3 * ms);
     const double resistance_n =
         std::clamp(subject.spring_n_mm * body.positionMm(), -subject.largest_n, subject.largest_n);
     for (int step = 0; step < steps_per_ms; ++step) body.step(wish, resistance_n, 1e-3 / steps_per_ms);
@@ -52,7 +52,7 @@ Subject ringing() {
   return {"pinch, ringing (closed form)",
           haptics::kPinch,
           {0.045, 0.2, 0},
-          [](double) { return haptics::HandWish{}; },
+          [](double) { return haptics::HandTarget{}; },
           kStartMm,
           0,
           0};

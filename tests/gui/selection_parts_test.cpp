@@ -6,8 +6,6 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/tune/history/history_panel.h"
 #include "app/workbench/tune/rules/rule_editor.h"
-#include "app/workbench/tune/rules/rule_grids.h"
-#include "app/workbench/understand/here/rule_flow.h"
 #include "app/workbench/understand/here/rule_panel.h"
 #include "app/workbench/workbench.h"
 

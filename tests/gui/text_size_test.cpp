@@ -9,8 +9,8 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/shell/panel_area.h"
+#include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
-#include "app/workbench/tune/terms/term_table.h"
 #include "app/workbench/understand/curves/curve_plot.h"
 #include "app/workbench/workbench.h"
 

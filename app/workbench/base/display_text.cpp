@@ -143,9 +143,8 @@ tl::expected<std::vector<double>, QString> typedNumbers(const QString& typed, co
   }
   std::vector<double> out;
   for (const QString& part : typed.split(semicolons ? QLatin1Char(';') : QLatin1Char(','))) {
-    const auto number = typedNumber(part, unit);
-    if (!number) return tl::unexpected(number.error());
-    out.push_back(*number);
+    TACTUS_TRY(const auto number, typedNumber(part, unit));
+    out.push_back(number);
   }
   return out;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "core/base/error.h"
 #include "core/store/person_codes.h"
 #include "core/store/persons.h"
 
@@ -70,9 +71,8 @@ void CollectController::addParticipant() {
   study_.order(
       [person](store::StudyFile& file, study::RecordIds& ids) -> Result<void> {
         store::PersonCodes codes;
-        const auto code = store::unusedCode(file, codes);
-        if (!code) return tl::unexpected(code.error());
-        *person = {ids.next(), *code, false};
+        TACTUS_TRY(const auto code, store::unusedCode(file, codes));
+        *person = {ids.next(), code, false};
         return store::append(file, *person);
       },
       [this, person] {

@@ -6,6 +6,7 @@
 
 #include "app/session/protocol_values.h"
 #include "app/workbench/base/display_text.h"
+#include "core/base/error.h"
 #include "core/store/research_key.h"
 #include "core/store/study_records.h"
 
@@ -23,21 +24,18 @@ struct ReadProtocol {
 };
 
 Result<ReadProtocol> readProtocol(const store::StudyFile& file) {
-  const auto state = store::protocolState(file);
-  if (!state) return tl::unexpected(state.error());
+  TACTUS_TRY(const auto state, store::protocolState(file));
   ReadProtocol out;
-  if (state->current) {
-    auto protocol = session::parseStudyProtocol(state->current->text);
-    if (!protocol) return tl::unexpected(protocol.error());
-    out.protocol = std::move(*protocol);
-    out.version = state->current->version;
-    out.locked = state->locked;
+  if (state.current) {
+    TACTUS_TRY(auto protocol, session::parseStudyProtocol(state.current->text));
+    out.protocol = std::move(protocol);
+    out.version = state.current->version;
+    out.locked = state.locked;
   } else {
     out.protocol.consent_version = "1";
   }
-  const auto has_key = store::hasResearchKey(file);
-  if (!has_key) return tl::unexpected(has_key.error());
-  out.has_key = *has_key;
+  TACTUS_TRY(const auto has_key, store::hasResearchKey(file));
+  out.has_key = has_key;
   return out;
 }
 

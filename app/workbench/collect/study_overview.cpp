@@ -10,6 +10,7 @@
 #include "app/session/judged_forces.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/study/connection/study_contents.h"
+#include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/research_key.h"
@@ -161,11 +162,10 @@ class RowReader {
       if (visit.session.kind == SessionKind::kUsability && visit.answers > 0) {
         at(row_.steps, CollectStep::kUsability) = {StepWord::kDone, {}};
       }
-      const auto rules = store::rules(file_, {{}, visit.session.id, false});
-      if (!rules) return tl::unexpected(rules.error());
+      TACTUS_TRY(const auto rules, store::rules(file_, {{}, visit.session.id, false}));
       const bool imported = visit.session.kind == SessionKind::kImport;
       if (imported) leaveOutScreens();
-      if (imported || !rules->empty()) addGiven(visit, static_cast<long long>(rules->size()), row_.steps);
+      if (imported || !rules.empty()) addGiven(visit, static_cast<long long>(rules.size()), row_.steps);
     }
     return {};
   }
@@ -240,31 +240,26 @@ std::optional<CollectStep> nextOf(const Steps& steps, std::optional<Block> block
 }
 
 Result<StudyOverview> readOverview(const store::StudyFile& file) {
-  const auto persons = store::persons(file);
-  if (!persons) return tl::unexpected(persons.error());
-  const auto sessions = store::sessionList(file);
-  if (!sessions) return tl::unexpected(sessions.error());
-  const auto info = store::studyInfo(file);
-  if (!info) return tl::unexpected(info.error());
+  TACTUS_TRY(const auto persons, store::persons(file));
+  TACTUS_TRY(const auto sessions, store::sessionList(file));
+  TACTUS_TRY(const auto info, store::studyInfo(file));
   const auto has_key = store::hasResearchKey(file);
 
   std::map<study::RecordId, Visits> visits;
-  for (const store::SessionSummary& summary : *sessions) visits[summary.session.person].push_back(summary);
+  for (const store::SessionSummary& summary : sessions) visits[summary.session.person].push_back(summary);
   StudyOverview out;
-  out.protocol = {info->protocol_version, info->protocol_locked};
+  out.protocol = {info.protocol_version, info.protocol_locked};
   out.has_key = has_key && *has_key;
   // Researchers who feel models have a code too, and take part in nothing.
-  const auto people = readPeople(file);
-  if (!people) return tl::unexpected(people.error());
+  TACTUS_TRY(const auto people, readPeople(file));
   std::set<study::RecordId> researchers;
-  for (const StudyPerson& one : *people) {
+  for (const StudyPerson& one : people) {
     if (one.researcher) researchers.insert(one.id);
   }
-  for (const study::Person& person : *persons) {
+  for (const study::Person& person : persons) {
     if (researchers.contains(person.id)) continue;
-    auto row = RowReader(file, person, visits[person.id]).read();
-    if (!row) return tl::unexpected(row.error());
-    out.rows.push_back(std::move(*row));
+    TACTUS_TRY(auto row, RowReader(file, person, visits[person.id]).read());
+    out.rows.push_back(std::move(row));
   }
   return out;
 }

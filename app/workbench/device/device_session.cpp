@@ -233,10 +233,9 @@ void DeviceSession::startOn(Beginning beginning, ForceOrders force, const QObjec
   const auto open =
       [open_device = beginning.open, make_loop = access_.make_loop, grip = grip_, replay = beginning.replay,
        thermal = access_.thermal](haptics::ServoOrders given) -> base::Result<std::unique_ptr<DeviceRun>> {
-    auto opened = open_device();
-    if (!opened) return tl::unexpected(opened.error());
-    given.enable = replay ? enableOfReplay() : enableOf(opened->device->info(), grip);
-    return DeviceRun::begin(std::move(*opened), make_loop, std::move(given), thermal);
+    TACTUS_TRY(auto opened, open_device());
+    given.enable = replay ? enableOfReplay() : enableOf(opened.device->info(), grip);
+    return DeviceRun::begin(std::move(opened), make_loop, std::move(given), thermal);
   };
   if (!slow_) {
     begin(open(std::move(orders)), beginning.replay);

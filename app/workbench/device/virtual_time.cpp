@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/workbench/device/device_session.h"
+#include "core/base/error.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::workbench {
@@ -45,10 +46,9 @@ MakeServoLoop VirtualTime::loops() {
 DeviceAccess VirtualTime::access(haptics::VirtualDeviceSettings device) {
   DeviceAccess out;
   out.open_device = [settings = std::move(device)](const std::string&) -> base::Result<devices::OpenedDevice> {
-    auto made = haptics::VirtualDevice::make(settings);
-    if (!made) return tl::unexpected(made.error());
+    TACTUS_TRY(auto made, haptics::VirtualDevice::make(settings));
     devices::OpenedDevice opened;
-    opened.device = std::move(*made);
+    opened.device = std::move(made);
     return opened;
   };
   out.make_loop = loops();

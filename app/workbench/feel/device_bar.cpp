@@ -1,5 +1,3 @@
-#include "app/workbench/feel/device_bar.h"
-
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +13,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/number_box.h"

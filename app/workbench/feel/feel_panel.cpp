@@ -10,14 +10,10 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/device/device_search.h"
-#include "app/workbench/feel/device_bar.h"
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/feel_status.h"
-#include "app/workbench/feel/force_bar.h"
-#include "app/workbench/feel/patient_controls.h"
 #include "app/workbench/feel/placement.h"
 #include "app/workbench/feel/procedure.h"
-#include "app/workbench/feel/procedure_panel.h"
 #include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
@@ -254,9 +250,9 @@ void FeelPanel::arrange() {
   picture_->setStretch(0, 3);
   picture_->setStretch(1, roomy ? 2 : 0);
   const bool low = !narrow && !open && height() < appearance::scaled(kLowHeight);
-  procedure_->setRoom(roomy ? ProcedurePanel::Room::kList
-                      : low ? ProcedurePanel::Room::kHeading
-                            : ProcedurePanel::Room::kStep);
+  procedure_->setDetail(roomy ? ProcedurePanel::Detail::kList
+                        : low ? ProcedurePanel::Detail::kHeading
+                              : ProcedurePanel::Detail::kStep);
   if (open != open_) setOpen(open);
   if (low != low_) setLow(low);
   tube_->setMinimumHeight(open ? kOpenPicture : low ? kLowestPicture : 0);

@@ -3,20 +3,274 @@
 
 #include <QList>
 #include <QWidget>
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/feel/placement.h"
 #include "app/workbench/feel/procedure.h"
+#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 #include "core/haptics/device/device.h"
 
 class QBoxLayout;
 class QCheckBox;
 class QLabel;
+class QComboBox;
+class QPushButton;
+class QToolButton;
+class QCPGraph;
+class QCustomPlot;
+class QButtonGroup;
+class QHBoxLayout;
+class QGridLayout;
 
 namespace tactus::workbench {
+
+class Card;
+class DeviceSearch;
+class ElidedLabel;
+class FeelController;
+class NumberBox;
+class SceneController;
+
+// The steps of the procedure. The step for the current depth is highlighted.
+
+// The placement in numbers: strokes and depth during it, and the summary of the last one.
+
+class PlacementCard : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PlacementCard(QWidget* parent = nullptr);
+
+  void setProgress(unsigned strokes, double depth_mm, const QString& region);
+  void setSummary(const std::optional<PlacementSummary>& summary);
+  /// Whether a run is in progress, so that another placement can begin.
+  void setRunning(bool running);
+
+ signals:
+  void newPlacementRequested();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  QLabel* progress_;
+  ElidedLabel* summary_;
+  QPushButton* next_;
+  QGridLayout* layout_ = nullptr;
+  bool below_ = false;
+  bool has_summary_ = false;  ///< of a finished placement
+};
+
+class ProcedurePanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent = nullptr);
+
+  /// Depth of the tip, mm.
+  void setDepth(double depth_mm);
+  enum class Detail {
+    kList,     ///< all steps, and the text of the current one
+    kStep,     ///< the current step and its text
+    kHeading,  ///< the name of the current step
+  };
+  void setDetail(Detail room);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Row {
+    QLabel* number;
+    QLabel* title;
+  };
+  void show(std::size_t step);
+  void fitText();
+
+  std::vector<ProcedureStep> steps_;
+  std::vector<Row> rows_;
+  QWidget* list_;
+  ElidedLabel* head_;  ///< the current step, if the list is hidden
+  QLabel* text_;
+  std::optional<std::size_t> shown_;
+  int lines_ = 0;  ///< that the text has room for
+};
+
+// The conditions that a nurse can change during the placement: lubrication and neck flexion.
+
+class PatientControls : public QWidget {
+  Q_OBJECT
+
+ public:
+  PatientControls(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
+
+  /// In `room` px: the neck takes a row of its own where one row is too wide, and the word Lubrication gives way where
+  /// its choices need the room.
+  void fit(int room);
+  /// The least room, px.
+  int leastWidth() const;
+
+ private:
+  void build();
+  void showValues();
+  void onValue(std::size_t input);
+
+  SceneController& scene_;
+  FeelController& feel_;
+  QLabel* lubrication_;
+  QWidget* terms_;  ///< one button per term of the lubrication
+  QHBoxLayout* terms_layout_;
+  QButtonGroup* term_buttons_;
+  QPushButton* neck_;
+  QBoxLayout* rows_ = nullptr;
+  bool has_lubrication_ = false;
+};
+
+// The force on the hand as a bar on the scale of the trace, with the force cap of the servo.
+
+// The force of the last ten seconds: the force on the hand, or its parts (fuzzy force, friction, limits). A replay also
+// shows the recorded force. The wheel and Shift-drag choose the part of the time that is shown.
+
+class AxisZoom;
+class FeelHistory;
+class ShownRanges;
+
+class ForceTracePlot : public QWidget, public PlotSource {
+  Q_OBJECT
+
+ public:
+  explicit ForceTracePlot(QWidget* parent = nullptr);
+
+  /// Names the force axis after `output`. The axis ends at the upper end of the universe (> 0), or at a larger force.
+  void setOutput(const fuzzy::Variable& output);
+  /// Whether to show the parts of the force, too.
+  void setSplit(bool split);
+  bool isSplit() const { return split_; }
+  /// The upper end of the force axis, N.
+  double topN() const;
+  /// Draws the last ten seconds; the newest point is at the right.
+  void setHistory(const FeelHistory& history);
+
+  QSize pictureSize() const override { return {1000, 360}; }
+  /// Empty if the felt force is the only line.
+  std::vector<LegendEntry> legend() const override;
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void nameAxes(bool roomy);
+  fuzzy::Variable forceAxis() const;
+
+  QCustomPlot* plot_;
+  ShownRanges* ranges_;  ///< of the time, which no other plot has
+  AxisZoom* zoom_;
+  QCPGraph* force_;
+  QCPGraph* recorded_;  ///< force of the replayed recording
+  QCPGraph* friction_;
+  QCPGraph* model_;
+  QCPGraph* limits_;  ///< fills the area that the limits removed, between friction and force
+  bool split_ = false;
+  bool replays_ = false;  ///< a replay, with the recorded force beside it
+  double full_n_ = 1;
+  std::string force_name_;
+};
+
+class ForceBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ForceBar(QWidget* parent = nullptr);
+
+  /// `force_n` fills the bar. A mark shows `friction_n`, the requested force, if the limits reduced it.
+  void setForces(double force_n, double friction_n);
+  /// Sets the end of the scale, > 0, and the largest force that the servo gives. A cap behind the end is only named.
+  void setScale(double full_n, double cap_n);
+  /// A higher bar, to be read from afar.
+  void setLarge(bool large);
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {100, sizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paintScale(QPainter& painter, const QRectF& scale, const std::function<double(double)>& x_of) const;
+
+  double force_n_ = 0;
+  double friction_n_ = 0;
+  double full_n_ = 2;
+  double cap_n_ = 2;
+  int bar_height_;  ///< px
+};
+
+// The controls of the device: the choice of the device, Start and Stop, the grip, and the state. A simulated device is
+// labelled as such.
+
+class DeviceBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent = nullptr);
+
+  /// Whether a model is open and can be felt.
+  void setModelOpen(bool open);
+  /// True: after the start one chip stands for device and grip; a click on it shows them.
+  void setFoldable(bool foldable);
+  /// Shows `sentence` until the next start.
+  void showFailure(const QString& sentence);
+  /// Reads the values that change during a run: latency and rate.
+  void showProgress();
+
+ public slots:
+  /// Starts on the chosen device, or stops it.
+  void toggle();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void listDevices();
+  void showState();
+  void showMessage();
+  void showChoice();
+  void chooseGrip();
+  QString stateText() const;
+  QString stateWord() const;
+  void fitLine();
+  void fitMessage();
+  void setMessage(const QString& sentence, bool bad);
+
+  FeelController& feel_;
+  DeviceSearch& search_;
+  QComboBox* devices_;
+  QToolButton* look_;
+  QToolButton* chip_;  ///< in the place of the choice of device and grip
+  QPushButton* start_;
+  QComboBox* grip_;
+  NumberBox* zone_;
+  QLabel* simulated_;
+  ElidedLabel* state_;
+  Card* message_card_;
+  QLabel* message_;
+  QPushButton* rearm_;
+  QPushButton* again_;  ///< starts once more after a failure
+  QBoxLayout* line_ = nullptr;
+  QString failure_;
+  bool starting_ = false;  ///< by `toggle`, and not running yet
+  bool model_open_ = false;
+  bool foldable_ = false;
+  bool advises_ = false;  ///< the message asks the user to push
+};
 
 // The anatomy picture of the bench: the tube at its depth, and the region of the model in which its tip is lit. The
 // regions are those of the model's depth terms, not of anatomy.

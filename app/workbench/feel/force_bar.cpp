@@ -1,5 +1,3 @@
-#include "app/workbench/feel/force_bar.h"
-
 #include <QPainter>
 #include <QPainterPath>
 #include <QVBoxLayout>
@@ -8,6 +6,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/placement.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/axis_zoom.h"

@@ -1,5 +1,3 @@
-#include "app/workbench/feel/patient_controls.h"
-
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -9,6 +7,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"

@@ -1,5 +1,3 @@
-#include "app/workbench/feel/procedure_panel.h"
-
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -8,6 +6,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/kit/labels.h"
 
 namespace tactus::workbench {
@@ -128,16 +127,16 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
   layout->addWidget(text_, 1);
   head_->setFont(theme::headingFont());
   setInk(*head_, theme::accent());
-  setRoom(Room::kList);
+  setDetail(Detail::kList);
   keepFitted(*text_, [this] { fitText(); });
   setDepth(0);
 }
 
-void ProcedurePanel::setRoom(Room room) {
-  const bool listed = room == Room::kList;
+void ProcedurePanel::setDetail(Detail room) {
+  const bool listed = room == Detail::kList;
   list_->setVisible(listed);
   head_->setVisible(!listed);
-  text_->setVisible(room != Room::kHeading);
+  text_->setVisible(room != Detail::kHeading);
   lines_ = listed ? kLines : kCompactLines;
   fitText();
 }

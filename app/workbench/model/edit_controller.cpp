@@ -7,6 +7,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/shown_impact.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 
 namespace tactus::workbench {
 namespace {
@@ -152,9 +153,8 @@ void EditController::returnTo(editing::StateId state) {
 base::Result<void> EditController::fetch(std::optional<editing::StateId> state) {
   const auto missing = state ? history_->missing(*state) : std::nullopt;
   if (!missing || !read_version_) return {};
-  const auto version = read_version_(*missing);
-  if (!version) return tl::unexpected(version.error());
-  return editing::provideVersion(*history_, *state, *version);
+  TACTUS_TRY(const auto version, read_version_(*missing));
+  return editing::provideVersion(*history_, *state, version);
 }
 
 void EditController::begin(editing::EditHistory history, VersionReader read) {

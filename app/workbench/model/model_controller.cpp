@@ -3,6 +3,7 @@
 #include <QFileInfo>
 
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {
@@ -21,9 +22,8 @@ OpenModel inPlaceOf(const OpenModel& before, editing::SharedModel model) {
 }  // namespace
 
 base::Result<void> ModelController::edit(fuzzy::ForceModel model) {
-  auto ready = editing::ready(std::move(model));
-  if (!ready) return tl::unexpected(ready.error());
-  edit(std::move(*ready));
+  TACTUS_TRY(auto ready, editing::ready(std::move(model)));
+  edit(std::move(ready));
   return {};
 }
 

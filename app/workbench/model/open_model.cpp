@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/model_io/model_file.h"
 #include "elicitation/variables/ngt_variables.h"
@@ -29,9 +30,8 @@ base::Result<OpenModel> ngtTemplateModel(const QString& name, const QString& fol
   fuzzy::Expert expert;
   expert.id = expert.label = "E1";
   model.experts.push_back(std::move(expert));
-  auto ready = editing::ready(std::move(model));
-  if (!ready) return tl::unexpected(ready.error());
-  OpenModel open(std::move(*ready));
+  TACTUS_TRY(auto ready, editing::ready(std::move(model)));
+  OpenModel open(std::move(ready));
   open.path = freshModelPath(QDir(folder).absoluteFilePath(QStringLiteral("ngt")));
   return open;
 }
@@ -39,15 +39,13 @@ base::Result<OpenModel> ngtTemplateModel(const QString& name, const QString& fol
 bool isImportPath(const QString& path) { return exchange::isImportPath(path.toStdString()); }
 
 base::Result<exchange::ReadFile> readImport(const QString& path) {
-  auto bytes = base::readFile(path.toStdString(), exchange::kMostImportBytes);
-  if (!bytes) return tl::unexpected(bytes.error());
-  return exchange::ReadFile::read(std::move(*bytes), QFileInfo(path).fileName().toStdString());
+  TACTUS_TRY(auto bytes, base::readFile(path.toStdString(), exchange::kMostImportBytes));
+  return exchange::ReadFile::read(std::move(bytes), QFileInfo(path).fileName().toStdString());
 }
 
 base::Result<OpenModel> importedModel(const exchange::ReadFile& file, const QString& path, const std::string& output) {
-  auto model = file.model(output);
-  if (!model) return tl::unexpected(model.error());
-  auto ready = editing::ready(std::move(*model));
+  TACTUS_TRY(auto model, file.model(output));
+  auto ready = editing::ready(std::move(model));
   if (!ready) return base::inFile(ready.error(), path.toStdString());
   const QFileInfo file_info(path);
   OpenModel open(std::move(*ready));
@@ -112,14 +110,13 @@ std::optional<std::size_t> expertNamed(const fuzzy::ForceModel& model, const std
 }
 
 base::Result<OpenModel> readOpenModel(const QString& path) {
-  auto read = model_io::readModel(path.toStdString());
-  if (!read) return tl::unexpected(read.error());
-  auto ready = editing::ready(std::move(read->model));
+  TACTUS_TRY(auto read, model_io::readModel(path.toStdString()));
+  auto ready = editing::ready(std::move(read.model));
   if (!ready) return base::inFile(ready.error(), path.toStdString());
 
   OpenModel open(std::move(*ready));
   open.path = path;
-  for (const std::string& warning : read->warnings) open.warnings << QString::fromStdString(warning);
+  for (const std::string& warning : read.warnings) open.warnings << QString::fromStdString(warning);
   open.simulated = saysSimulated(open.model);
   return open;
 }

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/check_in.h"
 #include "app/workbench/participant/kit/wordbook.h"
 
 namespace tactus::workbench {

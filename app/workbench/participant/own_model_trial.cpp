@@ -12,6 +12,7 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 #include "core/store/model_versions.h"
@@ -82,18 +83,16 @@ std::vector<QPointF> curveOf(const fuzzy::CompiledModel& compiled, std::vector<d
 }  // namespace
 
 Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code) {
-  auto view = session::studyForElicitation(file);
-  if (!view) return tl::unexpected(view.error());
+  TACTUS_TRY(auto view, session::studyForElicitation(file));
   elicitation::BuildSettings settings;
   settings.name = code;
   const auto now = std::chrono::system_clock::now();
   settings.created_utc = base::formatUtc(now);
   settings.generator = kGenerator;
-  const auto built = elicitation::buildModel(dataOf(std::move(view->study), code), session::knownForms(), settings);
-  if (!built) return tl::unexpected(built.error());
-  const fuzzy::ForceModel& model = built->model;
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return tl::unexpected(compiled.error());
+  TACTUS_TRY(const auto built,
+             elicitation::buildModel(dataOf(std::move(view.study), code), session::knownForms(), settings));
+  const fuzzy::ForceModel& model = built.model;
+  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
 
   OwnModel out;
   std::vector<double> inputs;
@@ -104,15 +103,14 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
     if (input.id != kDepthInput && input.id != haptics::MovedInputs().speed) out.conditions[input.id] = inputs.back();
   }
   if (!depth) return base::fail(base::ErrorCode::kReference, "her model", "no input 'depth'", "a model along the tube");
-  auto scene = haptics::ServoScene::make(model, *compiled, out.conditions);
-  if (!scene) return tl::unexpected(scene.error());
-  out.scene = std::move(*scene);
+  TACTUS_TRY(auto scene, haptics::ServoScene::make(model, compiled, out.conditions));
+  out.scene = std::move(scene);
   out.version.utc_ms = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
   out.version.author = code;
   out.version.label = session::kOwnModelLabel;
   out.version.text = model_io::formatModel(model);
   out.regions = regionsOf(model.inputs[*depth]);
-  out.curve = curveOf(*compiled, inputs, *depth, model.inputs[*depth]);
+  out.curve = curveOf(compiled, inputs, *depth, model.inputs[*depth]);
   return out;
 }
 

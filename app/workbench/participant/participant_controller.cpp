@@ -102,14 +102,14 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       plan_(std::move(plan)),
       now_(std::move(now)),
       proxy_(study, nullptr, now_),
-      arrival_(study, proxy_, plan_),
+      check_in_(study, proxy_, plan_),
       trial_(device),
       own_(std::make_unique<OwnModelTrial>(study, device)),
       steps_(Steps::all(*this)) {
   connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
   connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);
-  connect(&arrival_, &Arrival::changed, this, &ParticipantController::look);
-  connect(&arrival_, &Arrival::refused, this, &ParticipantController::refused);
+  connect(&check_in_, &CheckIn::changed, this, &ParticipantController::look);
+  connect(&check_in_, &CheckIn::refused, this, &ParticipantController::refused);
   followOwnModel();
   connect(&device_, &DeviceSession::stateChanged, this, &ParticipantController::onDevice);
   connect(&device_, &DeviceSession::sampled, this, &ParticipantController::onSampled);
@@ -139,8 +139,8 @@ ParticipantController::Step& ParticipantController::step() const {
 
 void ParticipantController::look() {
   state_.screen = correcting_ ? Screen::kForce : screenOf(at(), passed_);
-  state_.code = arrival_.code();
-  state_.welcome = arrival_.welcome();
+  state_.code = check_in_.code();
+  state_.welcome = check_in_.welcome();
   state_.welcome.minutes = minutesOf(plan_);
   state_.paused = at() != nullptr && at()->paused && !paused_by_her_;
   if (at() != nullptr) state_.feels_force = correcting_ || at()->part == session::SessionPart::kForce;
@@ -226,23 +226,23 @@ void ParticipantController::setTextPercent(int percent) {
 }
 
 void ParticipantController::newHere() {
-  if (state_.screen == Screen::kWelcome && takesInput()) arrival_.newHere(false);
+  if (state_.screen == Screen::kWelcome && takesInput()) check_in_.newHere(false);
 }
 
 void ParticipantController::teacherHere() {
-  if (state_.screen == Screen::kWelcome && takesInput()) arrival_.newHere(true);
+  if (state_.screen == Screen::kWelcome && takesInput()) check_in_.newHere(true);
 }
 
 void ParticipantController::enterCode(const QString& code) {
-  if (state_.screen == Screen::kWelcome && takesInput()) arrival_.enterCode(code);
+  if (state_.screen == Screen::kWelcome && takesInput()) check_in_.enterCode(code);
 }
 
 void ParticipantController::sitDown(const QString& code) {
-  if (state_.screen == Screen::kWelcome && !arrival_.isKnown()) arrival_.enterCode(code);
+  if (state_.screen == Screen::kWelcome && !check_in_.isKnown()) check_in_.enterCode(code);
 }
 
 void ParticipantController::sitDownAsTeacher() {
-  if (state_.screen == Screen::kWelcome && !arrival_.isKnown()) arrival_.newHere(true);
+  if (state_.screen == Screen::kWelcome && !check_in_.isKnown()) check_in_.newHere(true);
 }
 
 void ParticipantController::decline() {

@@ -18,7 +18,7 @@
 
 #include "app/session/stroke_capture.h"
 #include "app/workbench/device/device_session.h"
-#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/check_in.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/own_model_trial.h"
 #include "app/workbench/participant/participant_course.h"
@@ -112,7 +112,7 @@ class ScreenGate {
 // by chance: a fixed first word would need the fewest presses and would be chosen too often.
 
 /// Plain state. Thread: gui.
-class LitWord {
+class HighlightedWord {
  public:
   void reset() { presses_ = 0; }
   /// Highlights the next of `words`, which is not empty and stays the same until `reset`.
@@ -260,7 +260,7 @@ class ParticipantController : public QObject {
   std::optional<StopReason> leaving_;
   bool paused_by_her_ = false;  ///< through the overlay; the researcher has a pause of their own
 
-  Arrival arrival_;
+  CheckIn check_in_;
   QString consent_language_;  ///< of the text that she agreed to, until that is noted
   QString consent_text_;      ///< likewise
   bool resumes_ = false;      ///< an earlier session is being continued
@@ -275,7 +275,7 @@ class ParticipantController : public QObject {
   std::optional<study::Form> form_;
   QString chosen_;  ///< on the screen, not stored yet
   std::optional<session::InputMeans> means_;
-  LitWord lit_;
+  HighlightedWord lit_;
   bool from_review_ = false;
   BlockRating rating_;
   bool ended_ = false;  ///< she is done; the next participant may sit down

@@ -162,7 +162,7 @@ void ParticipantController::followOwnModel() {
 
 void ParticipantController::feelOwnModel() {
   const bool here = state_.screen == Screen::kOwnModel && state_.overlay == ForceOffOverlay::kNone;
-  if (here && !own_->isThere()) own_->prepare(arrival_.person()->code);
+  if (here && !own_->isThere()) own_->prepare(check_in_.person()->code);
   if (here && own_->isThere() && hasDevice()) own_->feel();
 }
 
@@ -178,7 +178,7 @@ void ParticipantController::leaveFor(StopReason reason) {
 void ParticipantController::finishLeaving() {
   if (!leaving_ || proxy_.isSaving()) return;
   const StopReason reason = *std::exchange(leaving_, std::nullopt);
-  const bool in_study = at() != nullptr || !arrival_.isNewcomer();
+  const bool in_study = at() != nullptr || !check_in_.isNewcomer();
   proxy_.leave();
   const auto leave = [this, reason] {
     state_.overlay = ForceOffOverlay::kNone;
@@ -187,11 +187,11 @@ void ParticipantController::finishLeaving() {
     paused_by_her_ = false;
     look();
   };
-  if (reason != StopReason::kWithdrawn || !in_study || !arrival_.isKnown()) {
+  if (reason != StopReason::kWithdrawn || !in_study || !check_in_.isKnown()) {
     leave();
     return;
   }
-  study_.withdraw(arrival_.person()->id, leave, [this](const QString& sentence) {
+  study_.withdraw(check_in_.person()->id, leave, [this](const QString& sentence) {
     state_.overlay = ForceOffOverlay::kForceOff;
     onRefused(sentence);
   });
@@ -211,7 +211,7 @@ void ParticipantController::startAgain() {
   state_.languages = before.languages;
   state_.language = before.language;
   state_.text_percent = before.text_percent;
-  arrival_.forget();
+  check_in_.forget();
 }
 
 }  // namespace tactus::workbench

@@ -12,16 +12,16 @@ class ParticipantController::Steps::Welcome final : public Step {
   using Step::Step;
 
   std::string question() const override { return std::to_string(static_cast<int>(course_.state_.welcome.step)); }
-  void show(ParticipantState& state) override { state.can_go_on = state.can_go_back = course_.arrival_.isKnown(); }
+  void show(ParticipantState& state) override { state.can_go_on = state.can_go_back = course_.check_in_.isKnown(); }
   void next() override {
-    if (course_.arrival_.hasSession()) {
+    if (course_.check_in_.hasSession()) {
       course_.resumes_ = true;
-      course_.arrival_.resume();
+      course_.check_in_.resume();
     } else {
       course_.passed_.code = true;
     }
   }
-  void back() override { course_.arrival_.forget(); }
+  void back() override { course_.check_in_.forget(); }
 };
 
 class ParticipantController::Steps::Consent final : public Step {
@@ -29,7 +29,7 @@ class ParticipantController::Steps::Consent final : public Step {
   using Step::Step;
 
   void show(ParticipantState& state) override {
-    const bool usability = course_.arrival_.isForUsability();
+    const bool usability = course_.check_in_.isForUsability();
     state.consent = {course_.plan_.consent_version, consentParagraphs(course_.plan_, language(), usability), usability};
     state.can_go_back = true;
   }
@@ -38,8 +38,8 @@ class ParticipantController::Steps::Consent final : public Step {
     const QString& id = course_.state_.language;
     course_.consent_language_ = id;
     course_.consent_text_ = consentText(course_.state_.consent.paragraphs, language());
-    course_.arrival_.begin(id, course_.plan_.seed ? *course_.plan_.seed : course_.chance_(),
-                           course_.plan_.device.toStdString());
+    course_.check_in_.begin(id, course_.plan_.seed ? *course_.plan_.seed : course_.chance_(),
+                            course_.plan_.device.toStdString());
   }
   void back() override { course_.passed_.code = false; }
 

@@ -16,6 +16,7 @@
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/rehearsal/screen_nurse.h"
 #include "app/workbench/study/connection/study_contents.h"
+#include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
@@ -31,21 +32,18 @@ tl::unexpected<base::Error> refuse(const std::string& what, const std::string& f
 }
 
 Result<study::SessionRecord> sessionOf(const store::StudyFile& file, const std::string& code) {
-  const auto person = store::findPerson(file, code);
-  if (!person) return tl::unexpected(person.error());
-  if (!*person) return refuse("participant " + base::quoted(code), "nobody", "the simulated nurse");
-  if (!(*person)->simulated) return refuse("participant " + base::quoted(code), "a person", "one marked as simulated");
-  auto sessions = store::sessions(file, (*person)->id);
-  if (!sessions) return tl::unexpected(sessions.error());
-  if (sessions->size() != 1) return refuse("sessions", std::to_string(sessions->size()), "one");
-  return std::move(sessions->front());
+  TACTUS_TRY(const auto person, store::findPerson(file, code));
+  if (!person) return refuse("participant " + base::quoted(code), "nobody", "the simulated nurse");
+  if (!(person)->simulated) return refuse("participant " + base::quoted(code), "a person", "one marked as simulated");
+  TACTUS_TRY(auto sessions, store::sessions(file, (person)->id));
+  if (sessions.size() != 1) return refuse("sessions", std::to_string(sessions.size()), "one");
+  return std::move(sessions.front());
 }
 
 Result<void> checkStrokes(const store::StudyFile& file, const store::Selection& all, const NurseMemory& memory) {
-  const auto strokes = store::strokes(file, all, store::Recordings::kLeaveOut);
-  if (!strokes) return tl::unexpected(strokes.error());
+  TACTUS_TRY(const auto strokes, store::strokes(file, all, store::Recordings::kLeaveOut));
   for (const auto& [level, wanted] : memory.strokes) {
-    const auto accepted = std::count_if(strokes->begin(), strokes->end(), [id = level.toStdString()](const auto& one) {
+    const auto accepted = std::count_if(strokes.begin(), strokes.end(), [id = level.toStdString()](const auto& one) {
       return one.level == id && !one.practice && one.verdict == "accepted";
     });
     if (accepted != wanted) {
@@ -62,10 +60,9 @@ std::string wordOf(study::ForceJudgement::Kind kind, const std::string& term) {
 }
 
 Result<void> checkJudgements(const store::StudyFile& file, const store::Selection& all, const NurseMemory& memory) {
-  const auto judgements = store::judgements(file, all);
-  if (!judgements) return tl::unexpected(judgements.error());
+  TACTUS_TRY(const auto judgements, store::judgements(file, all));
   std::vector<std::string> words;
-  for (const auto& one : *judgements) {
+  for (const auto& one : judgements) {
     if (one.series != experiments::kFamiliarisation) words.push_back(wordOf(one.kind, one.term));
   }
   if (words.size() != memory.judgements.size()) {
@@ -79,12 +76,11 @@ Result<void> checkJudgements(const store::StudyFile& file, const store::Selectio
 }
 
 Result<void> checkAnswers(const store::StudyFile& file, const store::Selection& latest, const NurseMemory& memory) {
-  const auto answers = store::answers(file, latest);
-  if (!answers) return tl::unexpected(answers.error());
-  if (answers->size() != memory.replies.size()) {
-    return refuse("answered questions", std::to_string(answers->size()), std::to_string(memory.replies.size()));
+  TACTUS_TRY(const auto answers, store::answers(file, latest));
+  if (answers.size() != memory.replies.size()) {
+    return refuse("answered questions", std::to_string(answers.size()), std::to_string(memory.replies.size()));
   }
-  for (const study::AnswerRecord& one : *answers) {
+  for (const study::AnswerRecord& one : answers) {
     const auto said = memory.replies.find(one.item);
     const std::string word = one.status == study::Answer::Status::kCantTell ? "cant_tell" : one.value;
     const std::string wanted = said == memory.replies.end() ? std::string() : said->second.toStdString();
@@ -103,25 +99,22 @@ QString comparisonOf(session::OwnModelVerdict verdict) {
 }
 
 Result<void> checkRatings(const store::StudyFile& file, const store::Selection& all, const NurseMemory& memory) {
-  const auto ratings = store::ratings(file, all);
-  if (!ratings) return tl::unexpected(ratings.error());
-  if (static_cast<int>(ratings->size()) == memory.ratings) return {};
-  return refuse("rated parts", std::to_string(ratings->size()), std::to_string(memory.ratings));
+  TACTUS_TRY(const auto ratings, store::ratings(file, all));
+  if (static_cast<int>(ratings.size()) == memory.ratings) return {};
+  return refuse("rated parts", std::to_string(ratings.size()), std::to_string(memory.ratings));
 }
 
 Result<void> checkLog(const store::StudyFile& file, const store::Selection& all, const NurseMemory& memory) {
-  const auto events = store::events(file, all);
-  if (!events) return tl::unexpected(events.error());
+  TACTUS_TRY(const auto events, store::events(file, all));
   std::vector<std::pair<QString, QString>> regions;
   int marks = 0;
   bool sealed = false;
   bool finished = false;
-  for (const study::EventRecord& event : *events) {
-    const auto line = session::ownModelIn(event);
-    if (!line) return tl::unexpected(line.error());
-    if (*line && (*line)->verdict) {
-      regions.emplace_back(QString::fromStdString((*line)->place.region), comparisonOf(*(*line)->verdict));
-    } else if (*line) {
+  for (const study::EventRecord& event : events) {
+    TACTUS_TRY(const auto line, session::ownModelIn(event));
+    if (line && (line)->verdict) {
+      regions.emplace_back(QString::fromStdString((line)->place.region), comparisonOf(*(line)->verdict));
+    } else if (line) {
       ++marks;
     }
     sealed = sealed || event.kind == session::kAnswersSealed;
@@ -141,12 +134,11 @@ Result<void> checkLog(const store::StudyFile& file, const store::Selection& all,
 }  // namespace
 
 Result<void> checkRehearsal(const store::StudyFile& file, const NurseMemory& memory) {
-  const auto session = sessionOf(file, memory.code.toStdString());
-  if (!session) return tl::unexpected(session.error());
-  const store::Selection all{{}, session->id, true};
+  TACTUS_TRY(const auto session, sessionOf(file, memory.code.toStdString()));
+  const store::Selection all{{}, session.id, true};
   if (auto ok = checkStrokes(file, all, memory); !ok) return ok;
   if (auto ok = checkJudgements(file, all, memory); !ok) return ok;
-  if (auto ok = checkAnswers(file, {{}, session->id, false}, memory); !ok) return ok;
+  if (auto ok = checkAnswers(file, {{}, session.id, false}, memory); !ok) return ok;
   if (auto ok = checkRatings(file, all, memory); !ok) return ok;
   return checkLog(file, all, memory);
 }

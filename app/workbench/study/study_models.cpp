@@ -20,6 +20,7 @@
 #include "app/workbench/study/review_notes.h"
 #include "core/base/check.h"
 #include "core/base/clock.h"
+#include "core/base/error.h"
 #include "core/store/model_versions.h"
 #include "core/store/study_info.h"
 #include "elicitation/model/model_builder.h"
@@ -49,16 +50,14 @@ QString expertsText(const fuzzy::ForceModel& model, const std::vector<study::Par
 }
 
 Result<void> addVersions(const store::StudyFile& file, ModelInStudy& out) {
-  auto versions = store::modelVersions(file);
-  if (!versions) return tl::unexpected(versions.error());
+  TACTUS_TRY(auto versions, store::modelVersions(file));
   // What participants felt of their own answers is no state of the researcher's model.
-  std::erase_if(*versions, [](const study::ModelVersion& version) { return version.label == session::kOwnModelLabel; });
-  out.versions = *versions;
-  if (versions->empty()) return {};
-  auto last = store::modelVersion(file, versions->back().id);
-  if (!last) return tl::unexpected(last.error());
-  versions->back() = std::move(*last);
-  auto history = editing::historyFrom(*versions, study::RecordIds());
+  std::erase_if(versions, [](const study::ModelVersion& version) { return version.label == session::kOwnModelLabel; });
+  out.versions = versions;
+  if (versions.empty()) return {};
+  TACTUS_TRY(auto last, store::modelVersion(file, versions.back().id));
+  versions.back() = std::move(last);
+  auto history = editing::historyFrom(versions, study::RecordIds());
   if (!history) return base::inFile(history.error(), file.path());
   out.history = std::move(*history);
   return {};
@@ -74,26 +73,25 @@ bool hasAnswers(const store::StudyInfo& info) {
 
 Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editing::Stamp& stamp,
                                       elicitation::BuildSettings settings) {
-  const auto view = session::studyForElicitation(file);
-  if (!view) return tl::unexpected(view.error());
-  const auto data = session::dataFindings(view->study);
+  TACTUS_TRY(const auto view, session::studyForElicitation(file));
+  const auto data = session::dataFindings(view.study);
   if (auto ok = study::refuseData(data); !ok) return base::inFile(ok.error(), file.path());
   settings.created_utc =
       base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
   settings.generator = kGenerator;
-  auto built = elicitation::buildModel(view->study, session::knownForms(), settings);
+  auto built = elicitation::buildModel(view.study, session::knownForms(), settings);
   if (!built) return base::inFile(built.error(), file.path());
-  elicitation::noteUnlikePublished(*built, view->study, session::knownForms(), settings);
-  const QString experts = expertsText(built->model, view->study.participants);
-  auto history = editing::EditHistory::open(built->model,
-                                            ModelInStudyText::tr("Built from the study: %1").arg(experts).toStdString(),
-                                            stamp, study::RecordIds());
-  if (!history) return tl::unexpected(history.error());
+  elicitation::noteUnlikePublished(*built, view.study, session::knownForms(), settings);
+  const QString experts = expertsText(built->model, view.study.participants);
+  TACTUS_TRY(auto history,
+             editing::EditHistory::open(built->model,
+                                        ModelInStudyText::tr("Built from the study: %1").arg(experts).toStdString(),
+                                        stamp, study::RecordIds()));
   BuiltFromStudy out{
-      std::move(*history),
+      std::move(history),
       ModelInStudyText::tr("Built from the answers in %1: %2.").arg(shownFileName(text(file.path())), experts),
       {}};
-  out.notes = {dataNotes(data), notesOf(view->notes, *built)};
+  out.notes = {dataNotes(data), notesOf(view.notes, *built)};
   const std::size_t count = out.notes.data.size() + out.notes.build.size();
   if (count > 0) {
     out.sentence += QLatin1Char(' ') + ModelInStudyText::tr("There are %n note(s) about it beside the heading.",
@@ -104,10 +102,9 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
 
 Result<ModelInStudy> readModel(const store::StudyFile& file) {
   ModelInStudy out;
-  const auto info = store::studyInfo(file);
-  if (!info) return tl::unexpected(info.error());
+  TACTUS_TRY(const auto info, store::studyInfo(file));
   if (auto ok = addVersions(file, out); !ok) return tl::unexpected(ok.error());
-  out.has_answers = hasAnswers(*info);
+  out.has_answers = hasAnswers(info);
   return out;
 }
 
@@ -358,9 +355,8 @@ void StudyModels::putModel() {
 
 StudyKeeper::ReadShare StudyModels::reader() {
   return [this](const store::StudyFile& file) -> Result<Take> {
-    auto read = readModel(file);
-    if (!read) return tl::unexpected(read.error());
-    return [this, model = std::make_shared<ModelInStudy>(std::move(*read))] {
+    TACTUS_TRY(auto read, readModel(file));
+    return [this, model = std::make_shared<ModelInStudy>(std::move(read))] {
       if (keepsModel() && !model->history) moveOut();
       adopt(*model);
     };

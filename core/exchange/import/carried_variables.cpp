@@ -1,10 +1,9 @@
-#include "core/exchange/import/carried_variables.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/base/text.h"
+#include "core/exchange/import/convert.h"
 #include "core/exchange/import/foreign_model.h"
 
 namespace tactus::exchange {

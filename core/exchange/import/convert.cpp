@@ -1,3 +1,4 @@
+
 #include "core/exchange/import/convert.h"
 
 #include <algorithm>
@@ -11,7 +12,6 @@
 #include <vector>
 
 #include "core/base/text.h"
-#include "core/exchange/import/carried_variables.h"
 #include "core/exchange/import/foreign_model.h"
 #include "core/exchange/import/rule_parser.h"
 #include "core/fuzzy/force_model.h"

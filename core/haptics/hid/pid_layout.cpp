@@ -5,7 +5,6 @@
 #include <string>
 
 #include "core/base/text.h"
-#include "core/haptics/hid/pid_layout_check.h"
 
 namespace tactus::haptics {
 namespace {

@@ -1,11 +1,10 @@
-#include "core/haptics/hid/pid_layout_check.h"
-
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/haptics/hid/pid_layout.h"
 #include "core/haptics/hid/pid_session.h"
 
 namespace tactus::haptics {

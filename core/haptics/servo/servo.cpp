@@ -149,10 +149,10 @@ void Servo::tick(std::int64_t now_ns) noexcept {
   if (state.number > 0) meter_.readAge(now_ns - state.time_ns);
   if (state.written_ns != 0) meter_.writeAge(now_ns - state.written_ns);
 
-  const Letter<Posted>* const letter = mailbox_.newest();
-  const Posted& posted = letter == nullptr ? no_orders_ : letter->value;
-  if (letter != nullptr && letter->number != orders_) {
-    orders_ = letter->number;
+  const Numbered<Posted>* const item = mailbox_.newest();
+  const Posted& posted = item == nullptr ? no_orders_ : item->value;
+  if (item != nullptr && item->number != orders_) {
+    orders_ = item->number;
     meter_.ordersTaken(meter_.ticks() - posted.at_tick);
   }
 

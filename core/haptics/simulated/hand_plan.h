@@ -10,18 +10,18 @@
 namespace tactus::haptics {
 
 /// The wish of the hand at one time.
-struct HandWish {
+struct HandTarget {
   double position_mm = 0;  ///< along the insertion axis, inwards positive
   double speed_mm_s = 0;
   bool holds = true;    ///< false: the hand has let go of the device
   bool button = false;  ///< the first button of the device is down
 
-  bool operator==(const HandWish&) const = default;
+  bool operator==(const HandTarget&) const = default;
 };
 
 /// The wish at a time >= 0 since the start of the simulation. The simulation asks once per simulated millisecond, never
 /// twice for the same one. Calling a plan of this header does not allocate or throw; building it allocates.
-using HandPlan = std::function<HandWish(double time_s)>;
+using HandPlan = std::function<HandTarget(double time_s)>;
 
 /// A minimum-jerk stroke (Flash and Hogan 1985) from 0, then rest. `duration_s` > 0.
 HandPlan stroke(double length_mm, double duration_s);

@@ -23,12 +23,12 @@ struct ReplaySettings {
 };
 
 /// A written force, and the position of the device at that time.
-struct ToldForce {
+struct CommandedForce {
   std::int64_t time_ns = 0;  ///< on the clock of `write`
   double position_mm = 0;
   Vector3 force_n;
 
-  bool operator==(const ToldForce&) const = default;
+  bool operator==(const CommandedForce&) const = default;
 };
 
 /// Channels of the recording: positions from `position`, or else from `depth`; times from `time`, or else from the
@@ -54,7 +54,7 @@ class ReplayDevice final : public HapticDevice {
   /// Duration from the start to the end of the recording, including the lead, ns.
   std::int64_t lengthNs() const noexcept { return lead_ns_ + time_ns_.back(); }
   /// The forces since `start`; `forcesLost`: how many more did not fit. Thread: the owner, after the servo has ended.
-  std::span<const ToldForce> forces() const noexcept { return forces_; }
+  std::span<const CommandedForce> forces() const noexcept { return forces_; }
   std::uint64_t forcesLost() const noexcept { return forces_lost_; }
 
  private:
@@ -78,7 +78,7 @@ class ReplayDevice final : public HapticDevice {
   PausingClock clock_;
   DeviceState last_;
   double last_position_mm_ = 0;
-  std::vector<ToldForce> forces_;
+  std::vector<CommandedForce> forces_;
   std::uint64_t forces_lost_ = 0;
 };
 

@@ -31,7 +31,7 @@ SimulatedBody::SimulatedBody(const SimulatedHand& hand, const DeviceMechanics& d
       arm_x_(1e-3 * position_mm),
       arm_v_(1e-3 * speed_mm_s) {}
 
-void SimulatedBody::step(const HandWish& wish, double resistance_n, double dt_s) noexcept {
+void SimulatedBody::step(const HandTarget& wish, double resistance_n, double dt_s) noexcept {
   const double goal = 1e-3 * wish.position_mm;
   const double goal_speed = 1e-3 * wish.speed_mm_s;
   double hand_n = 0;
@@ -234,7 +234,7 @@ void LiveHand::place(double position_mm) noexcept {
   speed_mm_s_ = 0;
 }
 
-HandWish LiveHand::next() noexcept {
+HandTarget LiveHand::next() noexcept {
   constexpr double kTickS = 0.001;
   const double ahead_mm = target_mm_.load(std::memory_order_relaxed) - position_mm_;
   const double acceleration = (ahead_mm / time_constant_s_ - 2 * speed_mm_s_) / time_constant_s_;

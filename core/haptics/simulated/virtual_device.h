@@ -62,7 +62,7 @@ class SimulatedBody {
   /// `wish` and `resistance_n` (positive against insertion) are constant for `dt_s` > 0. Steps of 10 us resolve all
   /// presets.
   /// Thread: any. Real-time safe: yes.
-  void step(const HandWish& wish, double resistance_n, double dt_s) noexcept;
+  void step(const HandTarget& wish, double resistance_n, double dt_s) noexcept;
 
   double positionMm() const noexcept { return 1e3 * x_; }
   double speedMmS() const noexcept { return 1e3 * v_; }
@@ -197,7 +197,7 @@ class DeviceSimulation {
   SimulatedBody body_;
   base::Random random_;
   ForceQueue on_the_way_;
-  HandWish wish_;
+  HandTarget wish_;
   std::int64_t time_ns_ = 0;
   std::int64_t millisecond_ = 0;    ///< the next one to start
   std::int64_t stalled_until_ = 0;  ///< a millisecond
@@ -226,7 +226,7 @@ class LiveHand {
   /// Moves the follower to `position_mm` at once, at rest.
   void place(double position_mm) noexcept;
   /// The wish one millisecond later. Critically damped, without overshoot.
-  HandWish next() noexcept;
+  HandTarget next() noexcept;
 
  private:
   double time_constant_s_;

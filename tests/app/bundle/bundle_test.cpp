@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 #include <set>
 
+#include "app/bundle/bounded_table.h"
 #include "app/bundle/file_errors.h"
-#include "app/bundle/force_table.h"
 #include "app/figures/colors.h"
 #include "core/analysis/check_points.h"
 #include "core/base/files/file.h"

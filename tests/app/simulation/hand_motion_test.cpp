@@ -14,12 +14,12 @@ TEST(HandMotion, EachStepBeginsWhereTheOneBeforeEnded) {
                             {.kind = Kind::kPush, .duration_s = 3, .speed_mm_s = 5},
                             {.kind = Kind::kRelease},
                             {.kind = Kind::kGoTo, .duration_s = 1, .position_mm = 10}});
-  EXPECT_EQ(plan(0.5), (haptics::HandWish{0, 0, true, false}));
+  EXPECT_EQ(plan(0.5), (haptics::HandTarget{0, 0, true, false}));
   // Halfway a minimum-jerk movement is halfway, at 1.875 times its mean speed.
-  EXPECT_EQ(plan(2), (haptics::HandWish{20, 37.5, true, true}));
-  EXPECT_EQ(plan(4), (haptics::HandWish{45, 5, true, true}));
-  EXPECT_EQ(plan(6.5), (haptics::HandWish{32.5, -45 * 1.875, true, false}));
-  EXPECT_EQ(plan(100), (haptics::HandWish{10, 0, true, false}));
+  EXPECT_EQ(plan(2), (haptics::HandTarget{20, 37.5, true, true}));
+  EXPECT_EQ(plan(4), (haptics::HandTarget{45, 5, true, true}));
+  EXPECT_EQ(plan(6.5), (haptics::HandTarget{32.5, -45 * 1.875, true, false}));
+  EXPECT_EQ(plan(100), (haptics::HandTarget{10, 0, true, false}));
 }
 
 TEST(HandMotion, LettingGoAndHoldingAgainTakeNoTime) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/render/printed_friction.h"
+#include "core/render/friction.h"
 
 #include "tests/core/render/scripted_tube.h"
 

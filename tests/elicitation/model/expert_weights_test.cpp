@@ -1,7 +1,7 @@
-#include "elicitation/model/expert_weights.h"
-
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "elicitation/model/model_builder.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -76,7 +76,7 @@ TEST(ForceBands, VotesDrawnUnderOneExpertGiveTheEnumeratedNumbers) {
   expectDrawn(bands.drawn(Drawn::kWhoJudged), {.27278, .56820, .51422, .61538}, {.09817, .05236, .05811, .04676});
   EXPECT_NEAR(*bands.drawnQuantile(Drawn::kWhoJudged, kA, .025), .51355, kPrinted);
   EXPECT_NEAR(*bands.drawnQuantile(Drawn::kWhoJudged, kA, .975), .66373, kPrinted);
-  // A cast without S4 has no rules: 3^4 of 4^4 draws give no force.
+  // A resample without S4 has no rules: 3^4 of 4^4 draws give no force.
   EXPECT_NEAR(bands.drawn(Drawn::kPeople)[kA].abstains, 81.0 / 256, 1e-12);
 }
 
@@ -158,17 +158,17 @@ TEST(ForceBands, JudgingOnceMoreMovesTheVoteMoreThanTheThresholds) {
 TEST(ForceBands, LeavingOneOutIsACastToo) {
   const auto study = fourPeople();
   const auto built = buildModel(study, {}, {}).value();
-  const RecastStudy recast(study, built, {});
+  const ResampledStudy resample(study, built, {});
   const std::vector<double> without_n = {.563148, .513148, .380040, .300000};
   for (std::size_t who = 0; who < 4; ++who) {
-    Cast cast = everyPerson(4);
-    cast[who] = 0;
-    const auto forces = recast.forces({cast, cast, cast}, kPoints);
+    ResampleCounts counts = everyPerson(4);
+    counts[who] = 0;
+    const auto forces = resample.forces({counts, counts, counts}, kPoints);
     ASSERT_TRUE(forces[kA]);
     EXPECT_NEAR(*forces[kA], without_n[who], 5.1e-7) << who;
   }
   // Each person once is the study itself.
-  const auto same = recast.forces({everyPerson(4), everyPerson(4), everyPerson(4)}, kPoints);
+  const auto same = resample.forces({everyPerson(4), everyPerson(4), everyPerson(4)}, kPoints);
   EXPECT_NEAR(*same[kA], .534861, 5e-7);
 }
 
@@ -185,7 +185,7 @@ TEST(ForceBands, OneParticipantHasNoOthers) {
 }
 
 // Batches of any size give the same draws.
-/// fourPeople() and four more who say the same: 6,435 casts.
+/// fourPeople() and four more who say the same: 6,435 resamples.
 study::Study eightPeople() {
   auto study = fourPeople();
   const auto again = [](auto& rows, auto code) {
@@ -204,7 +204,7 @@ study::Study eightPeople() {
   return study;
 }
 
-// The first casts of the enumeration hold the same few people, and made the band half as wide as it is.
+// The first resamples of the enumeration hold the same few people, and made the band half as wide as it is.
 TEST(ForceBands, TheFirstCastsStandForAllOfThem) {
   const auto study = eightPeople();
   const auto built = buildModel(study, {}, {});
@@ -237,20 +237,20 @@ TEST(ForceBands, BatchesDoNotChangeTheResult) {
   }
 }
 
-TEST(Cast, EnumeratesEveryMultisetWithItsProbability) {
-  const auto of_four = everyCast(4);
+TEST(ResampleCounts, EnumeratesEveryMultisetWithItsProbability) {
+  const auto of_four = everyResample(4);
   EXPECT_EQ(of_four.size(), 35U);
-  EXPECT_EQ(everyCast(6).size(), 462U);
-  EXPECT_EQ(everyCast(8).size(), 6435U);
+  EXPECT_EQ(everyResample(6).size(), 462U);
+  EXPECT_EQ(everyResample(8).size(), 6435U);
   double sum = 0;
   for (const auto& one : of_four) sum += one.weight;
   EXPECT_NEAR(sum, 1, 1e-12);
   const auto same = std::find_if(of_four.begin(), of_four.end(), [](const auto& one) {
-    return one.cast == Cast{4, 0, 0, 0};
+    return one.counts == ResampleCounts{4, 0, 0, 0};
   });
   EXPECT_NEAR(same->weight, 1.0 / 256, 1e-15);
   const auto mixed =
-      std::find_if(of_four.begin(), of_four.end(), [](const auto& one) { return one.cast == everyPerson(4); });
+      std::find_if(of_four.begin(), of_four.end(), [](const auto& one) { return one.counts == everyPerson(4); });
   EXPECT_NEAR(mixed->weight, 24.0 / 256, 1e-15);
 }
 

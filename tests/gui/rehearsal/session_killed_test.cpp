@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/session/study_protocol.h"
-#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/check_in.h"
 #include "core/store/persons.h"
 #include "core/store/study_info.h"
 #include "experiments/force_series.h"

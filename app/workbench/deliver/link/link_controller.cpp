@@ -5,6 +5,7 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/model_controller.h"
+#include "core/base/error.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {
@@ -51,9 +52,8 @@ void LinkController::start() {
 
 base::Result<void> LinkController::serve(std::uint16_t port) {
   if (!token_) {
-    auto token = link::TokenFile::inPrivateFolder();
-    if (!token) return tl::unexpected(token.error());
-    token_.emplace(std::move(*token));
+    TACTUS_TRY(auto token, link::TokenFile::inPrivateFolder());
+    token_.emplace(std::move(token));
   }
   link::LinkSettings settings;
   settings.port = port;

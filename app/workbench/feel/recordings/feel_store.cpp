@@ -12,6 +12,7 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/connection/study_contents.h"
+#include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/haptics/simulated/replay_device.h"
 #include "core/store/batch.h"
@@ -43,15 +44,13 @@ study::Moment momentNow() {
 }
 
 Result<RecordId> FeelSessions::researcher(store::StudyFile& file, study::RecordIds& ids) {
-  const auto people = readPeople(file);
-  if (!people) return tl::unexpected(people.error());
-  for (const StudyPerson& person : *people) {
+  TACTUS_TRY(const auto people, readPeople(file));
+  for (const StudyPerson& person : people) {
     if (person.researcher) return person.id;
   }
   store::PersonCodes codes;
-  const auto code = store::unusedCode(file, codes);
-  if (!code) return tl::unexpected(code.error());
-  const study::Person person{ids.next(), *code, false};
+  TACTUS_TRY(const auto code, store::unusedCode(file, codes));
+  const study::Person person{ids.next(), code, false};
   if (auto ok = store::append(file, person); !ok) return tl::unexpected(ok.error());
   return person.id;
 }
@@ -60,8 +59,7 @@ Result<RecordId> FeelSessions::sessionOf(const Visit& visit, store::StudyFile& f
   const Key key(visit.run, visit.who);
   if (const auto found = sessions_.find(key); found != sessions_.end()) return found->second;
   // Person, session and profile together or not at all: it is tried again where the disk refuses.
-  auto batch = store::Batch::begin(file);
-  if (!batch) return tl::unexpected(batch.error());
+  TACTUS_TRY(auto batch, store::Batch::begin(file));
   const auto who = visit.who ? Result<RecordId>(*visit.who) : researcher(file, ids);
   if (!who) return who;
   study::SessionRecord session;
@@ -80,7 +78,7 @@ Result<RecordId> FeelSessions::sessionOf(const Visit& visit, store::StudyFile& f
     profile.category = kResearcherCategory;
     if (auto ok = store::append(file, profile); !ok) return tl::unexpected(ok.error());
   }
-  if (auto ok = batch->commit(); !ok) return tl::unexpected(ok.error());
+  if (auto ok = batch.commit(); !ok) return tl::unexpected(ok.error());
   sessions_[key] = session.id;
   return session.id;
 }
@@ -476,13 +474,12 @@ void FeelStore::store(Record record, const QString& what, const FeelSessions::Vi
   const auto shared = std::make_shared<Record>(std::move(record));
   study_.order(
       [shared, visit, serial, sessions = sessions_](store::StudyFile& file, study::RecordIds& ids) -> Result<void> {
-        const auto session = sessions->sessionOf(visit, file, ids);
-        if (!session) return tl::unexpected(session.error());
-        shared->entry.session = *session;
+        TACTUS_TRY(const auto session, sessions->sessionOf(visit, file, ids));
+        shared->entry.session = session;
         if constexpr (std::is_same_v<Record, study::FeelStart>) {
-          shared->number = sessions->numberOf(serial, *session);
+          shared->number = sessions->numberOf(serial, session);
         } else if constexpr (!std::is_same_v<Record, study::PlacementRecord>) {
-          shared->recording = sessions->numberOf(serial, *session);
+          shared->recording = sessions->numberOf(serial, session);
         }
         return store::append(file, *shared);
       },

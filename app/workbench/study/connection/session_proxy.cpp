@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "core/base/error.h"
 #include "core/store/batch.h"
 #include "core/store/persons.h"
 
@@ -12,7 +13,7 @@ namespace tactus::workbench {
 using base::Result;
 
 /// A session in the thread of the study.
-struct SessionProxy::Room {
+struct SessionProxy::LiveSession {
   std::optional<session::Session> session;
   study::Moment now;  ///< of the call that is being made
   SessionStep step = 0;
@@ -36,9 +37,8 @@ void SessionProxy::begin(const session::SessionStart& start, std::optional<study
       if (newcomer) {
         if (auto ok = store::append(file, *newcomer); !ok) return ok;
       }
-      auto session = session::Session::begin(file, start, std::move(tools));
-      if (!session) return tl::unexpected(session.error());
-      begun = std::move(*session);
+      TACTUS_TRY(auto session, session::Session::begin(file, start, std::move(tools)));
+      begun = std::move(session);
       return {};
     });
     return stored ? Result<session::Session>(std::move(*begun)) : tl::unexpected(stored.error());
@@ -53,7 +53,7 @@ void SessionProxy::resume(const study::RecordId& session) {
 
 void SessionProxy::leave() {
   if (!room_) return;
-  send(room_, Asks::kNext, [](Room& room, store::StudyFile&) -> Result<void> {
+  send(room_, Asks::kNext, [](LiveSession& room, store::StudyFile&) -> Result<void> {
     room.session.reset();
     room.snapshot.reset();
     return {};
@@ -176,7 +176,7 @@ void SessionProxy::open(Opening opening) {
     emit refused(tr("No study is open, so no session can begin."));
     return;
   }
-  const auto room = std::make_shared<Room>();
+  const auto room = std::make_shared<LiveSession>();
   if (room_) leave();
   room_ = room;
   snapshot_.reset();
@@ -185,11 +185,10 @@ void SessionProxy::open(Opening opening) {
   study_.beforeClosing([its = std::weak_ptr(room)] {
     if (const auto still = its.lock()) still->session.reset();
   });
-  send(room, Asks::kNext, [opening = std::move(opening)](Room& its, store::StudyFile& file) -> Result<void> {
+  send(room, Asks::kNext, [opening = std::move(opening)](LiveSession& its, store::StudyFile& file) -> Result<void> {
     session::SessionTools tools{[at = &its] { return at->now; }, study::RecordIds()};
-    auto session = opening(file, std::move(tools));
-    if (!session) return tl::unexpected(session.error());
-    its.session = std::move(*session);
+    TACTUS_TRY(auto session, opening(file, std::move(tools)));
+    its.session = std::move(session);
     its.step = 1;
     its.look();
     return {};
@@ -211,7 +210,7 @@ void SessionProxy::instruct(Call call, Asks asks) {
 }
 
 void SessionProxy::order(Call call, Asks asks) {
-  send(room_, asks, [call = std::move(call), asks](Room& room, store::StudyFile&) -> Result<void> {
+  send(room_, asks, [call = std::move(call), asks](LiveSession& room, store::StudyFile&) -> Result<void> {
     if (!room.session) {
       return base::fail(base::ErrorCode::kValue, "session", "none, it has ended or could not begin", "an open session");
     }
@@ -222,8 +221,8 @@ void SessionProxy::order(Call call, Asks asks) {
   });
 }
 
-void SessionProxy::send(std::shared_ptr<Room> room, Asks asks,
-                        std::function<Result<void>(Room&, store::StudyFile&)> work) {
+void SessionProxy::send(std::shared_ptr<LiveSession> room, Asks asks,
+                        std::function<Result<void>(LiveSession&, store::StudyFile&)> work) {
   ++unanswered_;
   if (asks == Asks::kNext) ++moving_on_;
   const auto seen = std::make_shared<std::shared_ptr<const SessionSnapshot>>();

@@ -85,7 +85,7 @@ class SessionProxy : public QObject {
   void refused(const QString& sentence);
 
  private:
-  struct Room;
+  struct LiveSession;
   using Call = std::function<base::Result<void>(session::Session&)>;
   using Opening = std::function<base::Result<session::Session>(store::StudyFile&, session::SessionTools)>;
   enum class Asks { kSame, kNext };
@@ -94,12 +94,13 @@ class SessionProxy : public QObject {
   bool answer(SessionStep step, Call call);
   void instruct(Call call, Asks asks = Asks::kNext);
   void order(Call call, Asks asks);
-  void send(std::shared_ptr<Room> room, Asks asks, std::function<base::Result<void>(Room&, store::StudyFile&)> work);
+  void send(std::shared_ptr<LiveSession> room, Asks asks,
+            std::function<base::Result<void>(LiveSession&, store::StudyFile&)> work);
   void letGo();
 
   StudyConnection& study_;
   std::function<study::Moment()> now_;
-  std::shared_ptr<Room> room_;  ///< where the session lives; only the thread of the study looks into it
+  std::shared_ptr<LiveSession> room_;  ///< where the session lives; only the thread of the study looks into it
   std::shared_ptr<const SessionSnapshot> snapshot_;
   int unanswered_ = 0;
   int moving_on_ = 0;  ///< those of them that may ask something else

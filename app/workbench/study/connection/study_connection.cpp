@@ -8,6 +8,7 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/store/copies.h"
 #include "core/store/persons.h"
 #include "core/store/study_file.h"
@@ -15,7 +16,7 @@
 
 namespace tactus::workbench {
 
-bool StudyWorker::Desk::catchUp() {
+bool StudyWorker::OpenStudy::catchUp() {
   while (!works.empty()) {
     const base::Result<void> done = works.front().run(*file, ids);
     const auto answer = works.front().answer;
@@ -27,21 +28,21 @@ bool StudyWorker::Desk::catchUp() {
   return true;
 }
 
-base::Result<void> StudyWorker::Desk::close() {
+base::Result<void> StudyWorker::OpenStudy::close() {
   drop();
   const base::Result<void> closed = file->close();
   file.reset();
   return closed;
 }
 
-void StudyWorker::Desk::exchange() {
+void StudyWorker::OpenStudy::exchange() {
   drop();
   // The destructor closes a study that does not close with a word; nothing is lost with it.
   file = std::move(*next);
   next.reset();
 }
 
-void StudyWorker::Desk::drop() {
+void StudyWorker::OpenStudy::drop() {
   for (const auto& call : before_closing) call();
   before_closing.clear();
 }
@@ -70,24 +71,24 @@ StudyOrders::StudyOrders(StudyWorker& worker, CallQueue& answers, QObject* paren
 
 void StudyOrders::add(Work work, Done done, Refused refused) {
   waiting_.push_back({std::move(done), std::move(refused)});
-  worker_.post([this, work = std::move(work)](StudyWorker::Desk& desk) {
-    desk.works.push_back({work, [this](const Result<void>& written) {
-                            const auto error = written ? std::nullopt : std::optional(written.error());
-                            answers_.post([this, error] { onAnswer(error); });
-                          }});
-    desk.catchUp();
+  worker_.post([this, work = std::move(work)](StudyWorker::OpenStudy& at) {
+    at.works.push_back({work, [this](const Result<void>& written) {
+                          const auto error = written ? std::nullopt : std::optional(written.error());
+                          answers_.post([this, error] { onAnswer(error); });
+                        }});
+    at.catchUp();
   });
   if (!slow_timer_.isActive()) slow_timer_.start();
 }
 
 void StudyOrders::tryAgain() {
   retry_.stop();
-  if (isBusy()) worker_.post([](StudyWorker::Desk& desk) { desk.catchUp(); });
+  if (isBusy()) worker_.post([](StudyWorker::OpenStudy& at) { at.catchUp(); });
 }
 
 void StudyOrders::whenWritten(std::function<void(bool)> then) {
-  worker_.post([this, then = std::move(then)](StudyWorker::Desk& desk) {
-    answers_.post([then, done = desk.catchUp()] { then(done); });
+  worker_.post([this, then = std::move(then)](StudyWorker::OpenStudy& at) {
+    answers_.post([then, done = at.catchUp()] { then(done); });
   });
 }
 
@@ -140,10 +141,9 @@ Result<OpenedFile> openAsItMay(const std::string& path) {
   const auto reason = store::readOnlyReason(path);
   const bool newer = file.error().code == base::ErrorCode::kVersion;
   if (!reason && !newer) return tl::unexpected(file.error());
-  auto reading = store::StudyFile::open(path, {store::Access::kReadOnly, {}});
-  if (!reading) return tl::unexpected(reading.error());
-  return OpenedFile{std::move(*reading), newer ? StudyConnection::tr("a newer version of Tactus wrote it")
-                                               : StudyConnection::tr("it or its folder is read-only")};
+  TACTUS_TRY(auto reading, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return OpenedFile{std::move(reading), newer ? StudyConnection::tr("a newer version of Tactus wrote it")
+                                              : StudyConnection::tr("it or its folder is read-only")};
 }
 
 }  // namespace
@@ -155,7 +155,7 @@ StudyConnection::StudyConnection(QObject* parent) : QObject(parent) {
 
 StudyConnection::~StudyConnection() {
   orderRest();
-  post([](StudyWorker::Desk& desk) { desk.catchUp(); });
+  post([](StudyWorker::OpenStudy& at) { at.catchUp(); });
 }
 
 QString StudyConnection::fileName() const { return shownFileName(path_); }
@@ -172,11 +172,12 @@ void StudyConnection::order(StudyOrders::Work work, StudyOrders::Done done, Stud
 }
 
 void StudyConnection::read(QObject& asker, Read read, Deliver closed) {
-  post([this, asker = QPointer(&asker), read = std::move(read), closed = std::move(closed)](StudyWorker::Desk& desk) {
-    answer([asker, deliver = desk.file ? read(*desk.file) : closed] {
-      if (asker && deliver) deliver();
-    });
-  });
+  post(
+      [this, asker = QPointer(&asker), read = std::move(read), closed = std::move(closed)](StudyWorker::OpenStudy& at) {
+        answer([asker, deliver = at.file ? read(*at.file) : closed] {
+          if (asker && deliver) deliver();
+        });
+      });
 }
 
 void StudyConnection::readAlone(QObject& asker, std::function<Read()> prepare) {
@@ -184,8 +185,8 @@ void StudyConnection::readAlone(QObject& asker, std::function<Read()> prepare) {
   whenWritten([this, asker = QPointer(&asker), prepare = std::move(prepare)](bool written) {
     if (!written || !asker) return;
     opening_ = true;
-    post([this, asker, read = prepare()](StudyWorker::Desk& desk) {
-      answer([this, asker, deliver = read(*desk.file)] {
+    post([this, asker, read = prepare()](StudyWorker::OpenStudy& at) {
+      answer([this, asker, deliver = read(*at.file)] {
         opening_ = false;
         if (asker && deliver) deliver();
         emit changed();
@@ -199,10 +200,9 @@ void StudyConnection::withdraw(const study::RecordId& person, StudyOrders::Done 
   order(
       [end, person](store::StudyFile& file, study::RecordIds&) -> Result<void> {
         const auto withdrawal = store::withdraw(file, person, utcNowMs());
-        const auto left = store::persons(file);
-        if (!left) return tl::unexpected(left.error());
+        TACTUS_TRY(const auto left, store::persons(file));
         const bool still_there =
-            std::any_of(left->begin(), left->end(), [&](const study::Person& one) { return one.id == person; });
+            std::any_of(left.begin(), left.end(), [&](const study::Person& one) { return one.id == person; });
         // With the records gone, only the erasure may have failed, which the notices offer to finish.
         if (!withdrawal && still_there) return tl::unexpected(withdrawal.error());
         end->models_changed = !withdrawal || withdrawal->models > 0;
@@ -219,7 +219,7 @@ void StudyConnection::withdraw(const study::RecordId& person, StudyOrders::Done 
 }
 
 void StudyConnection::beforeClosing(std::function<void()> drop) {
-  post([drop = std::move(drop)](StudyWorker::Desk& desk) { desk.before_closing.push_back(drop); });
+  post([drop = std::move(drop)](StudyWorker::OpenStudy& at) { at.before_closing.push_back(drop); });
 }
 
 void StudyConnection::attach(StudyKeeper& keeper) {
@@ -250,8 +250,8 @@ void StudyConnection::close() {
     if (!written) return;
     if (keeper_ != nullptr) keeper_->leave();
     opening_ = closing_ = true;
-    post([this](StudyWorker::Desk& desk) {
-      const Result<void> closed = desk.close();
+    post([this](StudyWorker::OpenStudy& at) {
+      const Result<void> closed = at.close();
       const QString sentence = closed ? QString() : text(closed.error().message());
       answer([this, sentence] {
         if (!sentence.isEmpty()) emit failed(path_, sentence);
@@ -311,8 +311,8 @@ void StudyConnection::moveTo(const QString& path) {
   if (!isOpen() || opening_) return;
   opening_ = true;
   emit changed();
-  post([this, path = path.toStdString()](StudyWorker::Desk& desk) {
-    const auto copied = store::backUp(*desk.file, path);
+  post([this, path = path.toStdString()](StudyWorker::OpenStudy& at) {
+    const auto copied = store::backUp(*at.file, path);
     auto copy = copied ? openAsItMay(path) : tl::unexpected(copied.error());
     auto contents = copy ? readContents(copy->file) : tl::unexpected(copy.error());
     if (!contents) {
@@ -323,12 +323,13 @@ void StudyConnection::moveTo(const QString& path) {
       });
       return;
     }
-    desk.next = std::move(copy->file);
-    desk.exchange();
-    desk.catchUp();
-    answer([this, arrival = std::make_shared<Arrival>(Arrival{std::move(*contents), {}, std::move(copy->read_only)})] {
+    at.next = std::move(copy->file);
+    at.exchange();
+    at.catchUp();
+    answer([this,
+            study = std::make_shared<OpenedStudy>(OpenedStudy{std::move(*contents), {}, std::move(copy->read_only)})] {
       opening_ = false;
-      adopt(*arrival);
+      adopt(*study);
       emit opened();
       emit changed();
       if (keeper_ != nullptr) keeper_->orderAgain();
@@ -392,8 +393,8 @@ void StudyConnection::begin(const QString& path, bool make) {
   opening_ = true;
   emit changed();
   const auto share = keeper_ != nullptr ? keeper_->reader() : StudyKeeper::ReadShare();
-  post([this, path = path.toStdString(), make, share](StudyWorker::Desk& desk) {
-    auto opened = make ? makeStudy(path, desk.ids).map([](store::StudyFile&& made) {
+  post([this, path = path.toStdString(), make, share](StudyWorker::OpenStudy& at) {
+    auto opened = make ? makeStudy(path, at.ids).map([](store::StudyFile&& made) {
       return OpenedFile{std::move(made), {}};
     })
                        : openAsItMay(path);
@@ -413,33 +414,33 @@ void StudyConnection::begin(const QString& path, bool make) {
       });
       return;
     }
-    desk.next = std::move(opened->file);
-    answer([this, arrival = std::make_shared<Arrival>(Arrival{std::move(*contents), std::move(*take),
-                                                              std::move(opened->read_only)})] { changeOver(arrival); });
+    at.next = std::move(opened->file);
+    answer([this, study = std::make_shared<OpenedStudy>(OpenedStudy{
+                      std::move(*contents), std::move(*take), std::move(opened->read_only)})] { changeOver(study); });
   });
 }
 
 // What was ordered for the study before is written before that study is let go of.
-void StudyConnection::changeOver(std::shared_ptr<Arrival> arrival) {
+void StudyConnection::changeOver(std::shared_ptr<OpenedStudy> study) {
   emit leaving();
-  whenWritten([this, arrival](bool written) {
-    post([written](StudyWorker::Desk& desk) {
-      if (written) desk.exchange();
-      desk.next.reset();
+  whenWritten([this, study](bool written) {
+    post([written](StudyWorker::OpenStudy& at) {
+      if (written) at.exchange();
+      at.next.reset();
     });
     if (!written) return;
-    adopt(*arrival);
+    adopt(*study);
     emit opened();
   });
 }
 
-void StudyConnection::adopt(Arrival& arrival) {
-  path_ = arrival.contents.path;
-  read_only_ = arrival.read_only;
-  people_ = std::move(arrival.contents.people);
-  recordings_ = std::move(arrival.contents.recordings);
-  if (arrival.take) arrival.take();
-  setNotices(std::move(arrival.contents.notices));
+void StudyConnection::adopt(OpenedStudy& study) {
+  path_ = study.contents.path;
+  read_only_ = study.read_only;
+  people_ = std::move(study.contents.people);
+  recordings_ = std::move(study.contents.recordings);
+  if (study.take) study.take();
+  setNotices(std::move(study.contents.notices));
   emit contentsChanged();
 }
 

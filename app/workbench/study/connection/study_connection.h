@@ -31,7 +31,7 @@ class StudyWorker {
     std::function<void(const base::Result<void>&)> answer;
   };
   /// The state that only the worker's thread uses.
-  struct Desk {
+  struct OpenStudy {
     std::optional<store::StudyFile> file;  ///< the open study
     std::optional<store::StudyFile> next;  ///< an opened study that replaces `file` on request
     std::deque<Work> works;                ///< not done yet, because the disk refused the first of them
@@ -49,16 +49,16 @@ class StudyWorker {
    private:
     void drop();
   };
-  using Task = std::function<void(Desk&)>;
+  using Task = std::function<void(OpenStudy&)>;
 
   /// Runs `task` in the worker's thread after all tasks posted before.
   void post(Task task) {
-    worker_.post([this, task = std::move(task)] { task(desk_); });
+    worker_.post([this, task = std::move(task)] { task(open_study_); });
   }
 
  private:
-  Desk desk_;      ///< used by the worker's thread, except in the destructor
-  Worker worker_;  ///< last member: all posted tasks are done before the study is closed
+  OpenStudy open_study_;  ///< used by the worker's thread, except in the destructor
+  Worker worker_;         ///< last member: all posted tasks are done before the study is closed
 };
 
 // The orders for the open study that are not written yet. The study's thread runs them in order; this class reports the
@@ -216,7 +216,7 @@ class StudyConnection : public QObject {
 
  private:
   /// What was read of a study that is being opened.
-  struct Arrival {
+  struct OpenedStudy {
     StudyContents contents;
     StudyKeeper::Take take;
     QString read_only;
@@ -233,8 +233,8 @@ class StudyConnection : public QObject {
   void orderRest();
   void whenWritten(std::function<void(bool)> then);
   void begin(const QString& path, bool make);
-  void changeOver(std::shared_ptr<Arrival> arrival);
-  void adopt(Arrival& arrival);
+  void changeOver(std::shared_ptr<OpenedStudy> study);
+  void adopt(OpenedStudy& study);
   void setNotices(StudyNotices notices);
   void onErased(ErasureEnd end);
   void letGo();

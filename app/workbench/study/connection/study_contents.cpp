@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
@@ -73,21 +74,18 @@ std::int64_t utcNowMs() {
 }
 
 Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file) {
-  const auto persons = store::persons(file);
-  if (!persons) return tl::unexpected(persons.error());
-  const auto sessions = store::sessions(file);
-  if (!sessions) return tl::unexpected(sessions.error());
-  const auto profiles = store::profiles(file);
-  if (!profiles) return tl::unexpected(profiles.error());
+  TACTUS_TRY(const auto persons, store::persons(file));
+  TACTUS_TRY(const auto sessions, store::sessions(file));
+  TACTUS_TRY(const auto profiles, store::profiles(file));
   std::set<study::RecordId> researchers;
-  for (const study::ProfileRecord& profile : *profiles) {
+  for (const study::ProfileRecord& profile : profiles) {
     if (profile.category != kResearcherCategory) continue;
-    for (const study::SessionRecord& session : *sessions) {
+    for (const study::SessionRecord& session : sessions) {
       if (session.id == profile.entry.session) researchers.insert(session.person);
     }
   }
   std::vector<StudyPerson> out;
-  for (const study::Person& person : *persons) {
+  for (const study::Person& person : persons) {
     out.push_back({person.id, text(person.code), person.simulated, researchers.contains(person.id)});
   }
   return out;
@@ -104,19 +102,17 @@ Result<StudyNotices> readNotices(const store::StudyFile& file) {
          false});
   }
   // As it is now, not as it was at the opening.
-  const auto unfinished = store::unfinishedErasures(file);
-  if (!unfinished) return tl::unexpected(unfinished.error());
-  if (!unfinished->empty()) {
+  TACTUS_TRY(const auto unfinished, store::unfinishedErasures(file));
+  if (!unfinished.empty()) {
     const QString who =
-        StudyContentsText::tr("%n participant(s) who withdrew", nullptr, static_cast<int>(unfinished->size()));
+        StudyContentsText::tr("%n participant(s) who withdrew", nullptr, static_cast<int>(unfinished.size()));
     out.now.push_back(
         {StudyContentsText::tr("%1: the erasure of %2 was interrupted. Traces of the data can still be in the file.")
              .arg(name, who),
          true});
   }
-  const auto past = store::pastIncidents(file);
-  if (!past) return tl::unexpected(past.error());
-  for (const store::PastIncident& incident : *past) {
+  TACTUS_TRY(const auto past, store::pastIncidents(file));
+  for (const store::PastIncident& incident : past) {
     const auto said_now = [&incident](const store::Notice& notice) { return notice.sentence == incident.sentence; };
     if (std::any_of(file.notices().begin(), file.notices().end(), said_now)) continue;
     const auto when = QDateTime::fromMSecsSinceEpoch(incident.utc_ms);
@@ -129,15 +125,13 @@ Result<StudyNotices> readNotices(const store::StudyFile& file) {
 Result<StudyContents> readContents(const store::StudyFile& file) {
   StudyContents out;
   out.path = text(file.path());
-  auto people = readPeople(file);
-  if (!people) return tl::unexpected(people.error());
-  out.people = std::move(*people);
+  TACTUS_TRY(auto people, readPeople(file));
+  out.people = std::move(people);
   // Recordings of a newer program do not prevent reading the rest of the study.
   auto recordings = store::feelRecordings(file);
   if (recordings) out.recordings = std::move(*recordings);
-  auto notices = readNotices(file);
-  if (!notices) return tl::unexpected(notices.error());
-  out.notices = std::move(*notices);
+  TACTUS_TRY(auto notices, readNotices(file));
+  out.notices = std::move(notices);
   return out;
 }
 

@@ -1,5 +1,3 @@
-#include "app/workbench/tune/findings/finding_delegate.h"
-
 #include <QPainter>
 #include <QPainterPath>
 #include <QTextLayout>
@@ -7,6 +5,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/tune/findings/findings_controller.h"
+#include "app/workbench/tune/findings/findings_panel.h"
 
 namespace tactus::workbench {
 namespace {

@@ -19,7 +19,6 @@
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/model/finding_words.h"
-#include "app/workbench/tune/findings/finding_delegate.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 
 namespace tactus::workbench {

@@ -10,6 +10,7 @@
 
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/store/batch.h"
@@ -43,10 +44,9 @@ Result<std::vector<ModelVersion>> newestVersions(const store::StudyFile& file) {
   auto first = versions->end();
   while (first != versions->begin() && bytes < kMostBytes) {
     --first;
-    auto whole = store::modelVersion(file, first->id);
-    if (!whole) return tl::unexpected(whole.error());
-    bytes += whole->text.size();
-    *first = std::move(*whole);
+    TACTUS_TRY(auto whole, store::modelVersion(file, first->id));
+    bytes += whole.text.size();
+    *first = std::move(whole);
   }
   versions->erase(versions->begin(), first);
   return versions;
@@ -54,16 +54,14 @@ Result<std::vector<ModelVersion>> newestVersions(const store::StudyFile& file) {
 
 Result<KeptWork> readWork(const store::StudyFile& file, bool with_texts) {
   KeptWork out;
-  const auto info = store::studyInfo(file);
-  if (!info) return tl::unexpected(info.error());
-  out.document = text(info->name);
-  auto versions = with_texts ? newestVersions(file) : store::modelVersions(file);
-  if (!versions) return tl::unexpected(versions.error());
+  TACTUS_TRY(const auto info, store::studyInfo(file));
+  out.document = text(info.name);
+  TACTUS_TRY(auto versions, with_texts ? newestVersions(file) : store::modelVersions(file));
   if (!with_texts) {
-    out.kept.versions = std::move(*versions);
+    out.kept.versions = std::move(versions);
     return out;
   }
-  auto kept = editing::withoutDrags(std::move(*versions));
+  auto kept = editing::withoutDrags(std::move(versions));
   if (!kept) return base::inFile(std::move(kept.error()), file.path());
   out.kept = std::move(*kept);
   return out;
@@ -123,21 +121,19 @@ Result<void> HistoryFile::openFile(const QString& document, IfAbsent absent, Pla
       return damaged ? Result<void>(tl::unexpected(std::move(last))) : Result<void>();
     }
     if (auto made = base::makeFolder(root_.toStdString(), base::FolderMode::kPrivate); !made) return made;
-    auto file = store::StudyFile::create(path.toStdString(),
-                                         {ids_.next(), document.toStdString(), utcNowMs(), std::string(kGenerator)});
-    if (!file) return tl::unexpected(std::move(file.error()));
-    return adoptFile(std::move(*file), path);
+    TACTUS_TRY(auto file, store::StudyFile::create(path.toStdString(), {ids_.next(), document.toStdString(), utcNowMs(),
+                                                                        std::string(kGenerator)}));
+    return adoptFile(std::move(file), path);
   }
   return tl::unexpected(std::move(last));
 }
 
 Result<void> HistoryFile::adoptFile(store::StudyFile file, const QString& path) {
-  auto versions = store::modelVersions(file);
-  if (!versions) return tl::unexpected(std::move(versions.error()));
+  TACTUS_TRY(auto versions, store::modelVersions(file));
   file_ = std::move(file);
   path_ = path;
-  for (const ModelVersion& version : *versions) there_.insert(version.id);
-  if (!versions->empty() && editing::isDrag(versions->back())) drag_sha256_ = versions->back().sha256;
+  for (const ModelVersion& version : versions) there_.insert(version.id);
+  if (!versions.empty() && editing::isDrag(versions.back())) drag_sha256_ = versions.back().sha256;
   return {};
 }
 
@@ -161,19 +157,16 @@ Result<void> HistoryFile::append(std::vector<ModelVersion> versions) {
 }
 
 Result<void> HistoryFile::absorb(const QString& path) {
-  auto file = store::StudyFile::open(path.toStdString());
-  if (!file) return tl::unexpected(std::move(file.error()));
-  auto listed = store::modelVersions(*file);
-  if (!listed) return tl::unexpected(std::move(listed.error()));
+  TACTUS_TRY(auto file, store::StudyFile::open(path.toStdString()));
+  TACTUS_TRY(auto listed, store::modelVersions(file));
   std::vector<ModelVersion> versions;
-  for (const ModelVersion& one : *listed) {
+  for (const ModelVersion& one : listed) {
     if (there_.contains(one.id) || editing::isDrag(one)) continue;
-    auto whole = store::modelVersion(*file, one.id);
-    if (!whole) return tl::unexpected(std::move(whole.error()));
-    versions.push_back(std::move(*whole));
+    TACTUS_TRY(auto whole, store::modelVersion(file, one.id));
+    versions.push_back(std::move(whole));
   }
   if (auto appended = append(std::move(versions)); !appended) return appended;
-  if (auto closed = file->close(); !closed) return closed;
+  if (auto closed = file.close(); !closed) return closed;
   removeFiles(path);
   return {};
 }
@@ -278,32 +271,28 @@ void HistoryFile::makeRoom(const QString& root, qint64 most_bytes) {
 }
 
 Result<KeptWork> HistoryFile::read(const QString& path, bool with_texts) {
-  const auto file = store::StudyFile::open(path.toStdString(), {store::Access::kReadOnly});
-  if (!file) return tl::unexpected(file.error());
-  return readWork(*file, with_texts);
+  TACTUS_TRY(const auto file, store::StudyFile::open(path.toStdString(), {store::Access::kReadOnly}));
+  return readWork(file, with_texts);
 }
 
 Result<void> HistoryFile::settle(const QString& path, const std::string& sha256, const editing::Stamp& stamp) {
-  auto file = store::StudyFile::open(path.toStdString());
-  if (!file) return tl::unexpected(std::move(file.error()));
-  const auto versions = store::modelVersions(*file);
-  if (!versions) return tl::unexpected(versions.error());
-  const auto same = std::find_if(versions->rbegin(), versions->rend(), [&](const ModelVersion& version) {
+  TACTUS_TRY(auto file, store::StudyFile::open(path.toStdString()));
+  TACTUS_TRY(const auto versions, store::modelVersions(file));
+  const auto same = std::find_if(versions.rbegin(), versions.rend(), [&](const ModelVersion& version) {
     return version.sha256 == sha256 && !editing::isDrag(version);
   });
-  if (same != versions->rend()) {
-    auto version = store::modelVersion(*file, same->id);
-    if (!version) return tl::unexpected(std::move(version.error()));
+  if (same != versions.rend()) {
+    TACTUS_TRY(auto version, store::modelVersion(file, same->id));
     study::RecordIds ids;
-    version->parent = std::exchange(version->id, ids.next());
-    version->utc_ms = stamp.utc_ms;
-    version->author = stamp.author;
-    const auto colon = version->label.find(": ");
-    const std::string subject = colon == std::string::npos ? version->label : version->label.substr(colon + 2);
-    version->label = std::string(editing::name(editing::EventKind::kReturn)) + ": " + subject;
-    if (auto stored = store::append(*file, *version); !stored) return stored;
+    version.parent = std::exchange(version.id, ids.next());
+    version.utc_ms = stamp.utc_ms;
+    version.author = stamp.author;
+    const auto colon = version.label.find(": ");
+    const std::string subject = colon == std::string::npos ? version.label : version.label.substr(colon + 2);
+    version.label = std::string(editing::name(editing::EventKind::kReturn)) + ": " + subject;
+    if (auto stored = store::append(file, version); !stored) return stored;
   }
-  return file->close();
+  return file.close();
 }
 
 void HistoryFile::discard(const QString& path) { removeFiles(path); }

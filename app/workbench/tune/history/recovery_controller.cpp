@@ -13,6 +13,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
+#include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/model_io/model_file.h"
 
@@ -169,13 +170,11 @@ void RecoveryController::restoreOpen(const LostWork& work) {
 }
 
 base::Result<RecoveryController::Found> RecoveryController::read(const LostWork& work, const editing::Stamp& stamp) {
-  auto kept = HistoryFile::read(work.source, true);
-  if (!kept) return tl::unexpected(kept.error());
-  Found out{std::move(kept->kept), {}};
+  TACTUS_TRY(auto kept, HistoryFile::read(work.source, true));
+  Found out{std::move(kept.kept), {}};
   if (isStudyPath(work.document)) return out;
-  auto history = editing::wholeHistory(out.kept, study::RecordIds(), stamp);
-  if (!history) return tl::unexpected(history.error());
-  out.history = std::move(*history);
+  TACTUS_TRY(auto history, editing::wholeHistory(out.kept, study::RecordIds(), stamp));
+  out.history = std::move(history);
   return out;
 }
 
@@ -235,9 +234,8 @@ base::Result<void> RecoveryController::goOn(const editing::KeptVersions& kept) {
     const bool stored =
         std::any_of(known.begin(), known.end(), [&](const editing::Event& event) { return event.id == version.id; });
     if (stored) continue;
-    auto read = model_io::parseModel(version.text, "autosave");
-    if (!read) return tl::unexpected(std::move(read.error()));
-    missing.push_back({&version, std::move(read->model)});
+    TACTUS_TRY(auto read, model_io::parseModel(version.text, "autosave"));
+    missing.push_back({&version, std::move(read.model)});
   }
   for (const auto& [one, model] : missing) {
     const study::ModelVersion& version = *one;

@@ -19,8 +19,6 @@
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/rules/rule_controller.h"
-#include "app/workbench/tune/rules/rule_grids.h"
-#include "app/workbench/tune/rules/rule_list_pane.h"
 #include "app/workbench/tune/rules/rule_weight.h"
 
 namespace tactus::workbench {

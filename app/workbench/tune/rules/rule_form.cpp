@@ -1,5 +1,3 @@
-#include "app/workbench/tune/rules/rule_form.h"
-
 #include <QComboBox>
 #include <QGridLayout>
 #include <QKeyEvent>
@@ -13,6 +11,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/tune/rules/rule_controller.h"
+#include "app/workbench/tune/rules/rule_editor.h"
 #include "app/workbench/tune/rules/rule_weight.h"
 
 namespace tactus::workbench {

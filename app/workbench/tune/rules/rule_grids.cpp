@@ -1,5 +1,3 @@
-#include "app/workbench/tune/rules/rule_grids.h"
-
 #include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QMenu>
@@ -15,6 +13,7 @@
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/tune/rules/rule_editor.h"
 
 namespace tactus::workbench {
 namespace {

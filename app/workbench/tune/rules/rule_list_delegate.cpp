@@ -1,5 +1,3 @@
-#include "app/workbench/tune/rules/rule_list_delegate.h"
-
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
@@ -10,6 +8,7 @@
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/tune/rules/rule_controller.h"
+#include "app/workbench/tune/rules/rule_editor.h"
 #include "app/workbench/tune/rules/rule_list_model.h"
 #include "app/workbench/tune/rules/rule_weight.h"
 

@@ -1,5 +1,3 @@
-#include "app/workbench/tune/rules/rule_list_pane.h"
-
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
@@ -19,15 +17,14 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/tune/rules/rule_controller.h"
-#include "app/workbench/tune/rules/rule_form.h"
-#include "app/workbench/tune/rules/rule_list_delegate.h"
+#include "app/workbench/tune/rules/rule_editor.h"
 #include "app/workbench/tune/rules/rule_list_model.h"
 #include "app/workbench/tune/rules/rule_rows.h"
 
 namespace tactus::workbench {
 namespace {
 
-using Only = RuleListSieve::Only;
+using Only = RuleListFilter::Only;
 
 constexpr int kMostLines = 4;       // of the conditions in one row
 constexpr int kNarrowestWord = 40;  // px
@@ -45,7 +42,7 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
     : QWidget(parent),
       rules_(rules),
       list_(new RuleListModel(rules, this)),
-      sieve_(new RuleListSieve(*list_, this)),
+      sieve_(new RuleListFilter(*list_, this)),
       text_(new QLineEdit(this)),
       only_(new QComboBox(this)),
       count_(new QLabel(this)),

@@ -10,24 +10,24 @@
 
 namespace tactus::workbench {
 
-RuleListSieve::RuleListSieve(RuleListModel& list, QObject* parent) : QSortFilterProxyModel(parent), list_(list) {
+RuleListFilter::RuleListFilter(RuleListModel& list, QObject* parent) : QSortFilterProxyModel(parent), list_(list) {
   setSourceModel(&list_);
   setSortRole(RuleListModel::kSort);
   setSortLocaleAware(true);
   setSortCaseSensitivity(Qt::CaseInsensitive);
 }
 
-void RuleListSieve::setText(const QString& typed) {
+void RuleListFilter::setText(const QString& typed) {
   filter_ = RuleFilter(typed);
   invalidateFilter();
 }
 
-void RuleListSieve::setOnly(Only only) {
+void RuleListFilter::setOnly(Only only) {
   only_ = only;
   invalidateFilter();
 }
 
-bool RuleListSieve::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
+bool RuleListFilter::filterAcceptsRow(int row, const QModelIndex& /*parent*/) const {
   const QModelIndex index = list_.index(row, 0);
   switch (only_) {
     case Only::kAll: break;

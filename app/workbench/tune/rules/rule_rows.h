@@ -59,13 +59,13 @@ bool isStill(const RuleController& rules, std::size_t rule, const RuleRow& row);
 
 class RuleListModel;
 
-class RuleListSieve : public QSortFilterProxyModel {
+class RuleListFilter : public QSortFilterProxyModel {
   Q_OBJECT
 
  public:
   enum class Only { kAll, kActing, kDisabled, kConflicts };
 
-  explicit RuleListSieve(RuleListModel& list, QObject* parent = nullptr);
+  explicit RuleListFilter(RuleListModel& list, QObject* parent = nullptr);
 
   void setText(const QString& typed);
   void setOnly(Only only);

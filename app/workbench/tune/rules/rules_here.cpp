@@ -1,11 +1,10 @@
-#include "app/workbench/tune/rules/rules_here.h"
-
 #include <algorithm>
 #include <utility>
 
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
+#include "app/workbench/tune/rules/rule_controller.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {

@@ -28,8 +28,6 @@
 #include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_grip.h"
-#include "app/workbench/tune/terms/term_sliders.h"
-#include "app/workbench/tune/terms/term_table.h"
 
 namespace tactus::workbench {
 namespace {

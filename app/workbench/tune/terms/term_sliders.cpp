@@ -1,5 +1,3 @@
-#include "app/workbench/tune/terms/term_sliders.h"
-
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,6 +13,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 
 namespace tactus::workbench {

@@ -1,5 +1,3 @@
-#include "app/workbench/tune/terms/term_table.h"
-
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
@@ -27,6 +25,7 @@
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/tune/terms/cut_picture.h"
+#include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "core/fuzzy/membership.h"
 

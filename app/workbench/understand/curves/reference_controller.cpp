@@ -11,6 +11,7 @@
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/model/scene_controller.h"
 #include "core/base/check.h"
+#include "core/base/error.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 
@@ -60,19 +61,17 @@ base::Result<Columns> columnsOf(const base::CsvTable& table, const fuzzy::ForceM
 }
 
 base::Result<void> addRow(ReferenceCurve& curve, const base::CsvTable& table, const Columns& columns, std::size_t row) {
-  const auto x = table.number(row, columns.x);
-  if (!x) return tl::unexpected(x.error());
+  TACTUS_TRY(const auto x, table.number(row, columns.x));
   double force = kGap;
   if (!base::trimmed(table.cell(row, columns.force)).empty()) {
-    const auto number = table.number(row, columns.force);
-    if (!number) return tl::unexpected(number.error());
-    force = *number;
+    TACTUS_TRY(const auto number, table.number(row, columns.force));
+    force = number;
   }
-  if (!curve.x.empty() && *x <= curve.x.back()) {
+  if (!curve.x.empty() && x <= curve.x.back()) {
     return table.refuse(row, columns.x, base::ErrorCode::kValue,
                         "more than " + base::formatNumber(curve.x.back()) + ", the place before it in this curve");
   }
-  curve.x.push_back(*x);
+  curve.x.push_back(x);
   curve.force_n.push_back(force);
   return {};
 }
@@ -88,30 +87,28 @@ double forceAt(const ReferenceCurve& reference, std::size_t i, double x) {
 }  // namespace
 
 base::Result<std::vector<ReferenceCurve>> readReferences(const QString& path, const fuzzy::ForceModel& model) {
-  const auto table = base::CsvTable::read(path.toStdString());
-  if (!table) return tl::unexpected(table.error());
-  const auto columns = columnsOf(*table, model);
-  if (!columns) return tl::unexpected(columns.error());
+  TACTUS_TRY(const auto table, base::CsvTable::read(path.toStdString()));
+  TACTUS_TRY(const auto columns, columnsOf(table, model));
   const auto too_many = [&](std::size_t found, std::size_t most, const char* what) {
     return base::inFile(
         {base::ErrorCode::kLimit, {}, {}, std::to_string(found) + what, "at most " + std::to_string(most) + what},
-        table->file());
+        table.file());
   };
-  if (table->rowCount() > kMostReferencePoints) return too_many(table->rowCount(), kMostReferencePoints, " points");
+  if (table.rowCount() > kMostReferencePoints) return too_many(table.rowCount(), kMostReferencePoints, " points");
 
   std::vector<ReferenceCurve> curves;
-  for (std::size_t row = 0; row < table->rowCount(); ++row) {
+  for (std::size_t row = 0; row < table.rowCount(); ++row) {
     QString name = QFileInfo(path).completeBaseName();
-    if (columns->series) {
-      const std::string_view series = base::trimmed(table->cell(row, *columns->series));
+    if (columns.series) {
+      const std::string_view series = base::trimmed(table.cell(row, *columns.series));
       if (!series.empty()) name = QString::fromUtf8(series.data(), static_cast<qsizetype>(series.size()));
     }
     auto curve = std::find_if(curves.begin(), curves.end(), [&](const auto& known) { return known.name == name; });
     if (curve == curves.end()) {
       if (curves.size() == kMostReferences) return too_many(curves.size() + 1, kMostReferences, " curves");
-      curve = curves.insert(curves.end(), ReferenceCurve{path, name, columns->input->id, {}, {}, 0});
+      curve = curves.insert(curves.end(), ReferenceCurve{path, name, columns.input->id, {}, {}, 0});
     }
-    if (auto added = addRow(*curve, *table, *columns, row); !added) return tl::unexpected(added.error());
+    if (auto added = addRow(*curve, table, columns, row); !added) return tl::unexpected(added.error());
   }
   for (const ReferenceCurve& curve : curves) {
     const auto points = std::count_if(curve.force_n.begin(), curve.force_n.end(), [](double f) { return f == f; });
@@ -121,9 +118,9 @@ base::Result<std::vector<ReferenceCurve>> readReferences(const QString& path, co
                          base::quoted(curve.name.toStdString()),
                          std::to_string(points) + " points with a force",
                          "two or more"},
-                        table->file());
+                        table.file());
   }
-  if (curves.empty()) return base::inFile({base::ErrorCode::kData, {}, {}, "no rows", "points"}, table->file());
+  if (curves.empty()) return base::inFile({base::ErrorCode::kData, {}, {}, "no rows", "points"}, table.file());
   return curves;
 }
 

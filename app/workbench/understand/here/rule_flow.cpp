@@ -1,5 +1,3 @@
-#include "app/workbench/understand/here/rule_flow.h"
-
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -13,6 +11,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_colors.h"
+#include "app/workbench/understand/here/rule_panel.h"
 #include "app/workbench/understand/here/variable_row.h"
 
 namespace tactus::workbench {

@@ -24,7 +24,6 @@
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/understand/here/rule_flow.h"
 #include "app/workbench/understand/here/variable_row.h"
 
 namespace tactus::workbench {

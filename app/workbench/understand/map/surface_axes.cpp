@@ -1,5 +1,3 @@
-#include "app/workbench/understand/map/surface_axes.h"
-
 #include <QFontMetricsF>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/plot/label_layout.h"
 #include "app/workbench/plot/landmarks.h"
+#include "app/workbench/understand/map/surface_picture.h"
 
 namespace tactus::workbench {
 namespace {

@@ -21,7 +21,7 @@ class HeldDevice {
  public:
   explicit HeldDevice(double hold_s, VirtualDeviceSettings settings = {}) {
     settings.quiet_after_s = hold_s;
-    settings.plan = pressing([](double) { return HandWish{}; }, 0.02);
+    settings.plan = pressing([](double) { return HandTarget{}; }, 0.02);
     device_ = std::move(*VirtualDevice::make(settings));
     EXPECT_TRUE(device_->start().has_value());
     core_.emplace(device_->info());

@@ -55,7 +55,7 @@ Outcome run(const Loop& loop, Source source) {  // by value: each run starts wit
 
     const double acting_n = forces[static_cast<std::size_t>(i)];
     const double before_mm = body.positionMm();
-    const HandWish wish = loop.plan(1e-3 * i);
+    const HandTarget wish = loop.plan(1e-3 * i);
     for (int step = 0; step < 100; ++step) body.step(wish, acting_n, 1e-5);
     energy_mj += acting_n * (body.positionMm() - before_mm);
     outcome.given_mj = std::max(outcome.given_mj, -energy_mj);

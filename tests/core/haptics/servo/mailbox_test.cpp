@@ -59,7 +59,7 @@ TEST(Mailbox, GivesTheNewestValueUntilThereIsANewerOne) {
   EXPECT_EQ(mailbox.post(10), 1U);
   EXPECT_EQ(mailbox.post(20), 2U);
   for (int look = 0; look < 3; ++look) {
-    const Letter<int>* const letter = mailbox.newest();
+    const Numbered<int>* const letter = mailbox.newest();
     ASSERT_NE(letter, nullptr);
     EXPECT_EQ(letter->value, 20);
     EXPECT_EQ(letter->number, 2U);

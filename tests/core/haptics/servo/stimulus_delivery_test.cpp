@@ -140,7 +140,7 @@ TEST(StimulusDelivery, ATripLeavesNothingOfTheForceAndABlankIsGivenInFull) {
 bool deliveredWithAStallOf(int stall_ms) {
   VirtualDeviceSettings settings;
   settings.quiet_after_s = 0.05;
-  settings.plan = pressing([](double) { return HandWish{}; }, 0.02);
+  settings.plan = pressing([](double) { return HandTarget{}; }, 0.02);
   const auto device = std::move(*VirtualDevice::make(settings));
   EXPECT_TRUE(device->start().has_value());
   ServoCore core(device->info());

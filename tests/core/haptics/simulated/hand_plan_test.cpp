@@ -10,7 +10,7 @@ namespace {
 TEST(HandPlan, StrokeIsOfMinimumJerk) {
   // Flash and Hogan 1985: half the way at half the time, there at 1.875 A/D; at a quarter 0.103516 of the way.
   const HandPlan plan = stroke(60, 0.8);
-  EXPECT_EQ(plan(0), (HandWish{0, 0}));
+  EXPECT_EQ(plan(0), (HandTarget{0, 0}));
   EXPECT_NEAR(plan(0.2).position_mm, 60 * 0.103515625, 1e-12);
   EXPECT_NEAR(plan(0.4).position_mm, 30, 1e-12);
   EXPECT_NEAR(plan(0.4).speed_mm_s, 1.875 * 60 / 0.8, 1e-12);
@@ -54,7 +54,7 @@ TEST(HandPlan, StrokesPressPushReleaseAndComeBack) {
     EXPECT_NEAR(plan(begin_s + 1.9).position_mm, 0, 1e-9);
     EXPECT_FALSE(plan(begin_s + 1.9).button);
   }
-  EXPECT_EQ(plan(6.05), HandWish{});
+  EXPECT_EQ(plan(6.05), HandTarget{});
 }
 
 TEST(HandPlan, CombinationsAddWaysAndShareTheHold) {
@@ -72,7 +72,7 @@ TEST(HandPlan, CombinationsAddWaysAndShareTheHold) {
 
 TEST(HandPlan, AfterRestsWhereThePlanBegins) {
   const HandPlan plan = after(1, pressing(both(stroke(10, 1), swing(3, 1))));
-  EXPECT_EQ(plan(0.5), HandWish{});
+  EXPECT_EQ(plan(0.5), HandTarget{});
   EXPECT_TRUE(plan(1.25).button);
   EXPECT_NEAR(plan(1.25).position_mm, 10 * 0.103515625 + 3, 1e-12);
 }

@@ -13,7 +13,7 @@ TEST(LiveHand, FollowsWithoutOvershootAndNoFasterThanAllowed) {
     hand.setTarget(target_mm);
     double before_mm = 0;
     for (int i = 0; i < 2000; ++i) {
-      const HandWish wish = hand.next();
+      const HandTarget wish = hand.next();
       ASSERT_LE(std::abs(wish.speed_mm_s), 300);
       ASSERT_NEAR(wish.position_mm - before_mm, 0.001 * wish.speed_mm_s, 1e-12);
       ASSERT_LE(wish.position_mm / target_mm, 1 + 1e-12);
@@ -27,7 +27,7 @@ TEST(LiveHand, ComesNearAsACriticallyDampedFollowerDoes) {
   // 1 - (1 + t/T) exp(-t/T) after t = 3 T is 0.8009; the step of 1 ms is off by about dt/T of the rest.
   LiveHand hand(0.03, 1e6);
   hand.setTarget(10);
-  HandWish wish;
+  HandTarget wish;
   for (int i = 0; i < 90; ++i) wish = hand.next();
   EXPECT_NEAR(wish.position_mm, 8.009, 10 * 0.199 / 30 + 0.01);
 }

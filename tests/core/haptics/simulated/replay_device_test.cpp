@@ -109,7 +109,7 @@ TEST(ReplayDevice, KeepsTheForcesItIsTold) {
   EXPECT_EQ(device->forcesLost(), 2U);
   const auto values = wave(1000, 10).channels[0].values;
   for (std::size_t i = 0; i < 5; ++i)
-    EXPECT_EQ(device->forces()[i], (ToldForce{tickNs(static_cast<int>(i)), values[i], {0, 0, 0.1 * double(i)}}));
+    EXPECT_EQ(device->forces()[i], (CommandedForce{tickNs(static_cast<int>(i)), values[i], {0, 0, 0.1 * double(i)}}));
   ASSERT_TRUE(device->start());
   EXPECT_TRUE(device->forces().empty());
   EXPECT_EQ(axisMm(device->read(tickNs(1000))), values[0]);

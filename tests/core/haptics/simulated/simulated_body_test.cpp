@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kStepS = 1e-5;
 
-SimulatedBody run(SimulatedBody body, double duration_s, double resistance_n = 0, const HandWish& wish = {},
+SimulatedBody run(SimulatedBody body, double duration_s, double resistance_n = 0, const HandTarget& wish = {},
                   double step_s = kStepS) {
   const long steps = std::lround(duration_s / step_s);
   for (long i = 0; i < steps; ++i) body.step(wish, resistance_n, step_s);

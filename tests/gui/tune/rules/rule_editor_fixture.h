@@ -8,7 +8,6 @@
 #include <string>
 
 #include "app/workbench/tune/rules/rule_editor.h"
-#include "app/workbench/tune/rules/rule_grids.h"
 #include "app/workbench/tune/rules/rule_list_model.h"
 
 #include "tests/gui/patience.h"

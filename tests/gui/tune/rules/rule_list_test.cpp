@@ -13,8 +13,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
-#include "app/workbench/tune/rules/rule_form.h"
-#include "app/workbench/tune/rules/rule_list_pane.h"
+#include "app/workbench/tune/rules/rule_editor.h"
 
 #include "tests/gui/tune/rules/rule_editor_fixture.h"
 

@@ -15,7 +15,6 @@
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"
-#include "app/workbench/tune/rules/rule_grids.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 

@@ -21,7 +21,6 @@
 #include "app/workbench/tune/terms/cut_picture.h"
 #include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_controller.h"
-#include "app/workbench/tune/terms/term_sliders.h"
 
 #include "tests/gui/sample_models.h"
 

@@ -11,7 +11,6 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/tune/history/compare_controller.h"
-#include "app/workbench/understand/here/rule_flow.h"
 
 #include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"

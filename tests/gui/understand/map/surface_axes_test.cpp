@@ -1,11 +1,10 @@
-#include "app/workbench/understand/map/surface_axes.h"
-
 #include <QTransform>
 #include <algorithm>
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/label_layout.h"
+#include "app/workbench/understand/map/surface_picture.h"
 
 namespace tactus::workbench {
 namespace {

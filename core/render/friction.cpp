@@ -1,4 +1,4 @@
-#include "core/render/friction_element.h"
+#include "core/render/friction.h"
 
 #include <algorithm>
 #include <cmath>
@@ -141,6 +141,11 @@ class Friction {
 
 void rub(RendererState& state, double moved_mm, const RendererSettings& settings, double dt_s) noexcept {
   Friction(state, settings, dt_s).move(moved_mm);
+}
+
+double printedStaticFriction(double stiffness_n_mm, double displacement_mm, double damping_n_s_mm,
+                             double speed_mm_s) noexcept {
+  return stiffness_n_mm * displacement_mm - damping_n_s_mm * speed_mm_s;
 }
 
 }  // namespace tactus::render

@@ -1,4 +1,4 @@
-// Arrival of a participant: her code, new or known, and the session that begins or is resumed with her consent.
+// CheckIn of a participant: her code, new or known, and the session that begins or is resumed with her consent.
 #pragma once
 
 #include <QObject>
@@ -40,12 +40,12 @@ struct ParticipantPlan {
 base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file);
 
 /// Thread: gui.
-class Arrival : public QObject {
+class CheckIn : public QObject {
   Q_OBJECT
 
  public:
   /// All outlive this. The study must be open.
-  Arrival(StudyConnection& study, SessionProxy& proxy, const ParticipantPlan& plan);
+  CheckIn(StudyConnection& study, SessionProxy& proxy, const ParticipantPlan& plan);
 
   /// Draws an unused code. `usability`: a clinical teacher who answers the usability form, in a session of its
   /// own. Ends with `changed` or `refused`.

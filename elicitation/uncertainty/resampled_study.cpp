@@ -1,4 +1,4 @@
-#include "elicitation/uncertainty/recast_study.h"
+#include "elicitation/uncertainty/resampled_study.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,35 +16,35 @@ namespace {
 
 double factorial(std::size_t n) { return n < 2 ? 1 : static_cast<double>(n) * factorial(n - 1); }
 
-void fill(std::size_t place, std::size_t left, WeightedCast& one, std::vector<WeightedCast>& out) {
-  if (place + 1 == one.cast.size()) {
-    one.cast[place] = left;
-    const auto n = one.cast.size();
+void fill(std::size_t place, std::size_t left, WeightedResample& one, std::vector<WeightedResample>& out) {
+  if (place + 1 == one.counts.size()) {
+    one.counts[place] = left;
+    const auto n = one.counts.size();
     one.weight = factorial(n) / std::pow(static_cast<double>(n), static_cast<double>(n));
-    for (const std::size_t times : one.cast) one.weight /= factorial(times);
+    for (const std::size_t times : one.counts) one.weight /= factorial(times);
     out.push_back(one);
     return;
   }
   for (std::size_t times = left + 1; times-- > 0;) {
-    one.cast[place] = times;
+    one.counts[place] = times;
     fill(place + 1, left - times, one, out);
   }
 }
 
 }  // namespace
 
-Cast everyPerson(std::size_t people) { return Cast(people, 1); }
+ResampleCounts everyPerson(std::size_t people) { return ResampleCounts(people, 1); }
 
-Cast drawCast(std::size_t people, base::Random& random) {
-  Cast cast(people, 0);
-  for (std::size_t i = 0; i < people; ++i) ++cast[static_cast<std::size_t>(random.below(static_cast<int>(people)))];
-  return cast;
+ResampleCounts drawResample(std::size_t people, base::Random& random) {
+  ResampleCounts counts(people, 0);
+  for (std::size_t i = 0; i < people; ++i) ++counts[static_cast<std::size_t>(random.below(static_cast<int>(people)))];
+  return counts;
 }
 
-std::vector<WeightedCast> everyCast(std::size_t people) {
+std::vector<WeightedResample> everyResample(std::size_t people) {
   TACTUS_CHECK(people >= 1 && people <= kMostEnumerated);
-  std::vector<WeightedCast> out;
-  WeightedCast one{Cast(people, 0), 1};
+  std::vector<WeightedResample> out;
+  WeightedResample one{ResampleCounts(people, 0), 1};
   fill(0, people, one, out);
   return out;
 }
@@ -67,7 +67,7 @@ fuzzy::Variable& speedOf(fuzzy::ForceModel& model) {
 
 }  // namespace
 
-RecastStudy::RecastStudy(const study::Study& study, const BuiltModel& built, const BuildSettings& settings)
+ResampledStudy::ResampledStudy(const study::Study& study, const BuiltModel& built, const BuildSettings& settings)
     : settings_(settings),
       built_(built.model),
       default_output_(ngtOutput()),
@@ -88,11 +88,11 @@ RecastStudy::RecastStudy(const study::Study& study, const BuiltModel& built, con
   }
 }
 
-Result<fuzzy::Variable> RecastStudy::outputOf(const Recast& recast) const {
-  const auto& judged = recast.judged.empty() ? judged_ : recast.judged;
+Result<fuzzy::Variable> ResampledStudy::outputOf(const Resample& resample) const {
+  const auto& judged = resample.judged.empty() ? judged_ : resample.judged;
   std::vector<study::ForceJudgement> all;
   for (std::size_t who = 0; who < people(); ++who) {
-    for (std::size_t time = 0; time < recast.judgements[who]; ++time) {
+    for (std::size_t time = 0; time < resample.judgements[who]; ++time) {
       for (const auto& judgement : judged[who]) {
         all.push_back(judgement);
         if (time > 0) all.back().participant += '\n' + std::to_string(time);  // another person, who says the same
@@ -102,54 +102,54 @@ Result<fuzzy::Variable> RecastStudy::outputOf(const Recast& recast) const {
   std::vector<std::string> ids;
   for (const auto& term : default_output_.terms) ids.push_back(term.id);
   TACTUS_TRY(const auto counts, countVotes(all, settings_.series, ids));
-  const auto enrolled = std::accumulate(recast.judgements.begin(), recast.judgements.end(), std::size_t{0});
+  const auto enrolled = std::accumulate(resample.judgements.begin(), resample.judgements.end(), std::size_t{0});
   const auto votes = vote(counts, static_cast<int>(enrolled));
   TACTUS_TRY(auto terms, forceTermsFrom(settings_.force_terms, default_output_, all, settings_.series, votes,
                                         settings_.force_end_n));
   return std::move(terms.output);
 }
 
-Result<fuzzy::ForceModel> RecastStudy::model(const Recast& recast) const {
+Result<fuzzy::ForceModel> ResampledStudy::model(const Resample& resample) const {
   fuzzy::ForceModel out = built_;
   out.experts.clear();
-  const auto& ramps = recast.ramps.empty() ? ramps_ : recast.ramps;
+  const auto& ramps = resample.ramps.empty() ? ramps_ : resample.ramps;
   auto& speed = speedOf(out);
   if (has_speeds_) {
     std::vector<std::vector<Ramp>> drawn;
     std::vector<double> weights;
     for (std::size_t who = 0; who < people(); ++who) {
-      for (std::size_t time = 0; time < recast.speeds[who] && !ramps[who].empty(); ++time) {
+      for (std::size_t time = 0; time < resample.speeds[who] && !ramps[who].empty(); ++time) {
         drawn.push_back(ramps[who]);
         weights.push_back(speed_weights_[who]);
       }
     }
     if (drawn.empty() || std::all_of(weights.begin(), weights.end(), [](double one) { return !(one > 0); })) {
-      return fail(ErrorCode::kData, "speeds", "none in this cast", "speeds of at least one participant");
+      return fail(ErrorCode::kData, "speeds", "none in this counts", "speeds of at least one participant");
     }
     speed.terms = speedTerms(speed, averageRamps(drawn, weights, settings_.averaging));
   }
   if (has_judgements_) {
-    TACTUS_TRY(auto output, outputOf(recast));
+    TACTUS_TRY(auto output, outputOf(resample));
     out.output = std::move(output);
   }
   for (std::size_t who = 0; who < people(); ++who) {
-    if (recast.rules[who] == 0 || expert_of_[who] == built_.experts.size()) continue;
+    if (resample.rules[who] == 0 || expert_of_[who] == built_.experts.size()) continue;
     auto& expert = out.experts.emplace_back(built_.experts[expert_of_[who]]);
-    expert.weight *= static_cast<double>(recast.rules[who]);
-    if (recast.ramps.empty() || ramps[who].empty()) continue;
+    expert.weight *= static_cast<double>(resample.rules[who]);
+    if (resample.ramps.empty() || ramps[who].empty()) continue;
     for (auto& own : expert.overrides) {
       if (own.variable == speed.id) own.terms = speedTerms(speed, ramps[who]);
     }
   }
   if (out.experts.empty())
-    return fail(ErrorCode::kData, "rules", "none in this cast", "rules of at least one participant");
+    return fail(ErrorCode::kData, "rules", "none in this counts", "rules of at least one participant");
   return out;
 }
 
-std::vector<std::optional<double>> RecastStudy::forces(const Recast& recast,
-                                                       std::span<const std::vector<double>> points) const {
+std::vector<std::optional<double>> ResampledStudy::forces(const Resample& resample,
+                                                          std::span<const std::vector<double>> points) const {
   std::vector<std::optional<double>> out(points.size());
-  const auto changed = model(recast);
+  const auto changed = model(resample);
   if (!changed) return out;
   const auto compiled = fuzzy::compile(*changed);
   if (!compiled) return out;

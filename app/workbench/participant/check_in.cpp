@@ -1,4 +1,4 @@
-#include "app/workbench/participant/arrival.h"
+#include "app/workbench/participant/check_in.h"
 
 #include <algorithm>
 #include <optional>
@@ -9,6 +9,7 @@
 #include "app/session/study_protocol.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
+#include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/person_codes.h"
 #include "core/store/persons.h"
@@ -21,25 +22,23 @@
 namespace tactus::workbench {
 
 base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file) {
-  const auto state = store::protocolState(file);
-  if (!state) return tl::unexpected(state.error());
+  TACTUS_TRY(const auto state, store::protocolState(file));
   ParticipantPlan out;
-  if (!state->current) return out;
-  auto protocol = session::parseStudyProtocol(state->current->text);
-  if (!protocol) return tl::unexpected(protocol.error());
-  out.protocol = state->current->id;
-  out.settings = std::move(protocol->settings);
-  for (const std::string& language : protocol->languages) out.languages.push_back(QString::fromStdString(language));
-  out.consent_version = QString::fromStdString(protocol->consent_version);
-  for (const auto& [language, text] : protocol->consent) {
+  if (!state.current) return out;
+  TACTUS_TRY(auto protocol, session::parseStudyProtocol(state.current->text));
+  out.protocol = state.current->id;
+  out.settings = std::move(protocol.settings);
+  for (const std::string& language : protocol.languages) out.languages.push_back(QString::fromStdString(language));
+  out.consent_version = QString::fromStdString(protocol.consent_version);
+  for (const auto& [language, text] : protocol.consent) {
     out.consent_texts[QString::fromStdString(language)] = QString::fromStdString(text);
   }
-  for (const auto& [language, text] : protocol->statements) {
+  for (const auto& [language, text] : protocol.statements) {
     out.statements[QString::fromStdString(language)] = QString::fromStdString(text);
   }
-  out.contact = QString::fromStdString(protocol->contact).trimmed();
-  out.force_cap_n = protocol->device.force_cap_n;
-  out.device_friction_n = protocol->device.friction_n;
+  out.contact = QString::fromStdString(protocol.contact).trimmed();
+  out.force_cap_n = protocol.device.force_cap_n;
+  out.device_friction_n = protocol.device.friction_n;
   return out;
 }
 
@@ -58,9 +57,8 @@ struct KnownPerson {
 using base::Result;
 
 Result<bool> endedEarly(const store::StudyFile& file, const study::RecordId& session) {
-  const auto events = store::events(file, {{}, session, true});
-  if (!events) return tl::unexpected(events.error());
-  return std::any_of(events->begin(), events->end(), [](const auto& event) { return event.kind == "aborted"; });
+  TACTUS_TRY(const auto events, store::events(file, {{}, session, true}));
+  return std::any_of(events.begin(), events.end(), [](const auto& event) { return event.kind == "aborted"; });
 }
 
 /// A session of these screens: an elicitation, or the usability form. Feeling a model is a session too.
@@ -73,34 +71,28 @@ bool isOnScreens(const study::SessionRecord& session) {
 
 Result<int> answersIn(const store::StudyFile& file, const study::RecordId& session) {
   const store::Selection now{{}, session, false};
-  const auto judgements = store::judgements(file, now);
-  if (!judgements) return tl::unexpected(judgements.error());
-  const auto answers = store::answers(file, now);
-  if (!answers) return tl::unexpected(answers.error());
-  const auto scored = std::count_if(judgements->begin(), judgements->end(), [](const auto& one) { return one.scored; });
-  return static_cast<int>(scored) + static_cast<int>(answers->size());
+  TACTUS_TRY(const auto judgements, store::judgements(file, now));
+  TACTUS_TRY(const auto answers, store::answers(file, now));
+  const auto scored = std::count_if(judgements.begin(), judgements.end(), [](const auto& one) { return one.scored; });
+  return static_cast<int>(scored) + static_cast<int>(answers.size());
 }
 
 /// Thread: that of `file`.
 Result<KnownPerson> knownPerson(const store::StudyFile& file, const std::string& typed) {
-  auto found = store::findTyped(file, typed);
-  if (!found) return tl::unexpected(found.error());
+  TACTUS_TRY(auto found, store::findTyped(file, typed));
   KnownPerson out;
-  out.person = std::move(found->person);
-  if (!found->meant.empty()) out.meant = found->meant.front();
+  out.person = std::move(found.person);
+  if (!found.meant.empty()) out.meant = found.meant.front();
   if (!out.person) return out;
-  const auto sessions = store::sessions(file, out.person->id);
-  if (!sessions) return tl::unexpected(sessions.error());
-  for (auto session = sessions->rbegin(); session != sessions->rend() && !out.session; ++session) {
+  TACTUS_TRY(const auto sessions, store::sessions(file, out.person->id));
+  for (auto session = sessions.rbegin(); session != sessions.rend() && !out.session; ++session) {
     if (!isOnScreens(*session)) continue;
-    const auto ended = endedEarly(file, session->id);
-    if (!ended) return tl::unexpected(ended.error());
-    if (!*ended) out.session = session->id;
+    TACTUS_TRY(const auto ended, endedEarly(file, session->id));
+    if (!ended) out.session = session->id;
   }
   if (!out.session) return out;
-  const auto answers = answersIn(file, *out.session);
-  if (!answers) return tl::unexpected(answers.error());
-  out.answers = *answers;
+  TACTUS_TRY(const auto answers, answersIn(file, *out.session));
+  out.answers = answers;
   return out;
 }
 
@@ -118,10 +110,10 @@ std::string languageOf(const std::string& form, const QString& language) {
 
 }  // namespace
 
-Arrival::Arrival(StudyConnection& study, SessionProxy& proxy, const ParticipantPlan& plan)
+CheckIn::CheckIn(StudyConnection& study, SessionProxy& proxy, const ParticipantPlan& plan)
     : study_(study), proxy_(proxy), plan_(plan) {}
 
-void Arrival::newHere(bool usability) {
+void CheckIn::newHere(bool usability) {
   study_.read(*this, [this, usability](const store::StudyFile& file) -> StudyConnection::Deliver {
     const auto code = newCode(file);
     return [this, code, usability] {
@@ -139,7 +131,7 @@ void Arrival::newHere(bool usability) {
   });
 }
 
-void Arrival::enterCode(const QString& code) {
+void CheckIn::enterCode(const QString& code) {
   study_.read(*this, [this, typed = code.toStdString()](const store::StudyFile& file) -> StudyConnection::Deliver {
     const auto found = knownPerson(file, typed);
     return [this, found] {
@@ -161,18 +153,18 @@ void Arrival::enterCode(const QString& code) {
   });
 }
 
-void Arrival::forget() {
+void CheckIn::forget() {
   person_.reset();
   session_.reset();
   newcomer_ = usability_ = false;
   welcome_ = {};
 }
 
-QString Arrival::code() const { return person_ ? QString::fromStdString(person_->code) : QString(); }
+QString CheckIn::code() const { return person_ ? QString::fromStdString(person_->code) : QString(); }
 
-void Arrival::resume() { proxy_.resume(*session_); }
+void CheckIn::resume() { proxy_.resume(*session_); }
 
-void Arrival::begin(const QString& language, std::uint64_t seed, const std::string& device) {
+void CheckIn::begin(const QString& language, std::uint64_t seed, const std::string& device) {
   session::SessionStart start;
   start.person = person_->id;
   start.consent_version = plan_.consent_version.toStdString();

@@ -1,4 +1,4 @@
-// The averaged force of a study with another cast: who is clustered, who votes, whose rules count.
+// The averaged force of a study with another counts: who is clustered, who votes, whose rules count.
 #pragma once
 
 #include <cstddef>
@@ -14,50 +14,50 @@
 
 namespace tactus::elicitation {
 
-// Who takes part in one imagined repetition of a study: a cast, drawn from the participants with replacement.
+// Who takes part in one imagined repetition of a study: a resample, drawn from the participants with replacement.
 
 /// How often each participant takes part, in the order of the study; 0: not at all.
-using Cast = std::vector<std::size_t>;
+using ResampleCounts = std::vector<std::size_t>;
 
-struct WeightedCast {
-  Cast cast;
+struct WeightedResample {
+  ResampleCounts counts;
   double weight = 1;  ///< its probability among all draws of as many people as there are
 };
 
 /// Each person once.
-Cast everyPerson(std::size_t people);
+ResampleCounts everyPerson(std::size_t people);
 
 /// As many draws as there are people, each of them equally likely.
-Cast drawCast(std::size_t people, base::Random& random);
+ResampleCounts drawResample(std::size_t people, base::Random& random);
 
-/// Largest number of people whose casts are enumerated: 6,435 of them.
+/// Largest number of people whose resamples are enumerated: 6,435 of them.
 inline constexpr std::size_t kMostEnumerated = 8;
 
-/// Every cast of `people` draws from as many, C(2n - 1, n) of them, with the weights n! / (c1! c2! …) / n^n, which sum
-/// to 1. `people`: 1 to kMostEnumerated.
-std::vector<WeightedCast> everyCast(std::size_t people);
+/// Every resample of `people` draws from as many, C(2n - 1, n) of them, with the weights n! / (c1! c2! …) / n^n, which
+/// sum to 1. `people`: 1 to kMostEnumerated.
+std::vector<WeightedResample> everyResample(std::size_t people);
 
-/// One imagined study. Each part has its cast; usually all are the same.
-struct Recast {
-  Cast speeds;
-  Cast judgements;
-  Cast rules;
+/// One imagined study. Each part has its resample; usually all are the same.
+struct Resample {
+  ResampleCounts speeds;
+  ResampleCounts judgements;
+  ResampleCounts rules;
   /// What replaces the participants' own data, one entry per participant; empty: nothing. A participant without ramps
   /// has an empty list.
   std::vector<std::vector<Ramp>> ramps = {};
   std::vector<std::vector<study::ForceJudgement>> judged = {};
 };
 
-/// A study and its built model, prepared for many casts. Immutable.
+/// A study and its built model, prepared for many resamples. Immutable.
 /// Thread: any.
-class RecastStudy {
+class ResampledStudy {
  public:
   /// `built`: from `study` with `settings` by buildModel. Copies what it needs.
-  RecastStudy(const study::Study& study, const BuiltModel& built, const BuildSettings& settings);
+  ResampledStudy(const study::Study& study, const BuiltModel& built, const BuildSettings& settings);
 
   std::size_t people() const noexcept { return codes_.size(); }
   const std::vector<std::string>& codes() const noexcept { return codes_; }
-  /// Whether the part is made from data; otherwise it has default terms and no cast changes it.
+  /// Whether the part is made from data; otherwise it has default terms and no resample changes it.
   bool hasSpeeds() const noexcept { return has_speeds_; }
   bool hasJudgements() const noexcept { return has_judgements_; }
   /// The participants' own ramps and judgements of the series that votes.
@@ -66,15 +66,16 @@ class RecastStudy {
   const fuzzy::ForceModel& model() const noexcept { return built_; }
   const BuildSettings& settings() const noexcept { return settings_; }
 
-  /// The averaged model of `recast`: the same steps as buildModel. Errors are those of the steps, e.g. that the cast
-  /// has no rules, no votes, or rules with a word that its votes gave no term.
-  base::Result<fuzzy::ForceModel> model(const Recast& recast) const;
+  /// The averaged model of `resample`: the same steps as buildModel. Errors are those of the steps, e.g. that the
+  /// resample has no rules, no votes, or rules with a word that its votes gave no term.
+  base::Result<fuzzy::ForceModel> model(const Resample& resample) const;
 
   /// Its forces at `points`; nothing where no rule fires. All nothing if the model cannot be built.
-  std::vector<std::optional<double>> forces(const Recast& recast, std::span<const std::vector<double>> points) const;
+  std::vector<std::optional<double>> forces(const Resample& resample,
+                                            std::span<const std::vector<double>> points) const;
 
  private:
-  base::Result<fuzzy::Variable> outputOf(const Recast& recast) const;
+  base::Result<fuzzy::Variable> outputOf(const Resample& resample) const;
 
   BuildSettings settings_;
   fuzzy::ForceModel built_;
