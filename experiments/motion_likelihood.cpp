@@ -1,8 +1,8 @@
-#include "experiments/motion_likelihood.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "experiments/stroke_segmentation.h"
 
 namespace tactus::experiments {
 namespace {

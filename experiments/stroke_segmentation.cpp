@@ -6,7 +6,6 @@
 
 #include "core/base/check.h"
 #include "core/base/statistics.h"
-#include "experiments/motion_likelihood.h"
 
 namespace tactus::experiments {
 

@@ -8,7 +8,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "app/cli/terminal.h"
-#include "core/analysis/counterfactuals.h"
 #include "core/analysis/force_balance.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "core/haptics/device/calibration_file.h"
 #include "core/haptics/device/device.h"
-#include "core/haptics/hid/hid_devices.h"
+#include "core/haptics/hid/hid_pid_device.h"
 
 namespace tactus::devices {
 

@@ -1,9 +1,8 @@
-#include "app/devices/self_test.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/devices/guided_runs.h"
 #include "core/base/text.h"
 
 namespace tactus::devices {

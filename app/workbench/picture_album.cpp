@@ -1,5 +1,3 @@
-#include "app/workbench/picture_album.h"
-
 #include <QAbstractAnimation>
 #include <QDialog>
 #include <QElapsedTimer>
@@ -10,6 +8,7 @@
 #include <QWidget>
 #include <utility>
 
+#include "app/workbench/screen_pictures.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 

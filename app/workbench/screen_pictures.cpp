@@ -34,7 +34,6 @@
 #include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/panels.h"
 #include "app/workbench/participant/screens/sample_screens.h"
-#include "app/workbench/picture_album.h"
 #include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/panel_area.h"

@@ -4,10 +4,46 @@
 
 #include <QSize>
 #include <QString>
+#include <functional>
+#include <vector>
 
 #include "core/base/error.h"
 
+class QWidget;
+
 namespace tactus::workbench {
+
+// Pictures of screens in a folder, and the list of them: `DIR/<area>/<screen>.png` and `DIR/screens.json`.
+
+/// Lets events come until `condition` holds, or for too long.
+void waitFor(const std::function<bool()>& condition);
+
+class PictureAlbum {
+ public:
+  /// `folder` is made if it is missing. `size`: of the windows, px before `scale`, which Qt has been told.
+  PictureAlbum(QString folder, const QSize& size, double scale, QString language);
+
+  /// Gives `window` the size (a dialog has its own), waits until it shows what it has to show, and saves its picture.
+  /// `area` and `screen` are names of files.
+  base::Result<void> add(const QString& area, const QString& screen, const QString& title, QWidget& window);
+  /// Writes the list.
+  base::Result<void> finish() const;
+
+ private:
+  struct Picture {
+    QString file;  ///< below the folder
+    QString area;
+    QString screen;
+    QString title;
+    QSize size;
+  };
+
+  QString folder_;
+  QSize size_;
+  double scale_;
+  QString language_;
+  std::vector<Picture> pictures_;
+};
 
 struct PictureSettings {
   QString folder;

@@ -35,7 +35,6 @@
 #include "app/workbench/understand/here/variable_row.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_panel.h"
-#include "app/workbench/understand/map/surface_panel.h"
 
 namespace tactus::workbench {
 

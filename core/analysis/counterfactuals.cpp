@@ -1,10 +1,9 @@
-#include "core/analysis/counterfactuals.h"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/analysis/explain.h"
+#include "core/analysis/force_balance.h"
 #include "core/analysis/smallest_move.h"
 #include "core/base/error.h"
 

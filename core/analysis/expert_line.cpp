@@ -1,11 +1,10 @@
-#include "core/analysis/expert_line.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "core/analysis/smallest_move.h"
 #include "core/fuzzy/centroid.h"
 #include "core/fuzzy/gaussian_pieces.h"
 #include "core/fuzzy/support.h"

@@ -1,12 +1,11 @@
 // Compiles the loops for each instruction set. A #pragma instead of compiler flags for the whole file keeps the
 // standard library's inline functions on the plain instruction set, so none of them can leak into other code.
-#include "elicitation/clustering/fcm_kernels.h"
-
 #include <algorithm>
 #include <array>
 
 #include "core/base/vector_unit.h"
 #include "elicitation/clustering/fcm.h"
+#include "elicitation/clustering/fcm_pass.h"
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define TACTUS_FCM_FOR_X86 1

@@ -1,5 +1,3 @@
-#include "elicitation/speed/level_diagnostics.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include "core/analysis/term_conversion.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
+#include "elicitation/speed/participant_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

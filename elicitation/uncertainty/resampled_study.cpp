@@ -1,5 +1,3 @@
-#include "elicitation/uncertainty/resampled_study.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
+#include "elicitation/uncertainty/force_bands.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 
-#include "core/analysis/counterfactuals.h"
 #include "core/analysis/explain.h"
 #include "core/analysis/force_balance.h"
 #include "core/base/check.h"

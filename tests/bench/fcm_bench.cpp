@@ -11,7 +11,7 @@
 #include "core/base/text.h"
 #include "elicitation/clustering/fcm.h"
 #include "elicitation/clustering/fcm_data.h"
-#include "elicitation/clustering/fcm_kernels.h"
+#include "elicitation/clustering/fcm_pass.h"
 #include "elicitation/clustering/fcm_starts.h"
 
 #include "tests/bench/fcm_peers.h"

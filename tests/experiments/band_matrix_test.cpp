@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "experiments/motion_likelihood.h"
+#include "experiments/stroke_segmentation.h"
 
 namespace tactus::experiments {
 namespace {

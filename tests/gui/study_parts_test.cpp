@@ -22,8 +22,8 @@
 
 #include "app/editing/membership_edits.h"
 #include "app/workbench/collect/study_home.h"
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
-#include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"

@@ -10,7 +10,6 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/terms/membership_editor.h"
-#include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/understand/curves/curve_plot.h"
 #include "app/workbench/workbench.h"
 

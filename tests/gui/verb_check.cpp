@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "app/workbench/kit/buttons.h"
-#include "app/workbench/shell/stage_button.h"
+#include "app/workbench/shell/main_window.h"
 
 namespace tactus::tests {
 namespace {

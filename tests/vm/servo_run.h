@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/haptics/device/calibration_file.h"
-#include "core/haptics/hid/hid_devices.h"
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/servo/servo.h"
 
 namespace tactus::vm {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/haptics/device/calibration_file.h"
-#include "core/haptics/hid/hid_devices.h"
+#include "core/haptics/hid/hid_pid_device.h"
 
 #include "tests/vm/checks.h"
 #include "tests/vm/device_process.h"

@@ -1,5 +1,3 @@
-#include "app/workbench/collect/protocol_field.h"
-
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGridLayout>
@@ -15,6 +13,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"
+#include "app/workbench/collect/protocol_view.h"
 
 namespace tactus::workbench {
 namespace {

@@ -17,7 +17,6 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"
-#include "app/workbench/collect/protocol_field.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "core/haptics/safety/limit_settings.h"

@@ -14,7 +14,6 @@
 #include "app/workbench/feel/feel_status.h"
 #include "app/workbench/feel/placement.h"
 #include "app/workbench/feel/procedure.h"
-#include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"

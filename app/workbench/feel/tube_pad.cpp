@@ -1,5 +1,3 @@
-#include "app/workbench/feel/tube_pad.h"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -9,6 +7,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/feel/feel_panel.h"
 
 namespace tactus::workbench {
 namespace {

@@ -1,5 +1,3 @@
-#include "app/workbench/participant/own_model_trial.h"
-
 #include <QPointer>
 #include <algorithm>
 #include <chrono>
@@ -11,6 +9,7 @@
 #include "app/session/study_view.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/participant/participant_course.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"

@@ -20,7 +20,6 @@
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/participant/check_in.h"
 #include "app/workbench/participant/kit/participant_state.h"
-#include "app/workbench/participant/own_model_trial.h"
 #include "app/workbench/participant/participant_course.h"
 #include "app/workbench/participant/questions.h"
 #include "app/workbench/study/connection/session_proxy.h"

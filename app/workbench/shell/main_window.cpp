@@ -23,7 +23,6 @@
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/shell/stage_button.h"
 #include "core/base/check.h"
 
 namespace tactus::workbench {

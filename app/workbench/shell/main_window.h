@@ -2,6 +2,7 @@
 // show; it knows none of them.
 #pragma once
 
+#include <QAbstractButton>
 #include <QHash>
 #include <QKeySequence>
 #include <QMainWindow>
@@ -22,6 +23,7 @@ class QMenuBar;
 class QSettings;
 class QStackedWidget;
 class QVBoxLayout;
+class QPainter;
 
 namespace tactus::workbench {
 
@@ -34,6 +36,33 @@ class PanelArea;
 class SceneController;
 class StageButton;
 struct PanelPlace;
+
+// One stage in the rail: its picture, its name and its task.
+
+class StageButton : public QAbstractButton {
+  Q_OBJECT
+
+ public:
+  explicit StageButton(Stage stage, QWidget* parent = nullptr);
+
+  Stage stage() const { return stage_; }
+
+  /// True: the name stands below the picture, and the task is the tool tip.
+  void setCompact(bool compact);
+
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QRect hintRect() const;
+  void paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint);
+  void paintCompact(QPainter& painter, const QColor& ink);
+
+  Stage stage_;
+  bool compact_ = false;
+};
 
 // The menu bar. The menus and the groups in them have a fixed order, so that features may add their actions in any.
 

@@ -1,10 +1,9 @@
-#include "app/workbench/shell/stage_button.h"
-
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/stage.h"
 
 namespace tactus::workbench {

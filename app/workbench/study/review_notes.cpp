@@ -1,5 +1,3 @@
-#include "app/workbench/study/review_notes.h"
-
 #include <QCoreApplication>
 #include <algorithm>
 #include <utility>
@@ -7,6 +5,7 @@
 #include "app/session/data_checks.h"
 #include "app/session/study_source.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/study/study_models.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::workbench {

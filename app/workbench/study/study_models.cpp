@@ -17,7 +17,6 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
 #include "app/workbench/model/open_model.h"
-#include "app/workbench/study/review_notes.h"
 #include "core/base/check.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"

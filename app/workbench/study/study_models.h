@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <vector>
 
 #include "app/editing/edit_history.h"
@@ -20,11 +21,33 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/connection/study_contents.h"
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
 #include "core/store/study_file.h"
+#include "core/study/data_finding.h"
+#include "core/study/records.h"
 #include "core/study/session_records.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
+
+// The sentences about a study's data and about a build from them, with what each is about.
+
+/// A study as elicitation takes it (session::StudyView), with what was left out of it.
+struct ReadStudy {
+  study::Study study;
+  std::vector<std::string> notes;
+};
+
+/// One note for each finding; what is refused says so.
+std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings);
+
+/// The notes of the reading and of the build, in this order.
+std::vector<BuildNote> notesOf(const std::vector<std::string>& reading, const elicitation::BuiltModel& built);
+
+/// Everything about `read`, and about the build of `model` from it, where there is one: its text as it was first. A
+/// build with the settings of the workbench is made for that. Thread: any.
+BuildNotes reviewed(const ReadStudy& read, const std::optional<std::string>& model);
 
 /// The model that a study holds, with its history; and the averaged model, built from the answers as by `tactus build`.
 /// Opening a study builds nothing: a model is a record of the study, and the researcher asks for it.

@@ -1,5 +1,3 @@
-#include "core/haptics/hid/hid_devices.h"
-
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -11,6 +9,7 @@
 
 #include "core/base/files/file.h"
 #include "core/base/text.h"
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/hid/pid_layout.h"
 

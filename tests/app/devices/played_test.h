@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/devices/self_test.h"
+#include "app/devices/guided_runs.h"
 #include "core/haptics/servo/servo.h"
 #include "core/haptics/simulated/virtual_device.h"
 

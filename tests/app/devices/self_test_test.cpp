@@ -1,7 +1,7 @@
-#include "app/devices/self_test.h"
-
 #include <gtest/gtest.h>
 #include <limits>
+
+#include "app/devices/guided_runs.h"
 
 #include "tests/app/devices/played_test.h"
 

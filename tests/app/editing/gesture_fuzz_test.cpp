@@ -13,6 +13,7 @@
 #include "core/model_io/model_file.h"
 
 #include "tests/app/editing/sample_models.h"
+#include "tests/support/day.h"
 #include "tests/support/random_model.h"
 
 namespace tactus::editing {
@@ -170,27 +171,31 @@ void play(const fuzzy::ForceModel& start, std::uint64_t seed, int count, int& ed
 
 TEST(GestureFuzz, OnTheNgtModel) {
   int edits = 0;
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+  const int runs = support::rounds(60);
+  for (int run = 0; run < runs; ++run) {
+    const std::uint64_t seed = support::firstSeedOfToday() + static_cast<std::uint64_t>(run);
     auto model = support::s4AsPrinted();
-    if (seed % 2 == 0) {
+    if (run % 2 == 0) {
       model.experts.push_back(model.experts[0]);
       model.experts[1].id = "S5";
     }
     play(model, seed, 300, edits);
     if (HasFatalFailure()) FAIL() << "seed " << seed;
   }
-  EXPECT_GT(edits, 20000);  // the others are refused, as they should be
+  EXPECT_GT(edits, 333 * runs);  // the others are refused, as they should be
 }
 
 TEST(GestureFuzz, OnRandomModels) {
-  base::Random random(11);
+  base::Random random(support::seedOfToday());
   int edits = 0;
-  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    const auto model = support::randomModel(random, {.gaussians = seed % 2 == 0, .adversarial = seed % 3 == 0});
+  const int runs = support::rounds(200);
+  for (int run = 0; run < runs; ++run) {
+    const std::uint64_t seed = support::firstSeedOfToday() + static_cast<std::uint64_t>(run);
+    const auto model = support::randomModel(random, {.gaussians = run % 2 == 0, .adversarial = run % 3 == 0});
     play(model, seed, 50, edits);
     if (HasFatalFailure()) FAIL() << "seed " << seed;
   }
-  EXPECT_GT(edits, 8000);
+  EXPECT_GT(edits, 20 * runs);
 }
 
 TEST(GestureFuzz, TermsThatSumToOneStillDo) {

@@ -1,4 +1,3 @@
-#include "core/analysis/counterfactuals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,6 +20,7 @@
 #include "tests/core/store/faulty_disk.h"
 #include "tests/core/store/naming_model.h"
 #include "tests/core/store/sample_records.h"
+#include "tests/support/day.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::store {
@@ -27,7 +28,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kKills = 60;
+/// 15 a day, 60 in the soak.
+const int kKills = std::max(15, support::rounds(60));
 
 class KilledWithdrawals : public testing::Test {
  protected:

@@ -1,5 +1,4 @@
 // The loops for each instruction set: the same bits from all, and the sums of their definition.
-#include "elicitation/clustering/fcm_kernels.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

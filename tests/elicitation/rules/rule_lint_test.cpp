@@ -7,6 +7,7 @@
 #include "elicitation/model/model_builder.h"
 
 #include "tests/elicitation/small_study.h"
+#include "tests/support/day.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -315,7 +316,8 @@ void expectDirectEvaluation(const Linted& linted, const RuleFinding& finding) {
 }
 
 TEST(RuleLint, OnRandomStudies) {
-  for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+  for (int run = 0; run < support::rounds(50); ++run) {
+    const std::uint64_t seed = support::firstSeedOfToday() + static_cast<std::uint64_t>(run);
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Linted linted(randomStudy(seed));
     std::size_t answered = 0;

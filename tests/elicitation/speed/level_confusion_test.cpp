@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "elicitation/speed/level_diagnostics.h"
+#include "elicitation/speed/participant_speeds.h"
 
 namespace tactus::elicitation {
 namespace {

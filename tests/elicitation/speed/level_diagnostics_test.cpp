@@ -1,8 +1,7 @@
-#include "elicitation/speed/level_diagnostics.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "elicitation/speed/participant_speeds.h"
 #include "elicitation/speed/speed_terms.h"
 #include "elicitation/variables/ngt_variables.h"
 

@@ -1,7 +1,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "elicitation/speed/level_diagnostics.h"
+#include "elicitation/speed/participant_speeds.h"
 
 #include "tests/elicitation/golden_speeds.h"
 

@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/feel/feel_controller.h"
-#include "app/workbench/feel/tube_pad.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/workbench/kit/layout.h"
-#include "app/workbench/shell/stage_button.h"
+#include "app/workbench/shell/main_window.h"
 
 #include "tests/gui/shown_bench.h"
 

@@ -11,7 +11,6 @@
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
-#include "app/workbench/shell/stage_button.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_panel.h"
 

@@ -1,11 +1,10 @@
-#include "app/workbench/participant/screens/force_curve.h"
-
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
 
 #include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/screens/closing_screens.h"
 
 namespace tactus::workbench::nurse {
 namespace {

@@ -1,5 +1,3 @@
-#include "app/workbench/tune/history/compare_card.h"
-
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
@@ -15,6 +13,7 @@
 #include "app/workbench/model/shown_impact.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/compare_strip.h"
+#include "app/workbench/tune/history/history_panel.h"
 
 namespace tactus::workbench {
 namespace {

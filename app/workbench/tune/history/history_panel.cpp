@@ -22,7 +22,6 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/edit_controller.h"
-#include "app/workbench/tune/history/compare_card.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/history_model.h"
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QStyledItemDelegate>
+#include <QWidget>
 
 #include "app/editing/edit_history.h"
 #include "app/workbench/kit/cards.h"
@@ -13,6 +14,7 @@ class QLineEdit;
 class QListView;
 class QPushButton;
 class QToolButton;
+class QLabel;
 
 namespace tactus::workbench {
 
@@ -22,6 +24,37 @@ class EditController;
 class HistoryModel;
 class Refresh;
 class SceneController;
+class StatisticHelp;
+enum class CompareSide;
+
+// The card to choose two versions of the model, see how far their forces differ and where, and switch between them.
+
+class CompareCard : public QWidget {
+  Q_OBJECT
+
+ public:
+  CompareCard(CompareController& compare, SceneController& scene, QWidget* parent = nullptr);
+
+ private:
+  void list();
+  void fill(QComboBox& box, CompareSide side);
+  void choose(const QComboBox& box, CompareSide side);
+  void showResult();
+  void showChanges();
+  void goThere();
+
+  CompareController& compare_;
+  SceneController& scene_;
+  QComboBox* a_;
+  QComboBox* b_;
+  QLabel* result_;
+  StatisticHelp* help_;
+  QLabel* place_;
+  QPushButton* go_;
+  QLabel* changes_;  ///< what differs between the models, a line each
+  Refresh* refresh_list_;
+  Refresh* refresh_result_;
+};
 
 // Paints a row of the history: its place in the tree, the change, the effect on the force, and its badges.
 

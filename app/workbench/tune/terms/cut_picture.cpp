@@ -1,5 +1,3 @@
-#include "app/workbench/tune/terms/cut_picture.h"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -12,6 +10,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_outline.h"
+#include "app/workbench/tune/terms/membership_editor.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {

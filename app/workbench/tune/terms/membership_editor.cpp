@@ -25,7 +25,6 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/tune/terms/term_grip.h"
 

@@ -1,5 +1,3 @@
-#include "app/workbench/tune/terms/membership_editor_plot.h"
-
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QMenu>
@@ -20,6 +18,7 @@
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
 #include "app/workbench/plot/term_outline.h"
+#include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_grip.h"
 #include "core/fuzzy/membership.h"
 

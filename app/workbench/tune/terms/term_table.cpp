@@ -24,7 +24,6 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/plot/term_colors.h"
-#include "app/workbench/tune/terms/cut_picture.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "core/fuzzy/membership.h"

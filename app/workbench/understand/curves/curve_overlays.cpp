@@ -1,5 +1,3 @@
-#include "app/workbench/understand/curves/curve_overlays.h"
-
 #include <QFontMetricsF>
 #include <algorithm>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/plot_canvas.h"
 #include "app/workbench/plot/plot_style.h"
+#include "app/workbench/understand/curves/curve_plot.h"
 
 namespace tactus::workbench {
 namespace {

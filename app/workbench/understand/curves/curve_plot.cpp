@@ -15,7 +15,6 @@
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_bands.h"
 #include "app/workbench/plot/term_labels.h"
-#include "app/workbench/understand/curves/curve_overlays.h"
 
 namespace tactus::workbench {
 namespace {

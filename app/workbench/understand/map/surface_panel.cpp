@@ -1,5 +1,3 @@
-#include "app/workbench/understand/map/surface_panel.h"
-
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,6 +12,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/plot/plot_style.h"
+#include "app/workbench/understand/map/map_panel.h"
 #include "app/workbench/understand/map/surface_mesh.h"
 
 namespace tactus::workbench {

@@ -1,9 +1,8 @@
-#include "core/haptics/hid/hid_devices.h"
-
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/hid/hidapi_transport.h"
 
 #include "tests/support/fake_pid_device.h"

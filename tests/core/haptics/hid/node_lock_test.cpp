@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "core/base/files/file.h"
-#include "core/haptics/hid/hid_devices.h"
+#include "core/haptics/hid/hid_pid_device.h"
 #include "core/haptics/hid/hidapi_transport.h"
 
 #include "tests/support/temp_folder.h"

@@ -7,6 +7,7 @@
 #include "core/base/random.h"
 
 #include "tests/core/haptics/safety/safety_loop.h"
+#include "tests/support/day.h"
 
 namespace tactus::haptics {
 namespace {
@@ -246,7 +247,9 @@ TEST(SafetyProperties, HoldWhateverSourceHandDeviceAndProgramDo) {
   int active = 0;
   int tripped = 0;
   int cut = 0;
-  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+  const int runs = support::rounds(1500);
+  for (int run = 0; run < runs; ++run) {
+    const std::uint64_t seed = support::firstSeedOfToday() + static_cast<std::uint64_t>(run);
     SCOPED_TRACE(seed);
     Adversary adversary(seed);
     Watch watch;
@@ -260,9 +263,9 @@ TEST(SafetyProperties, HoldWhateverSourceHandDeviceAndProgramDo) {
     cut += watch.cut_ticks;
   }
   // The adversary leaves room for forces, for trips and for cuts.
-  EXPECT_GT(cut, 100);
-  EXPECT_GT(active, 300000);
-  EXPECT_GT(tripped, 100000);
+  EXPECT_GT(cut, 0);
+  EXPECT_GT(active, 200 * runs);
+  EXPECT_GT(tripped, 60 * runs);
 }
 
 TEST(SafetyProperties, NoWindowIsWarmerThanTheRating) {

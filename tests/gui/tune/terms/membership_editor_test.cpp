@@ -18,8 +18,6 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
-#include "app/workbench/tune/terms/cut_picture.h"
-#include "app/workbench/tune/terms/membership_editor_plot.h"
 #include "app/workbench/tune/terms/term_controller.h"
 
 #include "tests/gui/sample_models.h"

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/understand/map/map_panel.h"
 #include "app/workbench/understand/map/map_view_panel.h"
-#include "app/workbench/understand/map/surface_panel.h"
 
 #include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"
