@@ -165,7 +165,7 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
   screen_->addLab(tr("Depth"), depth_view_, &depth_);
   screen_->addLab(tr("Speed"), speed_view_, &corrections_);
   screen_->watch(speed_.work(), tr("Clustering the speeds"));
-  screen_->watch(model_.work(), tr("Building the model"));
+  screen_->watch(model_, tr("Building the model"));
   screen_->addLab(tr("Force"), force_view_, &corrections_);
   screen_->watch(force_.work(), tr("Counting the votes"));
   screen_->addLab(tr("Rules"), rules_view_, &corrections_);

@@ -73,7 +73,7 @@ class LabParts : public QObject {
   Corrections corrections_{data_};
   SpeedLab speed_{data_};
   ForceLab force_{data_, model_, corrections_};
-  RulesLab rules_{data_, model_, corrections_};
+  RulesLab rules_{model_, corrections_};
   ExpertsLab experts_{data_, model_};
   MethodLab method_{data_};
   DepthLab depth_;

@@ -162,7 +162,7 @@ TEST_F(LabViews, AHiddenLabComputesNothing) {
 }
 
 TEST_F(LabViews, ADoubleClickInAGridCorrectsTheAnswer) {
-  RulesLab lab(data, model, corrections);
+  RulesLab lab(model, corrections);
   RulesLabView view(lab);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return lab.conflicts() != nullptr && !lab.work().isBusy(); }));
@@ -181,7 +181,7 @@ TEST_F(LabViews, ADoubleClickInAGridCorrectsTheAnswer) {
 }
 
 TEST_F(LabViews, AClickOnAHeadSortsTheExpertsOfACellByTheirDistanceFromTheMean) {
-  RulesLab lab(data, model, corrections);
+  RulesLab lab(model, corrections);
   RulesLabView view(lab);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return lab.chosen() && lab.influenceOf(0).has_value(); }));

@@ -46,7 +46,7 @@ class RulesLabTest : public testing::Test {
   LabData data{study};
   LabModel model{data};
   Corrections corrections{data};
-  RulesLab lab{data, model, corrections};
+  RulesLab lab{model, corrections};
 };
 
 TEST_F(RulesLabTest, TheGridOfS4IsTableA2) {

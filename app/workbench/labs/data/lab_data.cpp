@@ -9,6 +9,7 @@
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
@@ -17,6 +18,12 @@ double usualValue(const fuzzy::Variable& input) {
   if (input.id == "neck_flexion") return 60;
   if (input.id == "speed") return 50;
   return (input.min + input.max) / 2;
+}
+
+std::size_t depthInput(const fuzzy::ForceModel& model) {
+  const auto depth = std::find_if(model.inputs.begin(), model.inputs.end(),
+                                  [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
+  return depth == model.inputs.end() ? 0 : static_cast<std::size_t>(depth - model.inputs.begin());
 }
 
 namespace {
@@ -62,7 +69,7 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   return out;
 }
 
-LabData::LabData(StudyConnection& connection, QObject* parent) : QObject(parent), connection_(connection) {
+LabData::LabData(StudyConnection& connection, QObject* parent) : Held(parent), connection_(connection) {
   connect(&connection_, &StudyConnection::opened, this, [this] {
     forget();
     refresh();
@@ -83,14 +90,12 @@ void LabData::setMeasuredDepths(const elicitation::DepthMeasurement& measured) {
   if (settings_.depths == elicitation::DepthsFrom::kMeasured) emit settingsChanged();
 }
 
-void LabData::setWanted(QObject& asker, bool wanted) {
-  if (!wanted) {
-    askers_.remove(&asker);
-  } else if (!askers_.contains(&asker)) {
-    askers_.insert(&asker);
-    connect(&asker, &QObject::destroyed, this, [this](QObject* ended) { askers_.remove(ended); });
-    read();
-  }
+std::optional<LabInputs> LabData::inputs() const {
+  return study_ == nullptr ? std::nullopt : std::optional(LabInputs{study_, settings_});
+}
+
+void LabData::setStudy(std::shared_ptr<const LabStudy> study) {
+  if (std::exchange(study_, std::move(study)) != study_) emit studyReplaced();
 }
 
 void LabData::setSessionRunning(bool runs) {
@@ -105,7 +110,7 @@ void LabData::refresh() {
 
 // Several requests while one is on its way become one more.
 void LabData::read() {
-  if (!stale_ || reading_ || runs_ || askers_.isEmpty() || !connection_.isOpen()) return;
+  if (!stale_ || reading_ || runs_ || !isHeld() || !connection_.isOpen()) return;
   stale_ = false;
   reading_ = true;
   connection_.read(*this, [this, path = connection_.path()](const store::StudyFile& file) -> StudyConnection::Deliver {
@@ -115,12 +120,12 @@ void LabData::read() {
     return [this, path, study, sentence] {
       reading_ = false;
       if (path == connection_.path()) {
-        study_ = study;
+        failure_ = sentence;
+        setStudy(study);
         // Later ones come from the lab that measures.
         if (study_ != nullptr && study_->measured_depths && !settings_.measured_depths) {
           setMeasuredDepths(*study_->measured_depths);
         }
-        failure_ = sentence;
       }
       read();
       emit studyChanged();
@@ -130,7 +135,7 @@ void LabData::read() {
 }
 
 void LabData::forget() {
-  study_ = nullptr;
+  setStudy(nullptr);
   failure_.clear();
   stale_ = false;
   reading_ = false;

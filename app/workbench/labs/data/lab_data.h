@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <QSet>
 #include <QString>
 #include <memory>
 #include <optional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "app/session/judged_forces.h"
+#include "app/workbench/base/computed.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
@@ -26,6 +26,8 @@ namespace tactus::workbench {
 
 /// The value of `input` in the paper's Fig. 11; the middle of any other input.
 double usualValue(const fuzzy::Variable& input);
+/// The input of the depth, which is the x axis of curves; 0 without one.
+std::size_t depthInput(const fuzzy::ForceModel& model);
 
 // What a lab's buttons and Ctrl+Z take back: corrections of records, or edits of a measurement.
 
@@ -75,8 +77,14 @@ struct LabStudy {
 /// Thread: the one of `file`.
 base::Result<LabStudy> readLabStudy(const store::StudyFile& file);
 
-/// Thread: gui.
-class LabData : public QObject {
+/// What most computations of the labs begin with.
+struct LabInputs {
+  std::shared_ptr<const LabStudy> study;  ///< never null
+  elicitation::BuildSettings settings;
+};
+
+/// Is held while a lab wants the study: it is read then. Thread: gui.
+class LabData : public Held {
   Q_OBJECT
 
  public:
@@ -98,8 +106,8 @@ class LabData : public QObject {
   /// Another measurement of depths for the settings. Without effect on a model with the template's depths.
   void setMeasuredDepths(const elicitation::DepthMeasurement& measured);
 
-  /// Reads the study while at least one asker wants it. An asker that ends wants nothing.
-  void setWanted(QObject& asker, bool wanted);
+  /// Nothing while no study is read.
+  std::optional<LabInputs> inputs() const;
   /// While a session runs, the thread of the study belongs to it: reading waits until the end.
   void setSessionRunning(bool runs);
 
@@ -108,11 +116,15 @@ class LabData : public QObject {
   void refresh();
 
  signals:
+  /// `study` is another; comes before `studyChanged`.
+  void studyReplaced();
   /// `study`, `failure` or `isReading` changed.
   void studyChanged();
   void settingsChanged();
 
  private:
+  void followHolders() override { read(); }
+  void setStudy(std::shared_ptr<const LabStudy> study);
   void read();
   void forget();
 
@@ -120,7 +132,6 @@ class LabData : public QObject {
   std::shared_ptr<const LabStudy> study_;
   QString failure_;
   elicitation::BuildSettings settings_;
-  QSet<QObject*> askers_;
   bool stale_ = false;
   bool reading_ = false;
   bool runs_ = false;

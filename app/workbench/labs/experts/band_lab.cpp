@@ -23,75 +23,52 @@ ShownBand bandOf(const elicitation::ForceBands& bands, BandKind kind, const std:
 
 }  // namespace
 
-BandLab::BandLab(LabData& data, QObject* parent)
-    : QObject(parent), work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
-  work_.ignoreSettings();
+BandLab::BandLab(QObject* parent)
+    : QObject(parent),
+      band_([this] { return order(); }, [](const Order& order, const auto& run) { return compute(order, run); }) {
+  connect(&band_, &Computation::valueChanged, this, &BandLab::changed);
 }
 
-BandLab::~BandLab() = default;
+std::optional<BandLab::Order> BandLab::order() const {
+  return curve_ && chosen_ ? std::optional(Order{*curve_, *chosen_}) : std::nullopt;
+}
 
-LabWork::Deliver BandLab::compute(const LabWork::Run& run) {
-  const auto order = order_.load();
-  if (order == nullptr) return {};
-  const Curve& curve = order->curve;
-  const auto& inputs = curve.built->model.inputs;
+BandLab::Answer BandLab::compute(const Order& order, const RunOf<ShownBand>& run) {
+  const Curve& curve = order.curve;
+  const fuzzy::ForceModel& model = curve.built.model->model;
   elicitation::BandSettings settings;
-  settings.points = analysis::linePoints(curve.built->model, curve.values, curve.x_input, kBandPoints);
-  settings.again = order->kind == BandKind::kAgain;
+  settings.points = analysis::linePoints(model, curve.values, curve.x_input, kBandPoints);
+  settings.again = order.kind == BandKind::kAgain;
   std::vector<double> x;
   for (const auto& point : settings.points) x.push_back(point[curve.x_input]);
-  TACTUS_CHECK(inputs.size() == curve.values.size());
-  auto bands = elicitation::ForceBands::of(curve.study->study, *curve.built, curve.settings, std::move(settings));
-  if (!bands) return [this, why = text(bands.error().message())] { take(nullptr, why); };
+  TACTUS_CHECK(model.inputs.size() == curve.values.size());
+  auto bands = elicitation::ForceBands::of(curve.built.study->study, *curve.built.model, curve.built.settings,
+                                           std::move(settings));
+  if (!bands) return tl::unexpected(text(bands.error().message()));
   const std::size_t batch =
-      std::clamp<std::size_t>(kBatchPeople / std::max<std::size_t>(1, curve.built->model.experts.size()), 1, 25);
+      std::clamp<std::size_t>(kBatchPeople / std::max<std::size_t>(1, model.experts.size()), 1, 25);
   while (!run.stop.stop_requested()) {
     const bool more = bands->add(batch);
     run.progress(bands->planned() == 0 ? 1
                                        : static_cast<double>(bands->done()) / static_cast<double>(bands->planned()));
     if (!more) break;
     if (bands->done() < kFirstShown || bands->done() % kFirstShown >= batch) continue;
-    auto so_far = std::make_shared<ShownBand>(bandOf(*bands, order->kind, x));
-    run.hand([this, so_far] { take(so_far, {}); });
+    run.hand(bandOf(*bands, order.kind, x));
   }
-  auto whole = std::make_shared<ShownBand>(bandOf(*bands, order->kind, x));
-  return [this, whole] { take(whole, {}); };
-}
-
-void BandLab::take(std::shared_ptr<ShownBand> band, const QString& failure) {
-  shown_ = band == nullptr ? std::nullopt : std::optional(std::move(*band));
-  failure_ = failure;
-  if (shown_ && shown_->band.points.empty()) {
-    shown_.reset();
-    failure_ = tr("One participant alone says nothing about others.");
-  }
-  emit changed();
+  auto whole = std::make_shared<const ShownBand>(bandOf(*bands, order.kind, x));
+  if (whole->band.points.empty()) return tl::unexpected(tr("One participant alone says nothing about others."));
+  return whole;
 }
 
 void BandLab::setCurve(std::optional<Curve> curve) {
   curve_ = std::move(curve);
-  begin();
+  band_.forget();
 }
 
 void BandLab::choose(std::optional<BandKind> kind) {
   if (chosen_ == kind) return;
   chosen_ = kind;
-  begin();
-}
-
-void BandLab::setWanted(bool wanted) {
-  wanted_ = wanted;
-  work_.setWanted(wanted_ && order_.load() != nullptr);
-}
-
-void BandLab::begin() {
-  shown_.reset();
-  failure_.clear();
-  const bool some = curve_ && chosen_;
-  order_.store(some ? std::make_shared<const Order>(Order{*curve_, *chosen_}) : nullptr);
-  work_.setWanted(wanted_ && some);
-  if (some) work_.restart();
-  emit changed();
+  band_.forget();
 }
 
 QString bandName(BandKind kind) {

@@ -4,7 +4,6 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,15 +28,11 @@ class BandLab : public QObject {
   Q_OBJECT
 
  public:
-  /// `data` outlives this.
-  explicit BandLab(LabData& data, QObject* parent = nullptr);
-  ~BandLab() override;
+  explicit BandLab(QObject* parent = nullptr);
 
   /// What a band is made of.
   struct Curve {
-    std::shared_ptr<const elicitation::BuiltModel> built;
-    std::shared_ptr<const LabStudy> study;
-    elicitation::BuildSettings settings;  ///< of that build
+    BuiltStudy built;
     std::size_t x_input = 0;
     std::vector<double> values;  ///< one per input
   };
@@ -47,13 +42,11 @@ class BandLab : public QObject {
   void choose(std::optional<elicitation::BandKind> kind);
   const std::optional<elicitation::BandKind>& chosen() const { return chosen_; }
   /// The band so far; null while there is none.
-  const ShownBand* shown() const { return shown_ ? &*shown_ : nullptr; }
+  const ShownBand* shown() const { return band_.value().get(); }
   /// Why there is no band; empty if there is one, or none was chosen.
-  const QString& failure() const { return failure_; }
-  LabWork& work() { return work_; }
-
-  /// Computes while wanted and chosen.
-  void setWanted(bool wanted);
+  const QString& failure() const { return band_.failure(); }
+  /// Computes while it is held and one is chosen.
+  Computation& work() { return band_; }
 
  signals:
   /// `shown` or `failure` changed.
@@ -64,17 +57,13 @@ class BandLab : public QObject {
     Curve curve;
     elicitation::BandKind kind;
   };
-  LabWork::Deliver compute(const LabWork::Run& run);
-  void begin();
-  void take(std::shared_ptr<ShownBand> band, const QString& failure);
+  using Answer = Computed<Order, ShownBand>::Answer;
+  static Answer compute(const Order& order, const RunOf<ShownBand>& run);
+  std::optional<Order> order() const;
 
   std::optional<Curve> curve_;
   std::optional<elicitation::BandKind> chosen_;
-  std::optional<ShownBand> shown_;
-  QString failure_;
-  bool wanted_ = false;
-  std::atomic<std::shared_ptr<const Order>> order_;  ///< written here, read by the work
-  LabWork work_;                                     ///< last: its end waits for the work, which answers to all above
+  Computed<Order, ShownBand> band_;
 };
 
 /// `Again`, `Others`, `Next`, with what each means.

@@ -92,27 +92,10 @@ void showDistances(Columns<DistanceRow>& table, const elicitation::BuiltModel* b
 
 namespace {
 
-using elicitation::WeightPolicy;
-
-}  // namespace
-
-ExpertsLab::ExpertsLab(LabData& data, LabModel& model, QObject* parent)
-    : QObject(parent), data_(data), model_(model), bands_(data), compare_(data, [this](const LabWork::Run& run) {
-        return compare(run);
-      }) {
-  compare_.ignoreSettings();
-  connect(&model_, &LabModel::builtChanged, this, &ExpertsLab::takeModel);
-  connect(&data_, &LabData::settingsChanged, this, &ExpertsLab::changed);
-  takeModel();
-}
-
-ExpertsLab::~ExpertsLab() = default;
-
-LabWork::Deliver ExpertsLab::compare(const LabWork::Run& run) {
-  const auto input = input_.load();
-  if (input == nullptr) return {};
-  auto models = elicitation::compareWeights(*input->built, input->study->study, input->settings);
-  if (!models || run.stop.stop_requested()) return {};
+std::shared_ptr<const std::vector<ComparedWeights>> compareWeights(const BuiltStudy& from,
+                                                                   const std::stop_token& stop) {
+  auto models = elicitation::compareWeights(*from.model, from.study->study, from.settings);
+  if (!models || stop.stop_requested()) return nullptr;
   auto compared = std::make_shared<std::vector<ComparedWeights>>();
   for (const elicitation::WeightedModel& one : *models) {
     ComparedWeights row{one.policy, text(one.unavailable), {}, one.from_equal, {}};
@@ -122,56 +105,72 @@ LabWork::Deliver ExpertsLab::compare(const LabWork::Run& run) {
     }
     compared->push_back(std::move(row));
   }
-  return [this, compared] {
-    compared_ = std::move(*compared);
-    emit changed();
-  };
+  return compared;
+}
+
+}  // namespace
+
+ExpertsLab::ExpertsLab(LabData& data, LabModel& model, QObject* parent)
+    : QObject(parent),
+      data_(data),
+      model_(model),
+      compared_([&model] { return model.inputs(); },
+                [](const BuiltStudy& from, const auto& run) -> decltype(compared_)::Answer {
+                  return compareWeights(from, run.stop);
+                }),
+      curves_([this] { return curve(); },
+              [](const BandLab::Curve& at, const auto&) -> decltype(curves_)::Answer {
+                const fuzzy::ForceModel& of = at.built.model->model;
+                const auto compiled = fuzzy::compile(of);
+                if (!compiled) return nullptr;
+                return std::make_shared<const figures::ForceCurves>(
+                    figures::computeCurves(of, *compiled, at.x_input, at.values));
+              }) {
+  for (Computation* cell :
+       {static_cast<Computation*>(&compared_), static_cast<Computation*>(&curves_), &bands_.work()}) {
+    cell->needs(model_);
+  }
+  connect(&compared_, &Computation::valueChanged, this, &ExpertsLab::changed);
+  connect(&curves_, &Computation::valueChanged, this, &ExpertsLab::curvesChanged);
+  connect(&model_, &Computation::valueChanged, this, &ExpertsLab::takeModel);
+  connect(&data_, &LabData::settingsChanged, this, &ExpertsLab::changed);
+  takeModel();
+}
+
+const std::vector<ComparedWeights>& ExpertsLab::compared() const {
+  static const std::vector<ComparedWeights> kNone;
+  return compared_.value() == nullptr ? kNone : *compared_.value();
+}
+
+const figures::ForceCurves& ExpertsLab::curves() const {
+  static const figures::ForceCurves kNone;
+  return curves_.value() == nullptr ? kNone : *curves_.value();
+}
+
+std::optional<BandLab::Curve> ExpertsLab::curve() const {
+  const auto built = model_.inputs();
+  return built ? std::optional(BandLab::Curve{*built, x_input_, values_}) : std::nullopt;
 }
 
 void ExpertsLab::takeModel() {
   built_ = model_.built();
-  if (built_ == nullptr) {
-    input_.store(nullptr);
-    compared_.clear();
-    curves_ = {};
-    draws_.drop();
-    bands_.setCurve(std::nullopt);
-    emit changed();
-    emit curvesChanged();
-    return;
-  }
-  const auto& inputs = built_->model.inputs;
-  if (values_.size() != inputs.size()) {
+  if (built_ != nullptr && values_.size() != built_->model.inputs.size()) {
+    const auto& inputs = built_->model.inputs;
     values_.clear();
     for (const fuzzy::Variable& input : inputs) values_.push_back(usualValue(input));
-    const auto depth = std::find_if(inputs.begin(), inputs.end(),
-                                    [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
-    x_input_ = depth == inputs.end() ? 0 : static_cast<std::size_t>(depth - inputs.begin());
+    x_input_ = depthInput(built_->model);
   }
-  input_.store(std::make_shared<const Input>(Input{built_, model_.builtFrom(), model_.builtWith()}));
-  compare_.restart();
-  drawCurves();
+  compared_.refresh();
+  curves_.refresh();
+  bands_.setCurve(curve());
   emit changed();
-}
-
-void ExpertsLab::drawCurves() {
-  if (built_ == nullptr) return;
-  bands_.setCurve(BandLab::Curve{built_, model_.builtFrom(), model_.builtWith(), x_input_, values_});
-  draws_.run([this, built = built_, values = values_, x = x_input_](const std::stop_token&) -> Background::Deliver {
-    const auto compiled = fuzzy::compile(built->model);
-    if (!compiled) return {};
-    auto curves = std::make_shared<figures::ForceCurves>(figures::computeCurves(built->model, *compiled, x, values));
-    return [this, curves] {
-      curves_ = std::move(*curves);
-      emit curvesChanged();
-    };
-  });
 }
 
 void ExpertsLab::setValue(std::size_t input, double value) {
   if (input >= values_.size() || values_[input] == value) return;
   values_[input] = value;
-  drawCurves();
+  curves_.refresh();
+  bands_.setCurve(curve());
 }
 
 void ExpertsLab::setPolicy(WeightPolicy policy) {
@@ -198,10 +197,9 @@ void ExpertsLab::setWeight(const std::string& expert, double weight) {
 }
 
 void ExpertsLab::setWanted(bool wanted) {
-  data_.setWanted(*this, wanted);
-  model_.setWanted(*this, wanted);
-  compare_.setWanted(wanted);
-  bands_.setWanted(wanted);
+  compared_.hold(*this, wanted);
+  curves_.hold(*this, wanted);
+  bands_.work().hold(*this, wanted);
 }
 
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <map>
 #include <memory>
 #include <string>
@@ -34,7 +33,6 @@ class ExpertsLab : public QObject {
  public:
   /// Both outlive this.
   ExpertsLab(LabData& data, LabModel& model, QObject* parent = nullptr);
-  ~ExpertsLab() override;
 
   /// The averaged model and what led to it; null if there is none.
   const std::shared_ptr<const elicitation::BuiltModel>& built() const { return built_; }
@@ -42,8 +40,8 @@ class ExpertsLab : public QObject {
   const QString& failure() const { return model_.failure(); }
   const elicitation::WeightSettings& weights() const { return data_.settings().weights; }
   /// Each policy beside equal weights, as far as it is computed.
-  const std::vector<ComparedWeights>& compared() const { return compared_; }
-  LabWork& work() { return compare_; }
+  const std::vector<ComparedWeights>& compared() const;
+  Computation& work() { return compared_; }
   /// The band around the averaged force along these curves.
   BandLab& bands() { return bands_; }
   const LabData& data() const { return data_; }
@@ -59,7 +57,7 @@ class ExpertsLab : public QObject {
   /// The input of the x axis: the depth.
   std::size_t xInput() const { return x_input_; }
   /// Along the depth at `values`; empty without a model.
-  const figures::ForceCurves& curves() const { return curves_; }
+  const figures::ForceCurves& curves() const;
 
   /// Computes while wanted.
   void setWanted(bool wanted);
@@ -70,26 +68,18 @@ class ExpertsLab : public QObject {
   void curvesChanged();
 
  private:
-  struct Input {
-    std::shared_ptr<const elicitation::BuiltModel> built;
-    std::shared_ptr<const LabStudy> study;
-    elicitation::BuildSettings settings;
-  };
-  LabWork::Deliver compare(const LabWork::Run& run);
+  /// The curve of the values through the model; nothing: no model.
+  std::optional<BandLab::Curve> curve() const;
   void takeModel();
-  void drawCurves();
 
   LabData& data_;
   LabModel& model_;
   std::shared_ptr<const elicitation::BuiltModel> built_;
-  std::vector<ComparedWeights> compared_;
   std::vector<double> values_;
   std::size_t x_input_ = 0;
-  figures::ForceCurves curves_;
-  Background draws_;
   BandLab bands_;
-  std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work
-  LabWork compare_;                                  ///< last: its end waits for the work, which answers to all above
+  Computed<BuiltStudy, std::vector<ComparedWeights>> compared_;
+  Computed<BandLab::Curve, figures::ForceCurves> curves_;
 };
 
 /// The distance of each expert from the mean along the curves, one list per expert; NaN where the expert abstains.

@@ -140,7 +140,8 @@ constexpr elicitation::BandKind kBands[] = {elicitation::BandKind::kAgain, elici
 }  // namespace
 
 ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
-    : QWidget(parent),
+    : LabView(
+          QStringLiteral("experts"), tr("Experts"), [&lab](bool wanted) { lab.setWanted(wanted); }, parent),
       lab_(lab),
       weights_(new Columns<WeightRow>(weightColumns(lab), this)),
       policies_(new Columns<PolicyRow>(policyColumns(), this)),
@@ -152,8 +153,6 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
       band_(new QComboBox),
       band_text_(new WrappedLabel),
       settings_(new QWidget) {
-  setObjectName(QStringLiteral("experts"));
-  setWindowTitle(tr("Experts"));
   auto* both = new QSplitter(Qt::Horizontal);
   both->setChildrenCollapsible(false);
   both->setHandleWidth(theme::kGrid);
@@ -263,16 +262,6 @@ void ExpertsLabView::makeSettings() {
     connect(row, &SettingRow::changed, this, [this, i](double value) { lab_.setValue(i, value); });
     rows_.emplace_back(i, row);
   }
-}
-
-void ExpertsLabView::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  lab_.setWanted(true);
-}
-
-void ExpertsLabView::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  lab_.setWanted(false);
 }
 
 void ExpertsLabView::follow() {

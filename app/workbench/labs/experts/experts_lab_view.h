@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/workbench/labs/experts/experts_lab.h"
+#include "app/workbench/labs/frame/lab_card.h"
 
 class QComboBox;
 class QLabel;
@@ -23,7 +24,7 @@ struct WeightRow {
 class PullPlot;
 class SettingRow;
 
-class ExpertsLabView : public QWidget {
+class ExpertsLabView : public LabView {
   Q_OBJECT
 
  public:
@@ -36,10 +37,6 @@ class ExpertsLabView : public QWidget {
  signals:
   /// The user wants to tune the averaged model.
   void benchAsked();
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makeLeft();

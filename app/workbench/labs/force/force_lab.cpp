@@ -52,69 +52,61 @@ ForceLab::ForceLab(LabData& data, LabModel& model, Corrections& corrections, QOb
       data_(data),
       model_(model),
       corrections_(corrections),
-      work_(data, [this](const LabWork::Run& run) -> LabWork::Deliver {
-        auto found = std::make_shared<Found>();
-        found->study = run.study;
-        found->votes = forceVotes(run.study->study, run.settings.series, run.settings.force_end_n);
-        found->series = seriesOf(run.study->study);
-        found->checks = judgementChecks(found->votes.words, run.study->judged);
-        return [this, found] {
-          found_ = std::move(*found);
-          emit changed();
-        };
-      }) {
+      found_([&data] { return data.inputs(); },
+             [](const LabInputs& from, const RunOf<Found>&) {
+               auto found = std::make_shared<Found>();
+               found->votes = forceVotes(from.study->study, from.settings.series, from.settings.force_end_n);
+               found->series = seriesOf(from.study->study);
+               found->checks = judgementChecks(found->votes.words, from.study->judged);
+               return found;
+             }),
+      influence_([this] { return asked(); },
+                 [](const Asked& asked, const RunOf<QString>&) {
+                   const auto& [built, study, settings] = asked.built;
+                   const auto moved = elicitation::withoutJudgement(*built, study->study, settings, asked.index);
+                   return std::make_shared<const QString>(influenceText(asked.who, moved, built->model));
+                 }) {
+  followLabData(found_, data_);
+  influence_.needs(model_);
+  connect(&found_, &Computation::valueChanged, this, &ForceLab::changed);
+  connect(&influence_, &Computation::valueChanged, this, &ForceLab::influenceChanged);
   connect(&data_, &LabData::settingsChanged, this, &ForceLab::changed);
-  connect(&model_, &LabModel::builtChanged, this, &ForceLab::compareAsked);
-  connect(&data_, &LabData::studyChanged, this, [this] {
-    if (data_.study() != nullptr || found_.study == nullptr) return;
-    found_ = {};
-    asked_.reset();
-    setInfluence({});
-    emit changed();
-  });
+  connect(&model_, &Computation::valueChanged, &influence_, &Computation::refresh);
+}
+
+const ForceLab::Found& ForceLab::found() const {
+  static const Found kNothing;
+  return found_.value() == nullptr ? kNothing : *found_.value();
 }
 
 const std::vector<session::JudgedForce>& ForceLab::judgements() const {
   static const std::vector<session::JudgedForce> kNone;
-  return found_.study == nullptr ? kNone : found_.study->judged;
+  return found_.of() == nullptr ? kNone : found_.of()->study->judged;
 }
 
 void ForceLab::setWanted(bool wanted) {
-  data_.setWanted(*this, wanted);
-  model_.setWanted(*this, wanted);
-  work_.setWanted(wanted);
+  found_.hold(*this, wanted);
+  influence_.hold(*this, wanted);
 }
 
 void ForceLab::askInfluence(const session::JudgedForce& judged) {
   asked_ = judged;
-  compareAsked();
+  influence_.refresh();
 }
 
-void ForceLab::compareAsked() {
-  if (!asked_) return;
-  const session::JudgedForce& judged = *asked_;
-  const auto built = model_.built();
-  const auto study = model_.builtFrom();
-  if (!judged.counts || built == nullptr) return setInfluence({});
-  const auto& judgements = study->study.judgements;
+std::optional<ForceLab::Asked> ForceLab::asked() const {
+  const auto built = model_.inputs();
+  if (!asked_ || !asked_->counts || !built) return std::nullopt;
+  const auto& judgements = built->study->study.judgements;
   const auto found = std::find_if(judgements.begin(), judgements.end(), [&](const study::ForceJudgement& one) {
-    return one.participant == judged.participant && one.series == judged.record.series &&
-           one.step == judged.record.step;
+    return one.participant == asked_->participant && one.series == asked_->record.series &&
+           one.step == asked_->record.step;
   });
-  if (found == judgements.end()) return setInfluence({});
-  const auto index = static_cast<std::size_t>(found - judgements.begin());
-  const QString who =
+  if (found == judgements.end()) return std::nullopt;
+  return Asked{
+      *built, static_cast<std::size_t>(found - judgements.begin()),
       tr("%1 at %2")
-          .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, found_.votes.words.unit));
-  influence_work_.run([this, built, study, with = model_.builtWith(), index, who](const std::stop_token&) {
-    const auto moved = elicitation::withoutJudgement(*built, study->study, with, index);
-    return [this, sentence = influenceText(who, moved, built->model)] { setInfluence(sentence); };
-  });
-}
-
-void ForceLab::setInfluence(const QString& sentence) {
-  influence_ = sentence;
-  emit influenceChanged();
+          .arg(harmless(text(asked_->participant)), quantityText(asked_->record.commanded_n, votes().words.unit))};
 }
 
 void ForceLab::setMethod(elicitation::ForceTermsFrom from) {
@@ -136,8 +128,8 @@ void ForceLab::correct(const session::JudgedForce& judged, const session::Judged
   corrections_.correct(
       judged.record, wanted,
       tr("%1 at %2: %3 instead of %4")
-          .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, found_.votes.words.unit),
-               judgedText(found_.votes.words, word), judgedText(found_.votes.words, judgedWord(judged.record))));
+          .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, votes().words.unit),
+               judgedText(votes().words, word), judgedText(votes().words, judgedWord(judged.record))));
 }
 
 }  // namespace tactus::workbench

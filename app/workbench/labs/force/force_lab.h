@@ -57,14 +57,14 @@ class ForceLab : public QObject {
   /// All outlive this.
   ForceLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent = nullptr);
 
-  const ForceVotes& votes() const { return found_.votes; }
-  const std::vector<ParticipantChecks>& checks() const { return found_.checks; }
+  const ForceVotes& votes() const { return found().votes; }
+  const std::vector<ParticipantChecks>& checks() const { return found().checks; }
   /// Every judgement behind them.
   const std::vector<session::JudgedForce>& judgements() const;
   /// The series that can vote.
-  const std::vector<std::string>& series() const { return found_.series; }
+  const std::vector<std::string>& series() const { return found().series; }
   const elicitation::BuildSettings& settings() const { return data_.settings(); }
-  LabWork& work() { return work_; }
+  Computation& work() { return found_; }
   const LabData& data() const { return data_; }
 
   /// Computes while wanted.
@@ -77,7 +77,7 @@ class ForceLab : public QObject {
   /// model has changed.
   void askInfluence(const session::JudgedForce& judged);
   /// The answer, one sentence; empty while there is none.
-  const QString& influence() const { return influence_; }
+  QString influence() const { return influence_.value() ? *influence_.value() : QString(); }
   /// Stores another word for a judgement.
   void correct(const session::JudgedForce& judged, const session::JudgedWord& word);
 
@@ -88,23 +88,25 @@ class ForceLab : public QObject {
 
  private:
   struct Found {
-    std::shared_ptr<const LabStudy> study;
     ForceVotes votes;
     std::vector<ParticipantChecks> checks;
     std::vector<std::string> series;
   };
-
-  void compareAsked();
-  void setInfluence(const QString& sentence);
+  /// A judgement by its index in the study.
+  struct Asked {
+    BuiltStudy built;
+    std::size_t index = 0;
+    QString who;
+  };
+  const Found& found() const;
+  std::optional<Asked> asked() const;
 
   LabData& data_;
   LabModel& model_;
   Corrections& corrections_;
-  Found found_;
   std::optional<session::JudgedForce> asked_;
-  QString influence_;
-  Background influence_work_;
-  LabWork work_;  ///< last: its end waits for the work, which answers to all above
+  Computed<LabInputs, Found> found_;
+  Computed<Asked, QString> influence_;
 };
 
 }  // namespace tactus::workbench

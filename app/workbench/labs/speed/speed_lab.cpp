@@ -14,43 +14,48 @@
 
 namespace tactus::workbench {
 
-StrokeInfluence::StrokeInfluence(LabModel& model, QObject* parent) : QObject(parent), model_(model) {
-  connect(&model_, &LabModel::builtChanged, this, &StrokeInfluence::compare);
+StrokeInfluence::StrokeInfluence(LabModel& model, QObject* parent)
+    : QObject(parent),
+      model_(model),
+      answer_(
+          [this]() -> std::optional<Asked> {
+            const auto built = model_.inputs();
+            return asked_ && built ? std::optional(Asked{*built, *asked_, which_}) : std::nullopt;
+          },
+          [](const Asked& asked, const auto&) {
+            const auto& [built, study, settings] = asked.built;
+            const auto moved = elicitation::withoutStroke(*built, study->study, settings, asked.stroke.participant,
+                                                          asked.stroke.level, asked.stroke.stroke);
+            return std::make_shared<const QString>(influenceText(asked.which, moved, built->model));
+          }) {
+  answer_.needs(model_);
+  connect(&model_, &Computation::valueChanged, this, [this] {
+    answer_.forget();
+    if (asked_) emit told();
+  });
+  connect(&answer_, &Computation::valueChanged, this, &StrokeInfluence::told);
 }
 
 void StrokeInfluence::ask(const elicitation::StrokeKey& stroke, const QString& which) {
   asked_ = stroke;
   which_ = which;
-  model_.setWanted(*this, true);
-  compare();
+  answer_.hold(*this);
+  answer_.forget();
+  emit told();
 }
 
 void StrokeInfluence::stop() {
   asked_.reset();
-  work_.drop();
-  model_.setWanted(*this, false);
-  tell({});
-}
-
-void StrokeInfluence::compare() {
-  if (!asked_) return;
-  const auto built = model_.built();
-  if (built == nullptr) {
-    work_.drop();
-    return tell(model_.failure().isEmpty() ? tr("%1: building the model…").arg(which_) : model_.failure());
-  }
-  tell(tr("%1: comparing the force with and without it…").arg(which_));
-  work_.run([this, built, study = model_.builtFrom(), with = model_.builtWith(), stroke = *asked_,
-             which = which_](const std::stop_token&) {
-    const auto moved =
-        elicitation::withoutStroke(*built, study->study, with, stroke.participant, stroke.level, stroke.stroke);
-    return [this, sentence = influenceText(which, moved, built->model)] { tell(sentence); };
-  });
-}
-
-void StrokeInfluence::tell(const QString& sentence) {
-  sentence_ = sentence;
+  answer_.forget();
+  answer_.hold(*this, false);
   emit told();
+}
+
+QString StrokeInfluence::sentence() const {
+  if (!asked_) return {};
+  if (answer_.value() != nullptr) return *answer_.value();
+  if (model_.value() != nullptr) return tr("%1: comparing the force with and without it…").arg(which_);
+  return model_.failure().isEmpty() ? tr("%1: building the model…").arg(which_) : model_.failure();
 }
 
 namespace {
@@ -105,17 +110,21 @@ bool staysCalm(const std::stop_token& stop) {
 }  // namespace
 
 SpeedLab::SpeedLab(LabData& data, QObject* parent)
-    : QObject(parent), data_(data), work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
+    : QObject(parent),
+      data_(data),
+      work_(
+          [this]() -> std::optional<Inputs> {
+            const auto from = data_.inputs();
+            return from ? std::optional(Inputs{*from, clusters_, page_}) : std::nullopt;
+          },
+          [calculation = std::make_shared<SpeedClusters>()](const Inputs& inputs, const RunOf<Found>& run) {
+            return compute(inputs, run, *calculation);
+          }) {
+  followLabData(work_, data_);
+  connect(&work_, &Computation::valueChanged, this, &SpeedLab::take);
   connect(&data_, &LabData::settingsChanged, this, [this] {
     current_ = false;
     emit settingsChanged();
-  });
-  connect(&data_, &LabData::studyChanged, this, [this] {
-    if (data_.study() != nullptr || result_ == nullptr) return;
-    page_ = 0;
-    wanted_page_ = 0;
-    objectives_.clear();
-    take(nullptr, false);
   });
 }
 
@@ -157,9 +166,8 @@ void SpeedLab::setDefaults() {
 void SpeedLab::setClusters(std::size_t clusters) {
   if (clusters == clusters_) return;
   clusters_ = clusters;
-  wanted_clusters_ = clusters;
   current_ = false;
-  work_.restart();
+  work_.refresh();
   emit settingsChanged();
 }
 
@@ -172,9 +180,8 @@ void SpeedLab::setPage(std::size_t page) {
   page = std::min(page, pages() - 1);
   if (page == page_) return;
   page_ = page;
-  wanted_page_ = page;
   objectives_.clear();
-  work_.restart();
+  work_.refresh();
   emit pageChanged();
 }
 
@@ -183,21 +190,28 @@ std::pair<std::size_t, std::size_t> SpeedLab::shown() const {
   return {std::min(count, page_ * kPerPage), std::min(count, (page_ + 1) * kPerPage)};
 }
 
-void SpeedLab::take(std::shared_ptr<const SpeedResult> result, bool current) {
-  result_ = std::move(result);
-  current_ = current;
+void SpeedLab::take() {
+  const auto& found = work_.value();
+  result_ = found == nullptr ? nullptr : found->result;
+  current_ = work_.isCurrent();
+  if (found == nullptr) {
+    page_ = 0;
+    objectives_.clear();
+  } else if (found->objectives) {
+    objectives_ = *found->objectives;
+  }
   if (page_ >= pages()) {
     page_ = pages() - 1;
-    wanted_page_ = page_;
     emit pageChanged();
   }
   emit resultChanged();
 }
 
-// Runs in the thread of the work. First what the plots show: it comes to its end even if the slider has moved on, so
+// First what the plots show: it comes to its end even if the slider has moved on, so
 // that a drag shows something. What takes longer, and would make the next step of a slider wait, begins when the
 // settings stand still.
-LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
+SpeedLab::FoundCell::Answer SpeedLab::compute(const Inputs& inputs, const RunOf<Found>& run,
+                                              SpeedClusters& calculation) {
   double from = 0;
   double to = kClustered;
   auto told = std::chrono::steady_clock::now();
@@ -210,39 +224,36 @@ LabWork::Deliver SpeedLab::compute(const LabWork::Run& run) {
     return true;
   };
   const auto go_on = [&](double share) { return !run.stop.stop_requested() && tell(share); };
-  const auto hand = [&](std::shared_ptr<const SpeedResult> result) {
-    run.hand([this, result = std::move(result)] { take(result, true); });
-  };
-  elicitation::BuildSettings settings = run.settings;
+  std::optional<std::vector<ObjectiveTrace>> objectives;
+  const auto hand = [&](std::shared_ptr<const SpeedResult> result) { run.hand({std::move(result), objectives}); };
+  elicitation::BuildSettings settings = inputs.from.settings;
   settings.speed.fcm.keep_going = [given_up = run.given_up](const auto&) { return !given_up(); };
-  const auto clustered = calculation_.cluster(run.study, settings, wanted_clusters_,
-                                              [&](double share) { return !run.given_up() && tell(share); });
-  if (!clustered) return {};
-  run.show([this, clustered](bool current) { take(clustered, current); });
-  if (!staysCalm(run.stop)) return {};
+  const auto clustered = calculation.cluster(inputs.from.study, settings, inputs.clusters,
+                                             [&](double share) { return !run.given_up() && tell(share); });
+  if (!clustered) return nullptr;
+  run.show({clustered});
+  if (!staysCalm(run.stop)) return nullptr;
   run.say(tr("Comparing clusters and levels"));
   from = kClustered;
   to = kChecked;
-  auto checked = calculation_.check(go_on);
-  if (!checked) return {};
+  auto checked = calculation.check(go_on);
+  if (!checked) return nullptr;
   hand(checked);
-  std::vector<ObjectiveTrace> objectives;
-  const std::size_t first = wanted_page_ * kPerPage;
+  std::vector<ObjectiveTrace> traces;
+  const std::size_t first = inputs.page * kPerPage;
   for (std::size_t i = first; i < std::min(first + kPerPage, checked->subjects.size()); ++i) {
     const SpeedSubject& subject = *checked->subjects[i];
-    objectives.push_back(objectiveTrace(calculation_.speedsOf(subject.speeds.participant), checked->clusters,
-                                        subject.speeds.m, [&run] { return !run.stop.stop_requested(); }));
+    traces.push_back(objectiveTrace(calculation.speedsOf(subject.speeds.participant), checked->clusters,
+                                    subject.speeds.m, [&run] { return !run.stop.stop_requested(); }));
   }
-  if (run.stop.stop_requested()) return {};
-  run.hand([this, objectives] {
-    objectives_ = objectives;
-    emit resultChanged();
-  });
+  if (run.stop.stop_requested()) return nullptr;
+  objectives = std::move(traces);
+  hand(checked);
   run.say(tr("Drawing strokes again for the intervals"));
   from = kChecked;
   to = 1;
-  calculation_.bootstrap(go_on, hand);
-  return {};
+  calculation.bootstrap(go_on, hand);
+  return nullptr;
 }
 
 }  // namespace tactus::workbench
