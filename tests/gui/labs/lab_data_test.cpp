@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 #include <semaphore>
 
-#include "app/workbench/labs/data/lab_model.h"
-
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
 

@@ -16,7 +16,6 @@
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"
-#include "app/workbench/labs/force/vote_table.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/method/method_lab_view.h"

@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/workbench/labs/rules/grid_places.h"
+#include "app/workbench/labs/rules/expert_grids.h"
 #include "core/store/entries.h"
 
 #include "tests/gui/labs/lab_study_file.h"

@@ -12,7 +12,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/labs/data/corrections.h"
-#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab.h"

@@ -24,7 +24,6 @@
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_view.h"
-#include "app/workbench/labs/force/vote_table.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"

@@ -13,7 +13,6 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 
 namespace tactus::workbench {
 namespace {

@@ -11,7 +11,6 @@
 #include "app/figures/force_curves.h"
 #include "app/workbench/base/columns.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/model/method_study.h"
 
@@ -85,6 +84,9 @@ class MethodLab : public QObject {
   const std::optional<std::size_t>& chosen() const { return chosen_; }
   /// Of the chosen variant; null while they are computed, or if there is no such model.
   const MethodCurves* curves() const { return curves_.value().get(); }
+
+  /// They are being computed.
+  bool isDrawing() const { return curves_.isBusy(); }
 
   /// Whether the lab is on the screen: then the study is read.
   void setWanted(bool wanted);

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/record_influence.h"
 #include "elicitation/tracing/sources.h"

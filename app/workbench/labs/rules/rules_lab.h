@@ -10,21 +10,12 @@
 
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/rules/agreement_rows.h"
 #include "app/workbench/labs/rules/expert_grids.h"
 #include "elicitation/agreement/conflict_map.h"
 #include "elicitation/model/record_influence.h"
 
 namespace tactus::workbench {
-
-/// A cell of the grids.
-struct GridPlace {
-  std::size_t row = 0;
-  std::size_t column = 0;
-
-  bool operator==(const GridPlace&) const = default;
-};
 
 /// Thread: gui.
 class RulesLab : public QObject {

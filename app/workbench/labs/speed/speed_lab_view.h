@@ -9,7 +9,6 @@
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/speed/speed_lab.h"
-#include "app/workbench/labs/speed/stroke_traces.h"
 #include "elicitation/tracing/sources.h"
 
 class QComboBox;
