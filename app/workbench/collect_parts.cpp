@@ -15,8 +15,8 @@
 #include "app/workbench/labs/method/method_lab_view.h"
 #include "app/workbench/labs/origins/origin_window.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
+#include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
-#include "app/workbench/labs/speed/speed_term_plot.h"
 #include "app/workbench/labs/speed/trace_row.h"
 #include "app/workbench/model/author_name.h"
 #include "app/workbench/model/model_controller.h"
@@ -165,13 +165,15 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
   screen_->addLab(tr("Depth"), depth_view_, &depth_);
   screen_->addLab(tr("Speed"), speed_view_, &corrections_);
   screen_->watch(speed_.work(), tr("Clustering the speeds"));
-  screen_->watch(model_.work(), tr("Building the model"));
+  screen_->watch(model_, tr("Building the model"));
   screen_->addLab(tr("Force"), force_view_, &corrections_);
   screen_->watch(force_.work(), tr("Counting the votes"));
   screen_->addLab(tr("Rules"), rules_view_, &corrections_);
   screen_->watch(rules_.work(), tr("Comparing the experts"));
   screen_->watch([this] { return rules_.isComparing(); });
-  auto* const experts = new ExpertsLabView(experts_);
+  // The screen ends before what they read.
+  auto* const experts_lab = new ExpertsLab(data_, model_, screen_);
+  auto* const experts = new ExpertsLabView(*experts_lab);
   screen_->addLab(tr("Experts"), experts, nullptr);
   connect(experts, &ExpertsLabView::benchAsked, this, [this, &files, &study_models] {
     if (!files.mayLoseChanges()) return;
@@ -185,10 +187,12 @@ LabParts::LabParts(MainWindow& window, ModelFiles& files, StudyConnection& study
     if (std::exchange(leads_to_bench_, false)) window.enter(Stage::kTune);
   });
   connect(&study_models, &StudyModels::failed, this, [this] { leads_to_bench_ = false; });
-  screen_->watch(experts_.work(), tr("Comparing the weights"));
-  screen_->watch(experts_.bands().work(), tr("Drawing participants again"));
-  screen_->addLab(tr("Method"), new MethodLabView(method_), nullptr);
-  screen_->watch(method_.work(), tr("Comparing the choices of the method"));
+  screen_->watch(experts_lab->work(), tr("Comparing the weights"));
+  screen_->watch(experts_lab->bands().work(), tr("Drawing participants again"));
+  auto* const method = new MethodLab(data_, screen_);
+  screen_->addLab(tr("Method"), new MethodLabView(*method), nullptr);
+  screen_->watch(method->work(), tr("Comparing the choices of the method"));
+  screen_->watch([method] { return method->isDrawing(); });
   window.addScreen(Stage::kAgree, screen_, MainWindow::Needs::kStudy);
   // From a setting of the speed lab until every plot in sight is painted with it.
   auto* const clock = new FrameClock(*screen_, this);

@@ -8,12 +8,9 @@
 #include "app/workbench/collect/protocol_controller.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/depth/depth_lab.h"
-#include "app/workbench/labs/experts/experts_lab.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/frame/lab_screen.h"
-#include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/origins/origin_finder.h"
 #include "app/workbench/labs/rules/rules_lab.h"
 #include "app/workbench/labs/speed/speed_lab.h"
@@ -59,7 +56,6 @@ class LabParts : public QObject {
   LabScreen& screen() { return *screen_; }
   DepthLab& depth() { return depth_; }
   DepthLabView& depthView() { return *depth_view_; }
-  MethodLab& method() { return method_; }
   SpeedLab& speed() { return speed_; }
   ForceLabView& forceView() { return *force_view_; }
   RulesLab& rules() { return rules_; }
@@ -73,9 +69,7 @@ class LabParts : public QObject {
   Corrections corrections_{data_};
   SpeedLab speed_{data_};
   ForceLab force_{data_, model_, corrections_};
-  RulesLab rules_{data_, model_, corrections_};
-  ExpertsLab experts_{data_, model_};
-  MethodLab method_{data_};
+  RulesLab rules_{model_, corrections_};
   DepthLab depth_;
   LabScreen* screen_;
   DepthLabView* depth_view_;

@@ -28,7 +28,7 @@ void pass(int ms) {
 void holdStill(const QWidget& window) {
   for (QAbstractAnimation* moving : window.findChildren<QAbstractAnimation*>()) {
     if (moving->loopCount() != -1) continue;
-    moving->pause();
+    if (moving->state() == QAbstractAnimation::Running) moving->pause();
     moving->setCurrentTime(0);
   }
 }

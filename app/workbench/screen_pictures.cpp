@@ -27,6 +27,7 @@
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/help/guide_window.h"
 #include "app/workbench/help/tour.h"
+#include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/nurse_view.h"
@@ -252,11 +253,9 @@ base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
   for (QWidget* const lab : screen.labs()) {
     screen.reveal(lab);
     waitForLab(screen);
-    MethodLab& method = bench.lab_parts.method();
     if (lab->objectName() == QLatin1String("method")) {
-      method.compare();
+      lab->findChild<PrimaryButton*>()->click();
       waitForLab(screen);
-      waitFor([&method] { return method.curves() != nullptr; });
     }
     const QString title = stageName(Stage::kAgree) + QStringLiteral(": ") + lab->windowTitle();
     // Pages inside a lab have pictures of their own.

@@ -15,8 +15,8 @@
 #include <map>
 #include <sys/resource.h>
 
+#include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_lab_view.h"
-#include "app/workbench/labs/force/vote_table.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"

@@ -17,7 +17,6 @@
 #include "app/session/study_view.h"
 #include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
-#include "app/workbench/labs/speed/speed_term_plot.h"
 #include "app/workbench/shell/frame_clock.h"
 #include "app/workbench/workbench.h"
 #include "core/base/check.h"

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <utility>
@@ -73,6 +74,37 @@ class Columns : public QAbstractTableModel {
     if (rows.empty() || rows.size() != rows_.size()) return setRows(std::move(rows));
     rows_ = std::move(rows);
     emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+  }
+  /// Rows that are the `same` at the beginning and at the end stay the same rows; what is between them is new.
+  template <class Same>
+  void updateRows(std::vector<Row> next, Same same) {
+    std::size_t begin = 0;
+    while (begin < rows_.size() && begin < next.size() && same(rows_[begin], next[begin])) ++begin;
+    std::size_t end = 0;
+    while (end < rows_.size() - begin && end < next.size() - begin &&
+           same(rows_[rows_.size() - 1 - end], next[next.size() - 1 - end])) {
+      ++end;
+    }
+    const auto at = [](std::vector<Row>& rows, std::size_t i) { return rows.begin() + static_cast<std::ptrdiff_t>(i); };
+    if (rows_.size() - end > begin) {
+      beginRemoveRows({}, static_cast<int>(begin), static_cast<int>(rows_.size() - end) - 1);
+      rows_.erase(at(rows_, begin), at(rows_, rows_.size() - end));
+      endRemoveRows();
+    }
+    if (next.size() - end > begin) {
+      beginInsertRows({}, static_cast<int>(begin), static_cast<int>(next.size() - end) - 1);
+      rows_.insert(at(rows_, begin), at(next, begin), at(next, next.size() - end));
+      endInsertRows();
+    }
+    for (std::size_t r = 0; r < rows_.size(); ++r) {
+      if (!(rows_[r] == next[r])) setRow(static_cast<int>(r), std::move(next[r]));
+    }
+  }
+  /// The same row with other contents; with `column`, only in that one.
+  void setRow(int index, Row now, int column = -1) {
+    rows_[static_cast<std::size_t>(index)] = std::move(now);
+    const int first = std::max(0, column);
+    emit dataChanged(this->index(index, first), this->index(index, column < 0 ? columnCount() - 1 : first));
   }
   /// What the functions of `column` read beside the rows has changed.
   void updateColumn(int column) {

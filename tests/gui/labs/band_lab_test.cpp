@@ -1,4 +1,3 @@
-#include "app/workbench/labs/experts/band_lab.h"
 
 #include <QTemporaryDir>
 #include <gtest/gtest.h>

@@ -19,7 +19,7 @@ class CorrectionsTest : public testing::Test {
  protected:
   void SetUp() override {
     study.open(path);
-    data.setWanted(lab, true);
+    data.hold(lab);
     ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
   }
   /// Until the study is read again after `act`.

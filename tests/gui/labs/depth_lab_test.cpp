@@ -281,7 +281,7 @@ TEST_F(DepthLabTest, AConvertedDicomImageBringsItsScale) {
 }
 
 TEST_F(DepthLabTest, TheModelTakesTheMeasuredDepthsOnlyOnRequest) {
-  data.setWanted(lab, true);
+  data.hold(lab);
   ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
   EXPECT_FALSE(lab.isMeasured());
   view->showExample();

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/labs/force/judgement_grid.h"
-#include "app/workbench/labs/force/vote_table.h"
 #include "core/store/entries.h"
 
 #include "tests/gui/labs/lab_study_file.h"

@@ -8,8 +8,6 @@
 #include <gtest/gtest.h>
 #include <semaphore>
 
-#include "app/workbench/labs/data/lab_model.h"
-
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
 
@@ -17,6 +15,9 @@ namespace tactus::workbench {
 namespace {
 
 using tests::comesTrue;
+
+template <class T>
+using Work = Computed<LabInputs, T>;
 
 class LabDataTest : public testing::Test {
  protected:
@@ -36,7 +37,7 @@ TEST_F(LabDataTest, NothingIsReadUntilALabIsOnTheScreen) {
   EXPECT_FALSE(data.isReading());
   EXPECT_EQ(data.study(), nullptr);
   QObject lab;
-  data.setWanted(lab, true);
+  data.hold(lab);
   EXPECT_TRUE(data.isReading());
   ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
   EXPECT_EQ(data.study()->study.participants.size(), 4U);
@@ -53,7 +54,7 @@ TEST_F(LabDataTest, WhileASessionRunsReadingWaits) {
   open();
   data.setSessionRunning(true);
   QObject lab;
-  data.setWanted(lab, true);
+  data.hold(lab);
   data.refresh();
   EXPECT_FALSE(data.isReading());
   data.setSessionRunning(false);
@@ -63,22 +64,26 @@ TEST_F(LabDataTest, WhileASessionRunsReadingWaits) {
 TEST_F(LabDataTest, WorkRunsWhileItIsWantedAndStartsAgainWithASetting) {
   open();
   std::vector<double> seen;
-  LabWork work(data, [&seen](const LabWork::Run& run) -> LabWork::Deliver {
-    run.progress(0.5);
-    return [&seen, alpha = run.settings.speed.alpha] { seen.push_back(alpha); };
-  });
-  work.setWanted(true);
+  Work<double> work([this] { return data.inputs(); },
+                    [](const LabInputs& from, const RunOf<double>& run) {
+                      run.progress(0.5);
+                      return std::make_shared<const double>(from.settings.speed.alpha);
+                    });
+  followLabData(work, data);
+  QObject::connect(&work, &Computation::valueChanged, &work, [&] { seen.push_back(*work.value()); });
+  QObject view;
+  work.hold(view);
   ASSERT_TRUE(comesTrue([&] { return seen.size() == 1 && !work.isBusy(); }));
   auto settings = data.settings();
   settings.speed.alpha = 0.75;
   data.setSettings(settings);
   ASSERT_TRUE(comesTrue([&] { return seen.size() == 2; }));
   EXPECT_EQ(seen.back(), 0.75);
-  work.setWanted(false);
+  work.hold(view, false);
   settings.speed.alpha = 0.8;
   data.setSettings(settings);
   EXPECT_FALSE(work.isBusy());
-  work.setWanted(true);
+  work.hold(view);
   ASSERT_TRUE(comesTrue([&] { return seen.size() == 3; }));
   EXPECT_EQ(seen.back(), 0.8);
 }
@@ -89,14 +94,18 @@ TEST_F(LabDataTest, ACanceledRunDeliversNothingAndTheNextChangeStartsAgain) {
   std::counting_semaphore<> may_end{0};
   std::atomic<int> runs = 0;
   std::vector<int> delivered;  // the number of the run, for each result
-  LabWork work(data, [&](const LabWork::Run& run) -> LabWork::Deliver {
-    const int number = ++runs;
-    run.hand([&delivered, number] { delivered.push_back(number); });
-    if (number == 1) started.release();
-    may_end.acquire();
-    return [&delivered, number] { delivered.push_back(number); };
-  });
-  work.setWanted(true);
+  Work<int> work([this] { return data.inputs(); },
+                 [&](const LabInputs&, const RunOf<int>& run) {
+                   const int number = ++runs;
+                   run.hand(number);
+                   if (number == 1) started.release();
+                   may_end.acquire();
+                   return std::make_shared<const int>(number);
+                 });
+  followLabData(work, data);
+  QObject::connect(&work, &Computation::valueChanged, &work, [&] { delivered.push_back(*work.value()); });
+  QObject view;
+  work.hold(view);
   ASSERT_TRUE(comesTrue([&] { return started.try_acquire(); }));
   work.cancel();
   const int canceled = runs;
@@ -116,15 +125,18 @@ TEST_F(LabDataTest, ACanceledRunDeliversNothingAndTheNextChangeStartsAgain) {
 TEST_F(LabDataTest, ARunSaysWhatItIsDoingAndTheNextOneBeginsAnew) {
   open();
   std::counting_semaphore<> may_end{0};
-  LabWork work(data, [&may_end](const LabWork::Run& run) -> LabWork::Deliver {
-    run.say(QStringLiteral("Drawing strokes"));
-    may_end.acquire();
-    return {};
-  });
-  work.setWanted(true);
+  Work<int> work([this] { return data.inputs(); },
+                 [&may_end](const LabInputs&, const RunOf<int>& run) -> Work<int>::Answer {
+                   run.say(QStringLiteral("Drawing strokes"));
+                   may_end.acquire();
+                   return nullptr;
+                 });
+  followLabData(work, data);
+  QObject view;
+  work.hold(view);
   EXPECT_TRUE(work.doing().isEmpty());
   ASSERT_TRUE(comesTrue([&] { return work.doing() == QLatin1String("Drawing strokes"); }));
-  work.restart();
+  work.refresh();
   EXPECT_TRUE(work.doing().isEmpty());
   may_end.release(10);
 }
@@ -135,23 +147,38 @@ TEST_F(LabDataTest, WhatIsShownComesEvenIfASettingHasMovedButNotAfterACancel) {
   std::binary_semaphore may_show{0};
   std::vector<std::pair<double, bool>> shown;  // alpha of the run, and whether that is still the setting
   std::vector<double> ended;
-  LabWork work(data, [&](const LabWork::Run& run) -> LabWork::Deliver {
-    const double alpha = run.settings.speed.alpha;
-    if (alpha == 0.6) {
-      started.release();
-      may_show.acquire();
-      EXPECT_TRUE(run.stop.stop_requested());
-      if (run.given_up()) return {};
+  struct Value {
+    double alpha;
+    bool last;
+  };
+  Work<Value> work([this] { return data.inputs(); },
+                   [&](const LabInputs& from, const RunOf<Value>& run) -> Work<Value>::Answer {
+                     const double alpha = from.settings.speed.alpha;
+                     if (alpha == 0.6) {
+                       started.release();
+                       may_show.acquire();
+                       EXPECT_TRUE(run.stop.stop_requested());
+                       if (run.given_up()) return nullptr;
+                     }
+                     run.show({alpha, false});
+                     return std::make_shared<const Value>(Value{alpha, true});
+                   });
+  followLabData(work, data);
+  QObject::connect(&work, &Computation::valueChanged, &work, [&] {
+    const Value& now = *work.value();
+    if (now.last) {
+      ended.push_back(now.alpha);
+    } else {
+      shown.emplace_back(now.alpha, work.isCurrent());
     }
-    run.show([&shown, alpha](bool current) { shown.emplace_back(alpha, current); });
-    return [&ended, alpha] { ended.push_back(alpha); };
   });
+  QObject view;
   const auto set = [this](double alpha) {
     auto settings = data.settings();
     settings.speed.alpha = alpha;
     data.setSettings(settings);
   };
-  work.setWanted(true);
+  work.hold(view);
   ASSERT_TRUE(comesTrue([&] { return !ended.empty() && !work.isBusy() && !data.isReading(); }));
   const auto moveAway = [&](const std::function<void()>& move) {
     shown.clear();
@@ -175,7 +202,7 @@ TEST_F(LabDataTest, TheModelIsBuiltWithTheSettingsAndSaysThem) {
   open();
   LabModel model(data);
   QObject lab;
-  model.setWanted(lab, true);
+  model.hold(lab);
   ASSERT_TRUE(comesTrue([&] { return model.built() != nullptr; }));
   EXPECT_EQ(model.built()->experts.size(), 4U);
   // The paper's terms with alpha 0.95 on simulated strokes (facts: 51.5 102.0 126.6 187.0).
@@ -185,12 +212,12 @@ TEST_F(LabDataTest, TheModelIsBuiltWithTheSettingsAndSaysThem) {
   auto settings = data.settings();
   settings.speed.alpha = 1;
   data.setSettings(settings);
-  ASSERT_TRUE(comesTrue([&] { return model.builtWith().speed.alpha == 1; }));
+  ASSERT_TRUE(comesTrue([&] { return model.value()->settings.speed.alpha == 1; }));
   EXPECT_EQ(model.built()->averaged_ramps[0].q, model.built()->averaged_ramps[1].p);  // medium is a triangle
   // Another m clusters again, another alpha does not; both give what the settings give by themselves.
   settings.speed.fcm.m = 2.5;
   data.setSettings(settings);
-  ASSERT_TRUE(comesTrue([&] { return model.builtWith().speed.fcm.m == 2.5; }));
+  ASSERT_TRUE(comesTrue([&] { return model.value()->settings.speed.fcm.m == 2.5; }));
   const auto afresh = elicitation::buildModel(data.study()->study, data.study()->forms, settings).value();
   EXPECT_EQ(model.built()->averaged_ramps, afresh.averaged_ramps);
   EXPECT_EQ(model.built()->notes, afresh.notes);

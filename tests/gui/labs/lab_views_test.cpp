@@ -16,7 +16,6 @@
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"
-#include "app/workbench/labs/force/vote_table.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/method/method_lab_view.h"
@@ -162,7 +161,7 @@ TEST_F(LabViews, AHiddenLabComputesNothing) {
 }
 
 TEST_F(LabViews, ADoubleClickInAGridCorrectsTheAnswer) {
-  RulesLab lab(data, model, corrections);
+  RulesLab lab(model, corrections);
   RulesLabView view(lab);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return lab.conflicts() != nullptr && !lab.work().isBusy(); }));
@@ -181,7 +180,7 @@ TEST_F(LabViews, ADoubleClickInAGridCorrectsTheAnswer) {
 }
 
 TEST_F(LabViews, AClickOnAHeadSortsTheExpertsOfACellByTheirDistanceFromTheMean) {
-  RulesLab lab(data, model, corrections);
+  RulesLab lab(model, corrections);
   RulesLabView view(lab);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return lab.chosen() && lab.influenceOf(0).has_value(); }));

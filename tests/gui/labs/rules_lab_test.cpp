@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
-#include "app/workbench/labs/rules/grid_places.h"
+#include "app/workbench/labs/rules/expert_grids.h"
 #include "core/store/entries.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -46,7 +46,7 @@ class RulesLabTest : public testing::Test {
   LabData data{study};
   LabModel model{data};
   Corrections corrections{data};
-  RulesLab lab{data, model, corrections};
+  RulesLab lab{model, corrections};
 };
 
 TEST_F(RulesLabTest, TheGridOfS4IsTableA2) {

@@ -12,7 +12,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/labs/data/corrections.h"
-#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab.h"
@@ -107,15 +107,16 @@ TEST_F(SpeedLabViewTest, PlotsSideBySideHaveARoomBetweenThem) {
 }
 
 TEST_F(SpeedLabViewTest, ACancelIsSaidByTheLabWhoseWorkItEnded) {
-  auto* const work = new LabWork(
-      data,
-      [](const LabWork::Run& run) -> LabWork::Deliver {
-        std::binary_semaphore stopped{0};
-        const std::stop_callback on_stop(run.stop, [&stopped] { stopped.release(); });
-        stopped.acquire();
-        return {};
-      },
-      &screen);
+  auto* const work =
+      new Computed<LabInputs, int>([this] { return data.inputs(); },
+                                   [](const LabInputs&, const RunOf<int>& run) -> Computed<LabInputs, int>::Answer {
+                                     std::binary_semaphore stopped{0};
+                                     const std::stop_callback on_stop(run.stop, [&stopped] { stopped.release(); });
+                                     stopped.acquire();
+                                     return nullptr;
+                                   },
+                                   &screen);
+  QObject seen;
   auto* const other = new QWidget;
   screen.addLab(QStringLiteral("Other"), other, nullptr);
   screen.watch(*work, QStringLiteral("Working"));
@@ -125,14 +126,14 @@ TEST_F(SpeedLabViewTest, ACancelIsSaidByTheLabWhoseWorkItEnded) {
       return label->isVisible() && label->text().startsWith(QStringLiteral("Canceled"));
     });
   };
-  work->setWanted(true);
+  work->hold(seen);
   screen.reveal(other);
   work->cancel();
   EXPECT_TRUE(says());
-  work->setWanted(false);
+  work->hold(seen, false);
   screen.reveal(view);
   EXPECT_FALSE(says()) << "what is seen is complete";
-  work->setWanted(true);
+  work->hold(seen);
   screen.reveal(other);
   EXPECT_TRUE(says());
 }

@@ -1,14 +1,18 @@
 #include "app/workbench/labs/data/lab_data.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include "app/session/study_source.h"
 #include "app/session/study_view.h"
+#include "app/version.h"
 #include "app/workbench/base/display_text.h"
+#include "core/base/clock.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
@@ -17,6 +21,12 @@ double usualValue(const fuzzy::Variable& input) {
   if (input.id == "neck_flexion") return 60;
   if (input.id == "speed") return 50;
   return (input.min + input.max) / 2;
+}
+
+std::size_t depthInput(const fuzzy::ForceModel& model) {
+  const auto depth = std::find_if(model.inputs.begin(), model.inputs.end(),
+                                  [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
+  return depth == model.inputs.end() ? 0 : static_cast<std::size_t>(depth - model.inputs.begin());
 }
 
 namespace {
@@ -62,7 +72,7 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   return out;
 }
 
-LabData::LabData(StudyConnection& connection, QObject* parent) : QObject(parent), connection_(connection) {
+LabData::LabData(StudyConnection& connection, QObject* parent) : Held(parent), connection_(connection) {
   connect(&connection_, &StudyConnection::opened, this, [this] {
     forget();
     refresh();
@@ -83,14 +93,12 @@ void LabData::setMeasuredDepths(const elicitation::DepthMeasurement& measured) {
   if (settings_.depths == elicitation::DepthsFrom::kMeasured) emit settingsChanged();
 }
 
-void LabData::setWanted(QObject& asker, bool wanted) {
-  if (!wanted) {
-    askers_.remove(&asker);
-  } else if (!askers_.contains(&asker)) {
-    askers_.insert(&asker);
-    connect(&asker, &QObject::destroyed, this, [this](QObject* ended) { askers_.remove(ended); });
-    read();
-  }
+std::optional<LabInputs> LabData::inputs() const {
+  return study_ == nullptr ? std::nullopt : std::optional(LabInputs{study_, settings_});
+}
+
+void LabData::setStudy(std::shared_ptr<const LabStudy> study) {
+  if (std::exchange(study_, std::move(study)) != study_) emit studyReplaced();
 }
 
 void LabData::setSessionRunning(bool runs) {
@@ -105,7 +113,7 @@ void LabData::refresh() {
 
 // Several requests while one is on its way become one more.
 void LabData::read() {
-  if (!stale_ || reading_ || runs_ || askers_.isEmpty() || !connection_.isOpen()) return;
+  if (!stale_ || reading_ || runs_ || !isHeld() || !connection_.isOpen()) return;
   stale_ = false;
   reading_ = true;
   connection_.read(*this, [this, path = connection_.path()](const store::StudyFile& file) -> StudyConnection::Deliver {
@@ -115,12 +123,12 @@ void LabData::read() {
     return [this, path, study, sentence] {
       reading_ = false;
       if (path == connection_.path()) {
-        study_ = study;
+        failure_ = sentence;
+        setStudy(study);
         // Later ones come from the lab that measures.
         if (study_ != nullptr && study_->measured_depths && !settings_.measured_depths) {
           setMeasuredDepths(*study_->measured_depths);
         }
-        failure_ = sentence;
       }
       read();
       emit studyChanged();
@@ -130,13 +138,63 @@ void LabData::read() {
 }
 
 void LabData::forget() {
-  study_ = nullptr;
+  setStudy(nullptr);
   failure_.clear();
   stale_ = false;
   reading_ = false;
   settings_ = {};
   emit studyChanged();
   emit settingsChanged();
+}
+
+namespace {
+
+/// The last model, whose clusters serve the next one. It keeps no study alive.
+struct Kept {
+  std::weak_ptr<const LabStudy> study;
+  elicitation::SpeedTermSettings with;
+  std::shared_ptr<const elicitation::BuiltModel> built;
+};
+
+LabModel::Answer build(const LabInputs& from, const RunOf<BuiltStudy>& run, Kept& kept) {
+  elicitation::BuildSettings settings = stoppable(from.settings, run.stop);
+  settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
+  settings.generator = kGenerator;
+  const bool clustered =
+      kept.built != nullptr && kept.study.lock() == from.study && elicitation::clusterAlike(kept.with, settings.speed);
+  const auto go_on = [&run](double share) {
+    run.progress(share);
+    return !run.stop.stop_requested();
+  };
+  auto made = elicitation::buildModel(from.study->study, from.study->forms, settings,
+                                      clustered ? &kept.built->speeds : nullptr, go_on);
+  if (!made) return tl::unexpected(text(made.error().message()));
+  settings.speed.fcm.keep_going = {};
+  const auto built = std::make_shared<const elicitation::BuiltModel>(std::move(*made));
+  kept = {from.study, settings.speed, built};
+  return std::make_shared<const BuiltStudy>(BuiltStudy{built, from.study, settings});
+}
+
+}  // namespace
+
+elicitation::BuildSettings stoppable(elicitation::BuildSettings settings, const std::stop_token& stop) {
+  settings.speed.fcm.keep_going = [stop](const elicitation::FcmProgress&) { return !stop.stop_requested(); };
+  return settings;
+}
+
+void followLabData(Computation& cell, LabData& data) {
+  cell.needs(data);
+  QObject::connect(&data, &LabData::studyReplaced, &cell, &Computation::renew);
+  QObject::connect(&data, &LabData::settingsChanged, &cell, &Computation::refresh);
+}
+
+LabModel::LabModel(LabData& data, QObject* parent)
+    : Computed([&data] { return data.inputs(); },
+               [kept = std::make_shared<Kept>()](const LabInputs& from, const RunOf<BuiltStudy>& run) {
+                 return build(from, run, *kept);
+               },
+               parent) {
+  followLabData(*this, data);
 }
 
 }  // namespace tactus::workbench

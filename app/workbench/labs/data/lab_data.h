@@ -3,14 +3,15 @@
 #pragma once
 
 #include <QObject>
-#include <QSet>
 #include <QString>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
 #include "app/session/judged_forces.h"
+#include "app/workbench/base/computed.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
@@ -26,6 +27,8 @@ namespace tactus::workbench {
 
 /// The value of `input` in the paper's Fig. 11; the middle of any other input.
 double usualValue(const fuzzy::Variable& input);
+/// The input of the depth, which is the x axis of curves; 0 without one.
+std::size_t depthInput(const fuzzy::ForceModel& model);
 
 // What a lab's buttons and Ctrl+Z take back: corrections of records, or edits of a measurement.
 
@@ -75,8 +78,14 @@ struct LabStudy {
 /// Thread: the one of `file`.
 base::Result<LabStudy> readLabStudy(const store::StudyFile& file);
 
-/// Thread: gui.
-class LabData : public QObject {
+/// What most computations of the labs begin with.
+struct LabInputs {
+  std::shared_ptr<const LabStudy> study;  ///< never null
+  elicitation::BuildSettings settings;
+};
+
+/// Is held while a lab wants the study: it is read then. Thread: gui.
+class LabData : public Held {
   Q_OBJECT
 
  public:
@@ -98,8 +107,8 @@ class LabData : public QObject {
   /// Another measurement of depths for the settings. Without effect on a model with the template's depths.
   void setMeasuredDepths(const elicitation::DepthMeasurement& measured);
 
-  /// Reads the study while at least one asker wants it. An asker that ends wants nothing.
-  void setWanted(QObject& asker, bool wanted);
+  /// Nothing while no study is read.
+  std::optional<LabInputs> inputs() const;
   /// While a session runs, the thread of the study belongs to it: reading waits until the end.
   void setSessionRunning(bool runs);
 
@@ -108,11 +117,15 @@ class LabData : public QObject {
   void refresh();
 
  signals:
+  /// `study` is another; comes before `studyChanged`.
+  void studyReplaced();
   /// `study`, `failure` or `isReading` changed.
   void studyChanged();
   void settingsChanged();
 
  private:
+  void followHolders() override { read(); }
+  void setStudy(std::shared_ptr<const LabStudy> study);
   void read();
   void forget();
 
@@ -120,10 +133,36 @@ class LabData : public QObject {
   std::shared_ptr<const LabStudy> study_;
   QString failure_;
   elicitation::BuildSettings settings_;
-  QSet<QObject*> askers_;
   bool stale_ = false;
   bool reading_ = false;
   bool runs_ = false;
+};
+
+// The averaged model of the open study with the labs' settings, and everything that led to it.
+
+/// `settings`, with which a clustering ends early if `stop` asks for it.
+elicitation::BuildSettings stoppable(elicitation::BuildSettings settings, const std::stop_token& stop);
+
+/// Keeps `cell` at the study and the settings of `data`.
+void followLabData(Computation& cell, LabData& data);
+
+/// What computations that compare forces begin with.
+struct BuiltStudy {
+  std::shared_ptr<const elicitation::BuiltModel> model;
+  std::shared_ptr<const LabStudy> study;  ///< that the model was made from
+  elicitation::BuildSettings settings;    ///< that made it
+};
+
+/// The newest build stays while another one runs. Thread: gui.
+class LabModel : public Computed<LabInputs, BuiltStudy> {
+ public:
+  /// `data` outlives this.
+  explicit LabModel(LabData& data, QObject* parent = nullptr);
+
+  /// Null if there is no model, or it cannot be built.
+  std::shared_ptr<const elicitation::BuiltModel> built() const { return value() ? value()->model : nullptr; }
+  /// The model with what made it; nothing: none.
+  std::optional<BuiltStudy> inputs() const { return value() ? std::optional(*value()) : std::nullopt; }
 };
 
 }  // namespace tactus::workbench

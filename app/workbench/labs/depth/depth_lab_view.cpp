@@ -232,9 +232,10 @@ constexpr int kWidestLength = 366;                 // px of the page of the form
 }  // namespace
 
 DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
-    : QWidget(parent), lab_(lab), canvas_(new DepthCanvas(lab, this)) {
-  setObjectName(QStringLiteral("depth"));
-  setWindowTitle(tr("Depth"));
+    : LabView(
+          QStringLiteral("depth"), tr("Depth"), [&lab](bool wanted) { lab.setSeen(wanted); }, parent),
+      lab_(lab),
+      canvas_(new DepthCanvas(lab, this)) {
   auto* settings = new DepthSettingsPanel(lab, this);
   auto* beside = new QScrollArea(this);
   beside->setFrameShape(QFrame::NoFrame);
@@ -409,16 +410,6 @@ void DepthLabView::followImage() {
     refuse(tr("The stored image is not shown. %1").arg(text(image.error().message())),
            {tr("Choose another image…"), [this] { chooseImage(); }});
   }
-}
-
-void DepthLabView::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  lab_.setSeen(true);
-}
-
-void DepthLabView::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  lab_.setSeen(false);
 }
 
 }  // namespace tactus::workbench

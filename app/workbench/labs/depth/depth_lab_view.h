@@ -10,6 +10,7 @@
 
 #include "app/workbench/base/messages.h"
 #include "app/workbench/base/worker.h"
+#include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
@@ -81,7 +82,7 @@ struct ExampleImage {
 };
 ExampleImage exampleImage();
 
-class DepthLabView : public QWidget {
+class DepthLabView : public LabView {
   Q_OBJECT
 
  public:
@@ -95,10 +96,6 @@ class DepthLabView : public QWidget {
   bool isConverting() const { return conversion_.isBusy(); }
   /// Shows the program's own drawing.
   void showExample();
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makePages();

@@ -7,10 +7,113 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/data/lab_data.h"
+#include "core/analysis/force_difference.h"
+#include "core/base/check.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
+namespace {
+
+using elicitation::BandKind;
+using elicitation::BandPoint;
+
+constexpr std::size_t kBandPoints = 121;   // every 5 mm of the depth
+constexpr std::size_t kFirstShown = 200;   // replicates: fewer would only jump
+constexpr std::size_t kBatchPeople = 100;  // replicates times participants between two looks whether to stop
+
+ShownBand bandOf(const elicitation::ForceBands& bands, BandKind kind, const std::vector<double>& x) {
+  return {kind, x, bands.band(kind), bands.done(), bands.planned()};
+}
+
+}  // namespace
+
+BandLab::BandLab(QObject* parent)
+    : QObject(parent),
+      band_([this] { return order(); }, [](const Order& order, const auto& run) { return compute(order, run); }) {
+  connect(&band_, &Computation::valueChanged, this, &BandLab::changed);
+}
+
+std::optional<BandLab::Order> BandLab::order() const {
+  return curve_ && chosen_ ? std::optional(Order{*curve_, *chosen_}) : std::nullopt;
+}
+
+BandLab::Answer BandLab::compute(const Order& order, const RunOf<ShownBand>& run) {
+  const Curve& curve = order.curve;
+  const fuzzy::ForceModel& model = curve.built.model->model;
+  elicitation::BandSettings settings;
+  settings.points = analysis::linePoints(model, curve.values, curve.x_input, kBandPoints);
+  settings.again = order.kind == BandKind::kAgain;
+  std::vector<double> x;
+  for (const auto& point : settings.points) x.push_back(point[curve.x_input]);
+  TACTUS_CHECK(model.inputs.size() == curve.values.size());
+  auto bands = elicitation::ForceBands::of(curve.built.study->study, *curve.built.model, curve.built.settings,
+                                           std::move(settings));
+  if (!bands) return tl::unexpected(text(bands.error().message()));
+  const std::size_t batch =
+      std::clamp<std::size_t>(kBatchPeople / std::max<std::size_t>(1, model.experts.size()), 1, 25);
+  while (!run.stop.stop_requested()) {
+    const bool more = bands->add(batch);
+    run.progress(bands->planned() == 0 ? 1
+                                       : static_cast<double>(bands->done()) / static_cast<double>(bands->planned()));
+    if (!more) break;
+    if (bands->done() < kFirstShown || bands->done() % kFirstShown >= batch) continue;
+    run.hand(bandOf(*bands, order.kind, x));
+  }
+  auto whole = std::make_shared<const ShownBand>(bandOf(*bands, order.kind, x));
+  if (whole->band.points.empty()) return tl::unexpected(tr("One participant alone says nothing about others."));
+  return whole;
+}
+
+void BandLab::setCurve(std::optional<Curve> curve) {
+  curve_ = std::move(curve);
+  band_.forget();
+}
+
+void BandLab::choose(std::optional<BandKind> kind) {
+  if (chosen_ == kind) return;
+  chosen_ = kind;
+  band_.forget();
+}
+
+QString bandName(BandKind kind) {
+  switch (kind) {
+    case BandKind::kAgain: return BandLab::tr("Again");
+    case BandKind::kOthers: return BandLab::tr("Others");
+    case BandKind::kNext: return BandLab::tr("Next");
+  }
+  return {};
+}
+
+QString bandMeaning(BandKind kind) {
+  switch (kind) {
+    case BandKind::kAgain: return BandLab::tr("The same participants once more");
+    case BandKind::kOthers: return BandLab::tr("As many other participants like these");
+    case BandKind::kNext: return BandLab::tr("One more participant");
+  }
+  return {};
+}
+
+QString bandText(const ShownBand& shown) {
+  double widest = 0;
+  double abstains = 0;
+  for (const BandPoint& point : shown.band.points) {
+    widest = std::max(widest, (point.high_n - point.low_n) / 2);
+    abstains = std::max(abstains, point.abstains);
+  }
+  QStringList lines;
+  if (shown.done < shown.planned)
+    lines << BandLab::tr("Unfinished: %1 of %2 draws.").arg(shown.done).arg(shown.planned);
+  lines << BandLab::tr("%1, 95 % at each depth by itself: at most ± %2.")
+               .arg(bandMeaning(shown.kind), quantityText(widest, "N"));
+  if (abstains > 0) {
+    lines << BandLab::tr("Up to %1 % of the draws give no force somewhere.").arg(numberText(abstains * 100, 0));
+  }
+  for (const std::string& one : shown.band.assumed) lines << text(one);
+  for (const std::string& one : shown.band.not_included) lines << text(one);
+  return lines.join(QLatin1Char(' '));
+}
+
 namespace {
 
 using elicitation::WeightPolicy;
@@ -92,27 +195,10 @@ void showDistances(Columns<DistanceRow>& table, const elicitation::BuiltModel* b
 
 namespace {
 
-using elicitation::WeightPolicy;
-
-}  // namespace
-
-ExpertsLab::ExpertsLab(LabData& data, LabModel& model, QObject* parent)
-    : QObject(parent), data_(data), model_(model), bands_(data), compare_(data, [this](const LabWork::Run& run) {
-        return compare(run);
-      }) {
-  compare_.ignoreSettings();
-  connect(&model_, &LabModel::builtChanged, this, &ExpertsLab::takeModel);
-  connect(&data_, &LabData::settingsChanged, this, &ExpertsLab::changed);
-  takeModel();
-}
-
-ExpertsLab::~ExpertsLab() = default;
-
-LabWork::Deliver ExpertsLab::compare(const LabWork::Run& run) {
-  const auto input = input_.load();
-  if (input == nullptr) return {};
-  auto models = elicitation::compareWeights(*input->built, input->study->study, input->settings);
-  if (!models || run.stop.stop_requested()) return {};
+std::shared_ptr<const std::vector<ComparedWeights>> compareWeights(const BuiltStudy& from,
+                                                                   const std::stop_token& stop) {
+  auto models = elicitation::compareWeights(*from.model, from.study->study, from.settings);
+  if (!models || stop.stop_requested()) return nullptr;
   auto compared = std::make_shared<std::vector<ComparedWeights>>();
   for (const elicitation::WeightedModel& one : *models) {
     ComparedWeights row{one.policy, text(one.unavailable), {}, one.from_equal, {}};
@@ -122,56 +208,72 @@ LabWork::Deliver ExpertsLab::compare(const LabWork::Run& run) {
     }
     compared->push_back(std::move(row));
   }
-  return [this, compared] {
-    compared_ = std::move(*compared);
-    emit changed();
-  };
+  return compared;
+}
+
+}  // namespace
+
+ExpertsLab::ExpertsLab(LabData& data, LabModel& model, QObject* parent)
+    : QObject(parent),
+      data_(data),
+      model_(model),
+      compared_([&model] { return model.inputs(); },
+                [](const BuiltStudy& from, const auto& run) -> decltype(compared_)::Answer {
+                  return compareWeights(from, run.stop);
+                }),
+      curves_([this] { return curve(); },
+              [](const BandLab::Curve& at, const auto&) -> decltype(curves_)::Answer {
+                const fuzzy::ForceModel& of = at.built.model->model;
+                const auto compiled = fuzzy::compile(of);
+                if (!compiled) return nullptr;
+                return std::make_shared<const figures::ForceCurves>(
+                    figures::computeCurves(of, *compiled, at.x_input, at.values));
+              }) {
+  for (Computation* cell :
+       {static_cast<Computation*>(&compared_), static_cast<Computation*>(&curves_), &bands_.work()}) {
+    cell->needs(model_);
+  }
+  connect(&compared_, &Computation::valueChanged, this, &ExpertsLab::changed);
+  connect(&curves_, &Computation::valueChanged, this, &ExpertsLab::curvesChanged);
+  connect(&model_, &Computation::valueChanged, this, &ExpertsLab::takeModel);
+  connect(&data_, &LabData::settingsChanged, this, &ExpertsLab::changed);
+  takeModel();
+}
+
+const std::vector<ComparedWeights>& ExpertsLab::compared() const {
+  static const std::vector<ComparedWeights> kNone;
+  return compared_.value() == nullptr ? kNone : *compared_.value();
+}
+
+const figures::ForceCurves& ExpertsLab::curves() const {
+  static const figures::ForceCurves kNone;
+  return curves_.value() == nullptr ? kNone : *curves_.value();
+}
+
+std::optional<BandLab::Curve> ExpertsLab::curve() const {
+  const auto built = model_.inputs();
+  return built ? std::optional(BandLab::Curve{*built, x_input_, values_}) : std::nullopt;
 }
 
 void ExpertsLab::takeModel() {
   built_ = model_.built();
-  if (built_ == nullptr) {
-    input_.store(nullptr);
-    compared_.clear();
-    curves_ = {};
-    draws_.drop();
-    bands_.setCurve(std::nullopt);
-    emit changed();
-    emit curvesChanged();
-    return;
-  }
-  const auto& inputs = built_->model.inputs;
-  if (values_.size() != inputs.size()) {
+  if (built_ != nullptr && values_.size() != built_->model.inputs.size()) {
+    const auto& inputs = built_->model.inputs;
     values_.clear();
     for (const fuzzy::Variable& input : inputs) values_.push_back(usualValue(input));
-    const auto depth = std::find_if(inputs.begin(), inputs.end(),
-                                    [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
-    x_input_ = depth == inputs.end() ? 0 : static_cast<std::size_t>(depth - inputs.begin());
+    x_input_ = depthInput(built_->model);
   }
-  input_.store(std::make_shared<const Input>(Input{built_, model_.builtFrom(), model_.builtWith()}));
-  compare_.restart();
-  drawCurves();
+  compared_.refresh();
+  curves_.refresh();
+  bands_.setCurve(curve());
   emit changed();
-}
-
-void ExpertsLab::drawCurves() {
-  if (built_ == nullptr) return;
-  bands_.setCurve(BandLab::Curve{built_, model_.builtFrom(), model_.builtWith(), x_input_, values_});
-  draws_.run([this, built = built_, values = values_, x = x_input_](const std::stop_token&) -> Background::Deliver {
-    const auto compiled = fuzzy::compile(built->model);
-    if (!compiled) return {};
-    auto curves = std::make_shared<figures::ForceCurves>(figures::computeCurves(built->model, *compiled, x, values));
-    return [this, curves] {
-      curves_ = std::move(*curves);
-      emit curvesChanged();
-    };
-  });
 }
 
 void ExpertsLab::setValue(std::size_t input, double value) {
   if (input >= values_.size() || values_[input] == value) return;
   values_[input] = value;
-  drawCurves();
+  curves_.refresh();
+  bands_.setCurve(curve());
 }
 
 void ExpertsLab::setPolicy(WeightPolicy policy) {
@@ -198,10 +300,9 @@ void ExpertsLab::setWeight(const std::string& expert, double weight) {
 }
 
 void ExpertsLab::setWanted(bool wanted) {
-  data_.setWanted(*this, wanted);
-  model_.setWanted(*this, wanted);
-  compare_.setWanted(wanted);
-  bands_.setWanted(wanted);
+  compared_.hold(*this, wanted);
+  curves_.hold(*this, wanted);
+  bands_.work().hold(*this, wanted);
 }
 
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves) {

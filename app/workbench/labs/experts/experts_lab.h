@@ -3,20 +3,81 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
+#include <QString>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/base/columns.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
-#include "app/workbench/labs/experts/band_lab.h"
 #include "elicitation/model/expert_weights_compared.h"
+#include "elicitation/uncertainty/force_bands.h"
 
 namespace tactus::workbench {
+
+// How far the averaged force can be trusted along the curve: one of the bands "again", "others" and "next"
+// (elicitation/uncertainty/force_bands.h), made in batches in the background and refined while it is shown.
+
+/// A band along one input.
+struct ShownBand {
+  elicitation::BandKind kind = elicitation::BandKind::kOthers;
+  std::vector<double> x;
+  elicitation::ForceBand band;
+  std::size_t done = 0;  ///< replicates
+  std::size_t planned = 0;
+};
+
+/// Thread: gui.
+class BandLab : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit BandLab(QObject* parent = nullptr);
+
+  /// What a band is made of.
+  struct Curve {
+    BuiltStudy built;
+    std::size_t x_input = 0;
+    std::vector<double> values;  ///< one per input
+  };
+  /// The curve around which the band lies; nothing: no model.
+  void setCurve(std::optional<Curve> curve);
+  /// Nothing: no band.
+  void choose(std::optional<elicitation::BandKind> kind);
+  const std::optional<elicitation::BandKind>& chosen() const { return chosen_; }
+  /// The band so far; null while there is none.
+  const ShownBand* shown() const { return band_.value().get(); }
+  /// Why there is no band; empty if there is one, or none was chosen.
+  const QString& failure() const { return band_.failure(); }
+  /// Computes while it is held and one is chosen.
+  Computation& work() { return band_; }
+
+ signals:
+  /// `shown` or `failure` changed.
+  void changed();
+
+ private:
+  struct Order {
+    Curve curve;
+    elicitation::BandKind kind;
+  };
+  using Answer = Computed<Order, ShownBand>::Answer;
+  static Answer compute(const Order& order, const RunOf<ShownBand>& run);
+  std::optional<Order> order() const;
+
+  std::optional<Curve> curve_;
+  std::optional<elicitation::BandKind> chosen_;
+  Computed<Order, ShownBand> band_;
+};
+
+/// `Again`, `Others`, `Next`, with what each means.
+QString bandName(elicitation::BandKind kind);
+QString bandMeaning(elicitation::BandKind kind);
+/// What the band says and leaves out, for below the curve.
+QString bandText(const ShownBand& shown);
 
 /// One choice of weights beside equal ones.
 struct ComparedWeights {
@@ -34,7 +95,6 @@ class ExpertsLab : public QObject {
  public:
   /// Both outlive this.
   ExpertsLab(LabData& data, LabModel& model, QObject* parent = nullptr);
-  ~ExpertsLab() override;
 
   /// The averaged model and what led to it; null if there is none.
   const std::shared_ptr<const elicitation::BuiltModel>& built() const { return built_; }
@@ -42,8 +102,8 @@ class ExpertsLab : public QObject {
   const QString& failure() const { return model_.failure(); }
   const elicitation::WeightSettings& weights() const { return data_.settings().weights; }
   /// Each policy beside equal weights, as far as it is computed.
-  const std::vector<ComparedWeights>& compared() const { return compared_; }
-  LabWork& work() { return compare_; }
+  const std::vector<ComparedWeights>& compared() const;
+  Computation& work() { return compared_; }
   /// The band around the averaged force along these curves.
   BandLab& bands() { return bands_; }
   const LabData& data() const { return data_; }
@@ -59,7 +119,7 @@ class ExpertsLab : public QObject {
   /// The input of the x axis: the depth.
   std::size_t xInput() const { return x_input_; }
   /// Along the depth at `values`; empty without a model.
-  const figures::ForceCurves& curves() const { return curves_; }
+  const figures::ForceCurves& curves() const;
 
   /// Computes while wanted.
   void setWanted(bool wanted);
@@ -70,26 +130,18 @@ class ExpertsLab : public QObject {
   void curvesChanged();
 
  private:
-  struct Input {
-    std::shared_ptr<const elicitation::BuiltModel> built;
-    std::shared_ptr<const LabStudy> study;
-    elicitation::BuildSettings settings;
-  };
-  LabWork::Deliver compare(const LabWork::Run& run);
+  /// The curve of the values through the model; nothing: no model.
+  std::optional<BandLab::Curve> curve() const;
   void takeModel();
-  void drawCurves();
 
   LabData& data_;
   LabModel& model_;
   std::shared_ptr<const elicitation::BuiltModel> built_;
-  std::vector<ComparedWeights> compared_;
   std::vector<double> values_;
   std::size_t x_input_ = 0;
-  figures::ForceCurves curves_;
-  Background draws_;
   BandLab bands_;
-  std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work
-  LabWork compare_;                                  ///< last: its end waits for the work, which answers to all above
+  Computed<BuiltStudy, std::vector<ComparedWeights>> compared_;
+  Computed<BandLab::Curve, figures::ForceCurves> curves_;
 };
 
 /// The distance of each expert from the mean along the curves, one list per expert; NaN where the expert abstains.

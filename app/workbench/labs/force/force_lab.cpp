@@ -1,6 +1,8 @@
 #include "app/workbench/labs/force/force_lab.h"
 
+#include <QCoreApplication>
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -52,69 +54,61 @@ ForceLab::ForceLab(LabData& data, LabModel& model, Corrections& corrections, QOb
       data_(data),
       model_(model),
       corrections_(corrections),
-      work_(data, [this](const LabWork::Run& run) -> LabWork::Deliver {
-        auto found = std::make_shared<Found>();
-        found->study = run.study;
-        found->votes = forceVotes(run.study->study, run.settings.series, run.settings.force_end_n);
-        found->series = seriesOf(run.study->study);
-        found->checks = judgementChecks(found->votes.words, run.study->judged);
-        return [this, found] {
-          found_ = std::move(*found);
-          emit changed();
-        };
-      }) {
+      found_([&data] { return data.inputs(); },
+             [](const LabInputs& from, const RunOf<Found>&) {
+               auto found = std::make_shared<Found>();
+               found->votes = forceVotes(from.study->study, from.settings.series, from.settings.force_end_n);
+               found->series = seriesOf(from.study->study);
+               found->checks = judgementChecks(found->votes.words, from.study->judged);
+               return found;
+             }),
+      influence_([this] { return asked(); },
+                 [](const Asked& asked, const RunOf<QString>&) {
+                   const auto& [built, study, settings] = asked.built;
+                   const auto moved = elicitation::withoutJudgement(*built, study->study, settings, asked.index);
+                   return std::make_shared<const QString>(influenceText(asked.who, moved, built->model));
+                 }) {
+  followLabData(found_, data_);
+  influence_.needs(model_);
+  connect(&found_, &Computation::valueChanged, this, &ForceLab::changed);
+  connect(&influence_, &Computation::valueChanged, this, &ForceLab::influenceChanged);
   connect(&data_, &LabData::settingsChanged, this, &ForceLab::changed);
-  connect(&model_, &LabModel::builtChanged, this, &ForceLab::compareAsked);
-  connect(&data_, &LabData::studyChanged, this, [this] {
-    if (data_.study() != nullptr || found_.study == nullptr) return;
-    found_ = {};
-    asked_.reset();
-    setInfluence({});
-    emit changed();
-  });
+  connect(&model_, &Computation::valueChanged, &influence_, &Computation::refresh);
+}
+
+const ForceLab::Found& ForceLab::found() const {
+  static const Found kNothing;
+  return found_.value() == nullptr ? kNothing : *found_.value();
 }
 
 const std::vector<session::JudgedForce>& ForceLab::judgements() const {
   static const std::vector<session::JudgedForce> kNone;
-  return found_.study == nullptr ? kNone : found_.study->judged;
+  return found_.of() == nullptr ? kNone : found_.of()->study->judged;
 }
 
 void ForceLab::setWanted(bool wanted) {
-  data_.setWanted(*this, wanted);
-  model_.setWanted(*this, wanted);
-  work_.setWanted(wanted);
+  found_.hold(*this, wanted);
+  influence_.hold(*this, wanted);
 }
 
 void ForceLab::askInfluence(const session::JudgedForce& judged) {
   asked_ = judged;
-  compareAsked();
+  influence_.refresh();
 }
 
-void ForceLab::compareAsked() {
-  if (!asked_) return;
-  const session::JudgedForce& judged = *asked_;
-  const auto built = model_.built();
-  const auto study = model_.builtFrom();
-  if (!judged.counts || built == nullptr) return setInfluence({});
-  const auto& judgements = study->study.judgements;
+std::optional<ForceLab::Asked> ForceLab::asked() const {
+  const auto built = model_.inputs();
+  if (!asked_ || !asked_->counts || !built) return std::nullopt;
+  const auto& judgements = built->study->study.judgements;
   const auto found = std::find_if(judgements.begin(), judgements.end(), [&](const study::ForceJudgement& one) {
-    return one.participant == judged.participant && one.series == judged.record.series &&
-           one.step == judged.record.step;
+    return one.participant == asked_->participant && one.series == asked_->record.series &&
+           one.step == asked_->record.step;
   });
-  if (found == judgements.end()) return setInfluence({});
-  const auto index = static_cast<std::size_t>(found - judgements.begin());
-  const QString who =
+  if (found == judgements.end()) return std::nullopt;
+  return Asked{
+      *built, static_cast<std::size_t>(found - judgements.begin()),
       tr("%1 at %2")
-          .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, found_.votes.words.unit));
-  influence_work_.run([this, built, study, with = model_.builtWith(), index, who](const std::stop_token&) {
-    const auto moved = elicitation::withoutJudgement(*built, study->study, with, index);
-    return [this, sentence = influenceText(who, moved, built->model)] { setInfluence(sentence); };
-  });
-}
-
-void ForceLab::setInfluence(const QString& sentence) {
-  influence_ = sentence;
-  emit influenceChanged();
+          .arg(harmless(text(asked_->participant)), quantityText(asked_->record.commanded_n, votes().words.unit))};
 }
 
 void ForceLab::setMethod(elicitation::ForceTermsFrom from) {
@@ -136,8 +130,133 @@ void ForceLab::correct(const session::JudgedForce& judged, const session::Judged
   corrections_.correct(
       judged.record, wanted,
       tr("%1 at %2: %3 instead of %4")
-          .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, found_.votes.words.unit),
-               judgedText(found_.votes.words, word), judgedText(found_.votes.words, judgedWord(judged.record))));
+          .arg(harmless(text(judged.participant)), quantityText(judged.record.commanded_n, votes().words.unit),
+               judgedText(votes().words, word), judgedText(votes().words, judgedWord(judged.record))));
+}
+
+namespace {
+
+using elicitation::ForceTermsFrom;
+using elicitation::VoteReason;
+
+struct VoteWords {
+  Q_DECLARE_TR_FUNCTIONS(VoteWords)
+};
+
+QString shortReason(VoteReason reason) {
+  switch (reason) {
+    case VoteReason::kMajority: return VoteWords::tr("half or more");
+    case VoteReason::kTieHigher: return VoteWords::tr("tie, the higher wins");
+    case VoteReason::kNextLevel: return VoteWords::tr("no half, next level");
+    case VoteReason::kClamped: return VoteWords::tr("next level, limited");
+    case VoteReason::kFirstMedian: return VoteWords::tr("median");
+    case VoteReason::kNoVotes: return VoteWords::tr("no votes");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString reasonText(const elicitation::VoteStep& step) {
+  QString out = shortReason(step.reason);
+  if (elicitation::isUnsaid(step)) {
+    out += VoteWords::tr(", nobody said it");
+  } else if (!elicitation::isMostFrequent(step)) {
+    out += VoteWords::tr(", not the most frequent");
+  }
+  if (step.monotone_raised) out += VoteWords::tr(", raised");
+  if (step.below_quorum) out += VoteWords::tr(", below quorum");
+  return out;
+}
+
+QString reasonRule(const elicitation::VoteStep& step) {
+  QString out;
+  switch (step.reason) {
+    case VoteReason::kMajority: out = VoteWords::tr("One word has half of the votes or more."); break;
+    case VoteReason::kTieHigher:
+      out = VoteWords::tr("Two words have half of the votes each: the higher one wins.");
+      break;
+    case VoteReason::kNextLevel:
+      out = VoteWords::tr("No word has half. The forces rise, so one word above that of the force before.");
+      break;
+    case VoteReason::kClamped:
+      out =
+          VoteWords::tr("No word has half. One word above that of the force before, moved into the words with votes.");
+      break;
+    case VoteReason::kFirstMedian:
+      out = VoteWords::tr("No word has half and no force was decided before: the lower median.");
+      break;
+    case VoteReason::kNoVotes: out = VoteWords::tr("No participant chose a word."); break;
+  }
+  if (elicitation::isUnsaid(step)) {
+    out += VoteWords::tr(" Nobody said this word here.");
+  } else if (!elicitation::isMostFrequent(step)) {
+    out += VoteWords::tr(" Another word was said more often.");
+  }
+  if (step.monotone_raised) out += VoteWords::tr(" Raised to the word of a smaller force: words must not fall.");
+  if (step.below_quorum) out += VoteWords::tr(" Fewer than half of the participants voted.");
+  return out;
+}
+
+QString methodName(ForceTermsFrom from) {
+  switch (from) {
+    case ForceTermsFrom::kVote: return VoteWords::tr("Vote");
+    case ForceTermsFrom::kFrequency: return VoteWords::tr("Frequency");
+    case ForceTermsFrom::kThresholds: return VoteWords::tr("Thresholds");
+    case ForceTermsFrom::kProbit: return VoteWords::tr("Probit");
+  }
+  return {};
+}
+
+QString methodRule(ForceTermsFrom from) {
+  switch (from) {
+    case ForceTermsFrom::kVote: return VoteWords::tr("The winner of each force (the paper).");
+    case ForceTermsFrom::kFrequency: return VoteWords::tr("The trapezoids closest to the shares of all answers.");
+    case ForceTermsFrom::kThresholds: return VoteWords::tr("The mean of the participants' own limits.");
+    case ForceTermsFrom::kProbit: return VoteWords::tr("Ordered probit over all answers.");
+  }
+  return {};
+}
+
+QString seriesText(const std::string& series) {
+  if (series == "ascending") return VoteWords::tr("rising forces");
+  if (series == "descending") return VoteWords::tr("falling forces");
+  if (series == "random") return VoteWords::tr("random order");
+  return harmless(text(series));
+}
+
+void VoteTable::setVotes(const ForceVotes& votes) {
+  using Row = elicitation::VoteStep;
+  words_ = votes.words;
+  std::vector<Column<Row>> columns = {{VoteWords::tr("Force"),
+                                       [this](const Row& row) { return quantityText(row.force_n, words_.unit); },
+                                       Qt::AlignRight}};
+  for (std::size_t i = 0; i < words_.terms.size(); ++i) {
+    columns.push_back({initialsOf(labelOf(words_.terms[i])),
+                       [i](const Row& row) { return QString::number(row.votes[i]); },
+                       Qt::AlignHCenter,
+                       labelOf(words_.terms[i]),
+                       {{kShareRole,
+                         [i](const Row& row) {
+                           const int cast = std::accumulate(row.votes.begin(), row.votes.end(), 0);
+                           return cast > 0 ? static_cast<double>(row.votes[i]) / cast : 0.0;
+                         }},
+                        {kWinsRole, [i](const Row& row) { return row.term == i; }}}});
+  }
+  const std::map<int, CellOf<Row>> rule = {{Qt::ToolTipRole, &reasonRule}};
+  columns.push_back(
+      {VoteWords::tr("Winner"),
+       [this](const Row& row) { return row.term ? labelOf(words_.terms[*row.term]) : QStringLiteral("–"); },
+       Qt::AlignLeft,
+       {},
+       rule});
+  columns.push_back({VoteWords::tr("Why"), &reasonText, Qt::AlignLeft, {}, rule});
+  setTable(std::move(columns), votes.steps);
+}
+
+std::string VoteTable::wordAt(int column) const {
+  if (column < kFirstWord || column >= winnerColumn()) return {};
+  return words_.terms[static_cast<std::size_t>(column - kFirstWord)].id;
 }
 
 }  // namespace tactus::workbench

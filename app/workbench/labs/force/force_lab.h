@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "core/fuzzy/force_model.h"
 #include "core/study/records.h"
@@ -57,14 +57,14 @@ class ForceLab : public QObject {
   /// All outlive this.
   ForceLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent = nullptr);
 
-  const ForceVotes& votes() const { return found_.votes; }
-  const std::vector<ParticipantChecks>& checks() const { return found_.checks; }
+  const ForceVotes& votes() const { return found().votes; }
+  const std::vector<ParticipantChecks>& checks() const { return found().checks; }
   /// Every judgement behind them.
   const std::vector<session::JudgedForce>& judgements() const;
   /// The series that can vote.
-  const std::vector<std::string>& series() const { return found_.series; }
+  const std::vector<std::string>& series() const { return found().series; }
   const elicitation::BuildSettings& settings() const { return data_.settings(); }
-  LabWork& work() { return work_; }
+  Computation& work() { return found_; }
   const LabData& data() const { return data_; }
 
   /// Computes while wanted.
@@ -77,7 +77,7 @@ class ForceLab : public QObject {
   /// model has changed.
   void askInfluence(const session::JudgedForce& judged);
   /// The answer, one sentence; empty while there is none.
-  const QString& influence() const { return influence_; }
+  QString influence() const { return influence_.value() ? *influence_.value() : QString(); }
   /// Stores another word for a judgement.
   void correct(const session::JudgedForce& judged, const session::JudgedWord& word);
 
@@ -88,23 +88,62 @@ class ForceLab : public QObject {
 
  private:
   struct Found {
-    std::shared_ptr<const LabStudy> study;
     ForceVotes votes;
     std::vector<ParticipantChecks> checks;
     std::vector<std::string> series;
   };
-
-  void compareAsked();
-  void setInfluence(const QString& sentence);
+  /// A judgement by its index in the study.
+  struct Asked {
+    BuiltStudy built;
+    std::size_t index = 0;
+    QString who;
+  };
+  const Found& found() const;
+  std::optional<Asked> asked() const;
 
   LabData& data_;
   LabModel& model_;
   Corrections& corrections_;
-  Found found_;
   std::optional<session::JudgedForce> asked_;
-  QString influence_;
-  Background influence_work_;
-  LabWork work_;  ///< last: its end waits for the work, which answers to all above
+  Computed<LabInputs, Found> found_;
+  Computed<Asked, QString> influence_;
+};
+
+// Table 2 of the study as a table: a row for each force, with the votes for each word, the winner and the reason.
+
+// The reasons of the vote and the methods of the force terms, in words.
+
+/// In a word or two: `majority`, `tie, the higher wins`; with what was done afterwards: `majority, raised`.
+QString reasonText(const elicitation::VoteStep& step);
+/// The rule behind it, one sentence.
+QString reasonRule(const elicitation::VoteStep& step);
+
+/// `Vote`, `Frequency`, `Thresholds`, `Probit`.
+QString methodName(elicitation::ForceTermsFrom from);
+/// How the method comes to its terms, one sentence.
+QString methodRule(elicitation::ForceTermsFrom from);
+
+/// `ascending`, `descending`, `random` for the screen; any other name unchanged.
+QString seriesText(const std::string& series);
+
+class VoteTable : public Columns<elicitation::VoteStep> {
+ public:
+  static constexpr int kForce = 0;
+  static constexpr int kFirstWord = 1;
+  static constexpr int kShareRole = Qt::UserRole;     ///< double: share of the votes at this force
+  static constexpr int kWinsRole = Qt::UserRole + 1;  ///< bool: the word of this column won
+
+  explicit VoteTable(QObject* parent = nullptr) : Columns(parent) {}
+
+  void setVotes(const ForceVotes& votes);
+  int words() const { return static_cast<int>(words_.terms.size()); }
+  int winnerColumn() const { return kFirstWord + words(); }
+  /// The id of the word of a column; empty for the other columns.
+  std::string wordAt(int column) const;
+  int reasonColumn() const { return winnerColumn() + 1; }
+
+ private:
+  fuzzy::Variable words_;
 };
 
 }  // namespace tactus::workbench

@@ -24,7 +24,6 @@
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_view.h"
-#include "app/workbench/labs/force/vote_table.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -213,7 +212,8 @@ constexpr int kNarrowLab = 1400;        // px: below it the words need the room 
 }  // namespace
 
 ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
-    : QWidget(parent),
+    : LabView(
+          QStringLiteral("force"), tr("Force"), [&lab](bool wanted) { lab.setWanted(wanted); }, parent),
       lab_(lab),
       votes_(new VotesView),
       terms_(new ForceTermsView),
@@ -223,8 +223,6 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
       details_(new QTabWidget),
       series_(new QComboBox),
       top_(new QSplitter(Qt::Horizontal)) {
-  setObjectName(QStringLiteral("force"));
-  setWindowTitle(tr("Force"));
   judgements_->setObjectName(QStringLiteral("judgements"));
   delivered_->setObjectName(QStringLiteral("delivered"));
   series_->setAccessibleName(tr("Series that votes"));
@@ -288,16 +286,6 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
 void ForceLabView::showJudgement(const std::string& participant, const std::string& series, double force_n) {
   details_->setCurrentWidget(judgements_);
   judgements_->showJudgement(participant, series, force_n);
-}
-
-void ForceLabView::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  lab_.setWanted(true);
-}
-
-void ForceLabView::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  lab_.setWanted(false);
 }
 
 // The user's own division stays until the lab becomes wide or narrow.

@@ -9,6 +9,7 @@
 
 #include "app/session/judged_forces.h"
 #include "app/workbench/labs/force/judgement_grid.h"
+#include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"
 
 class QComboBox;
@@ -64,7 +65,7 @@ class ForceTermsView;
 class JudgementView;
 class VotesView;
 
-class ForceLabView : public QWidget {
+class ForceLabView : public LabView {
   Q_OBJECT
 
  public:
@@ -79,8 +80,6 @@ class ForceLabView : public QWidget {
   void showJudgement(const std::string& participant, const std::string& series, double force_n);
 
  protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:

@@ -14,7 +14,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
-#include "app/workbench/labs/force/vote_table.h"
+#include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"

@@ -17,8 +17,8 @@
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/quiet_table.h"
+#include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/judgement_grid.h"
-#include "app/workbench/labs/force/vote_table.h"
 
 namespace tactus::workbench {
 namespace {

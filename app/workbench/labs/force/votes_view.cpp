@@ -11,7 +11,7 @@
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/quiet_table.h"
-#include "app/workbench/labs/force/vote_table.h"
+#include "app/workbench/labs/force/force_lab.h"
 
 namespace tactus::workbench {
 namespace {

@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
@@ -144,6 +145,23 @@ PlotTable labTable(const LabData& data, const QString& what, const QString& suff
   const QString simulated = data.study() == nullptr ? QString() : simulatedText(data.study()->study.participants);
   if (!simulated.isEmpty()) table.caption << simulated;
   return table;
+}
+
+LabView::LabView(const QString& name, const QString& title, std::function<void(bool)> set_wanted, QWidget* parent)
+    : QWidget(parent), set_wanted_(std::move(set_wanted)) {
+  setObjectName(name);
+  setWindowTitle(title);
+}
+
+void LabView::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  set_wanted_(true);
+}
+
+// Not while it is being destroyed: then only what is left of it would hear what follows.
+void LabView::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  set_wanted_(false);
 }
 
 LabCard::LabCard(const QString& title, QWidget* content, QWidget* parent) : Card(parent), head_(new QHBoxLayout) {

@@ -4,6 +4,7 @@
 #include <QString>
 #include <QTableView>
 #include <QWidget>
+#include <functional>
 
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
@@ -67,6 +68,22 @@ void sortByHeads(QTableView& view);
 /// A table without columns for a plot of the open study. `suffix` ends the proposed file name: `-pulls`. `notes`:
 /// further lines of the caption.
 PlotTable labTable(const LabData& data, const QString& what, const QString& suffix, const QStringList& notes = {});
+
+/// A lab on the screen: what it shows is computed while it is visible.
+class LabView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `title`: for the window. `set_wanted`: tells the lab whether it is visible.
+  LabView(const QString& name, const QString& title, std::function<void(bool wanted)> set_wanted, QWidget* parent);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  std::function<void(bool)> set_wanted_;
+};
 
 class LabCard : public Card {
   Q_OBJECT

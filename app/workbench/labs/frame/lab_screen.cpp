@@ -13,7 +13,6 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 
 namespace tactus::workbench {
 namespace {
@@ -106,9 +105,9 @@ void LabScreen::addLab(const QString& title, QWidget* lab, UndoSource* undo) {
   followUndo();
 }
 
-void LabScreen::watch(LabWork& work, const QString& doing) {
+void LabScreen::watch(Computation& work, const QString& doing) {
   watched_.push_back({&work, doing});
-  connect(&work, &LabWork::changed, this, &LabScreen::followWork);
+  connect(&work, &Computation::changed, this, &LabScreen::followWork);
 }
 
 void LabScreen::reveal(QWidget* lab) { tabs_->setCurrentIndex(std::max(0, pages_->indexOf(lab))); }
@@ -153,7 +152,7 @@ void LabScreen::followWork() {
   const bool works = busy != watched_.end() && said_;
   // What the lab in front shows: the others say it when they are in front.
   const bool canceled = std::any_of(watched_.begin(), watched_.end(),
-                                    [](const Watched& one) { return one.work->isWanted() && one.work->isCanceled(); });
+                                    [](const Watched& one) { return one.work->isHeld() && one.work->isCanceled(); });
   cancel_->setVisible(works);
   if (works) {
     const double share = busy->work->progress();

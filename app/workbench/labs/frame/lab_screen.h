@@ -14,8 +14,8 @@ class QToolButton;
 
 namespace tactus::workbench {
 
+class Computation;
 class LabData;
-class LabWork;
 class UndoSource;
 
 class LabScreen : public QWidget {
@@ -29,7 +29,7 @@ class LabScreen : public QWidget {
   void addLab(const QString& title, QWidget* lab, UndoSource* undo);
   /// Says what `work` is doing while it runs, with a button that cancels it: what the work itself says, or `doing`,
   /// e.g. `Clustering the speeds`.
-  void watch(LabWork& work, const QString& doing);
+  void watch(Computation& work, const QString& doing);
   /// Something short beside the watched work: it counts for `isBusy` without a text.
   void watch(std::function<bool()> busy) { short_work_.push_back(std::move(busy)); }
   /// Puts the lab with this widget in front.
@@ -45,7 +45,7 @@ class LabScreen : public QWidget {
 
  private:
   struct Watched {
-    LabWork* work;
+    Computation* work;
     QString doing;
   };
   UndoSource* undo() const;

@@ -84,113 +84,86 @@ std::vector<FactorRow> factorRows(const elicitation::MethodStudy& study) {
   return rows;
 }
 
-namespace {
-
-std::size_t depthInput(const fuzzy::ForceModel& model) {
-  const auto depth = std::find_if(model.inputs.begin(), model.inputs.end(),
-                                  [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
-  return depth == model.inputs.end() ? 0 : static_cast<std::size_t>(depth - model.inputs.begin());
-}
-
-}  // namespace
-
 MethodLab::MethodLab(LabData& data, QObject* parent)
-    : QObject(parent), data_(data), work_(data, [this](const LabWork::Run& run) { return perform(run); }) {
-  work_.ignoreSettings();
-  connect(&work_, &LabWork::changed, this, [this] {
-    if (work_.isCanceled()) {
-      asked_.store(false);
-      work_.setWanted(false);
-      work_.restart();  // nothing runs: only the button begins again
-    } else if (!work_.isBusy() && !asked_.load()) {
-      work_.setWanted(false);
-    }
+    : QObject(parent),
+      data_(data),
+      found_([this] { return order_; }, &MethodLab::compareChoices),
+      curves_([this] { return drawn(); }, &MethodLab::draw) {
+  connect(&found_, &Computation::valueChanged, this, [this] {
+    ++number_;
+    old_ = false;
+    choose(std::nullopt);
+  });
+  connect(&found_, &Computation::changed, this, [this] {
+    if (!found_.isBusy()) found_.hold(*this, false);
     emit changed();
   });
+  connect(&curves_, &Computation::valueChanged, this, &MethodLab::curvesChanged);
   connect(&data_, &LabData::settingsChanged, this, &MethodLab::markOld);
-  connect(&data_, &LabData::studyChanged, this, [this] {
-    if (data_.study() == nullptr) {
-      found_ = nullptr;
-      ++number_;
-      failure_.clear();
-      choose(std::nullopt);
-    } else if (found_ != nullptr && found_->of != data_.study()) {
-      markOld();
-    }
-    emit changed();
+  connect(&data_, &LabData::studyReplaced, this, [this] {
+    markOld();
+    if (data_.study() != nullptr && !found_.isBusy()) return;
+    order_ = data_.inputs();
+    found_.renew();
   });
+  connect(&data_, &LabData::studyChanged, this, &MethodLab::changed);
 }
 
-MethodLab::~MethodLab() = default;
-
-void MethodLab::setWanted(bool wanted) { data_.setWanted(*this, wanted); }
+void MethodLab::setWanted(bool wanted) {
+  data_.hold(*this, wanted);
+  curves_.hold(*this, wanted);
+}
 
 void MethodLab::compare() {
   if (!isPossible() || isBusy()) return;
-  asked_.store(true);
-  work_.restart();
-  work_.setWanted(true);
-  emit changed();
+  order_ = data_.inputs();
+  found_.refresh();
+  found_.hold(*this);
 }
 
-void MethodLab::cancel() { work_.cancel(); }
-
-// Runs in the thread of the work.
-LabWork::Deliver MethodLab::perform(const LabWork::Run& run) {
-  if (!asked_.load()) return {};
-  auto built = elicitation::buildModel(run.study->study, run.study->forms, run.settings);
-  if (!built) return [this, why = text(built.error().message())] { take(nullptr, why); };
-  auto found = std::make_shared<Found>(Found{run.study, run.settings, std::move(*built), {}});
-  auto study = elicitation::methodStudy(run.study->study, run.study->forms, run.settings, found->built,
-                                        {run.stop, run.progress});
-  if (!study) return [this, why = text(study.error().message())] { take(nullptr, why); };
-  found->settings.speed.fcm.keep_going = {};
-  found->study = std::move(*study);
-  return [this, found] { take(found, {}); };
-}
-
-void MethodLab::take(std::shared_ptr<const Found> found, const QString& failure) {
-  found_ = std::move(found);
-  ++number_;
-  failure_ = failure;
-  old_ = false;
-  asked_.store(false);
-  choose(std::nullopt);
-  emit changed();
+MethodLab::FoundCell::Answer MethodLab::compareChoices(const LabInputs& from, const RunOf<Found>& run) {
+  const elicitation::BuildSettings settings = stoppable(from.settings, run.stop);
+  auto built = elicitation::buildModel(from.study->study, from.study->forms, settings);
+  if (!built) return tl::unexpected(text(built.error().message()));
+  auto study =
+      elicitation::methodStudy(from.study->study, from.study->forms, settings, *built, {run.stop, run.progress});
+  if (!study) return tl::unexpected(text(study.error().message()));
+  return std::make_shared<const Found>(Found{std::move(*built), std::move(*study)});
 }
 
 void MethodLab::markOld() {
-  if (found_ == nullptr || std::exchange(old_, true)) return;
+  if (found_.value() == nullptr || std::exchange(old_, true)) return;
   emit changed();
 }
 
 void MethodLab::choose(std::optional<std::size_t> variant) {
   chosen_ = variant;
-  curves_ = nullptr;
-  draws_.drop();
-  emit curvesChanged();
-  if (!variant || found_ == nullptr) return;
-  draws_.run([this, found = found_, index = *variant](const std::stop_token&) -> Background::Deliver {
-    const auto& one = found->study.variants[index];
-    const auto model = elicitation::methodModel(found->of->study, found->of->forms, found->settings, found->built, one);
-    if (!model) return [] {};
-    const auto now = fuzzy::compile(found->built.model);
-    const auto other = fuzzy::compile(*model);
-    if (!now || !other) return [] {};
-    auto curves = std::make_shared<MethodCurves>();
-    curves->variant = index;
-    curves->x_input = depthInput(*model);
-    curves->at = one.at;  // empty if nothing moves
-    if (curves->at.empty()) {
-      for (const fuzzy::Variable& input : model->inputs) curves->at.push_back(usualValue(input));
-    }
-    curves->now = figures::computeCurves(found->built.model, *now, curves->x_input, curves->at);
-    curves->other = figures::computeCurves(*model, *other, curves->x_input, curves->at);
-    return [this, curves] {
-      curves_ = curves;
-      emit curvesChanged();
-    };
-  });
+  curves_.forget();
+}
+
+std::optional<MethodLab::Drawn> MethodLab::drawn() const {
+  if (!chosen_ || found_.value() == nullptr) return std::nullopt;
+  return Drawn{found_.of(), found_.value(), *chosen_};
+}
+
+MethodLab::CurvesCell::Answer MethodLab::draw(const Drawn& drawn, const RunOf<MethodCurves>&) {
+  const auto& [of, found, index] = drawn;
+  const auto& one = found->study.variants[index];
+  const auto model = elicitation::methodModel(of->study->study, of->study->forms, of->settings, found->built, one);
+  if (!model) return nullptr;
+  const auto now = fuzzy::compile(found->built.model);
+  const auto other = fuzzy::compile(*model);
+  if (!now || !other) return nullptr;
+  auto curves = std::make_shared<MethodCurves>();
+  curves->variant = index;
+  curves->x_input = depthInput(*model);
+  curves->at = one.at;  // empty if nothing moves
+  if (curves->at.empty()) {
+    for (const fuzzy::Variable& input : model->inputs) curves->at.push_back(usualValue(input));
+  }
+  curves->now = figures::computeCurves(found->built.model, *now, curves->x_input, curves->at);
+  curves->other = figures::computeCurves(*model, *other, curves->x_input, curves->at);
+  return curves;
 }
 
 QString placeOfCurves(const fuzzy::ForceModel& model, const MethodCurves& curves) {

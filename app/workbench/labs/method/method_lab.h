@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,9 +10,7 @@
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/base/columns.h"
-#include "app/workbench/base/worker.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/model/method_study.h"
 
@@ -61,33 +58,35 @@ class MethodLab : public QObject {
  public:
   /// `data` outlives this.
   explicit MethodLab(LabData& data, QObject* parent = nullptr);
-  ~MethodLab() override;
 
   /// Compares the choices for the study and the settings of this moment. Runs also while the lab is hidden.
   void compare();
-  void cancel();
-  LabWork& work() { return work_; }
-  bool isBusy() const { return work_.isBusy(); }
+  void cancel() { found_.cancel(); }
+  Computation& work() { return found_; }
+  bool isBusy() const { return found_.isBusy(); }
   /// A study is open and read, so that `compare` does something.
   bool isPossible() const { return data_.study() != nullptr; }
 
   /// What was found; null while there is nothing.
-  const elicitation::MethodStudy* found() const { return found_ == nullptr ? nullptr : &found_->study; }
+  const elicitation::MethodStudy* found() const { return found_.value() ? &found_.value()->study : nullptr; }
   /// Rises with each change of `found`.
   int foundNumber() const { return number_; }
   /// The model that the others were compared with. Only with `found`.
-  const fuzzy::ForceModel& model() const { return found_->built.model; }
+  const fuzzy::ForceModel& model() const { return found_.value()->built.model; }
   /// The study or a setting has changed since.
   bool isOld() const { return old_; }
   /// Why nothing could be compared; empty if it could.
-  const QString& failure() const { return failure_; }
+  const QString& failure() const { return found_.failure(); }
   const LabData& data() const { return data_; }
 
   /// Draws the curves of a variant; nothing: none.
   void choose(std::optional<std::size_t> variant);
   const std::optional<std::size_t>& chosen() const { return chosen_; }
   /// Of the chosen variant; null while they are computed, or if there is no such model.
-  const MethodCurves* curves() const { return curves_ == nullptr ? nullptr : curves_.get(); }
+  const MethodCurves* curves() const { return curves_.value().get(); }
+
+  /// They are being computed.
+  bool isDrawing() const { return curves_.isBusy(); }
 
   /// Whether the lab is on the screen: then the study is read.
   void setWanted(bool wanted);
@@ -98,27 +97,29 @@ class MethodLab : public QObject {
   void curvesChanged();
 
  private:
-  /// All that the models of the variants are made of.
   struct Found {
-    std::shared_ptr<const LabStudy> of;
-    elicitation::BuildSettings settings;
     elicitation::BuiltModel built;
     elicitation::MethodStudy study;
   };
-  LabWork::Deliver perform(const LabWork::Run& run);
-  void take(std::shared_ptr<const Found> found, const QString& failure);
+  struct Drawn {
+    std::shared_ptr<const LabInputs> of;
+    std::shared_ptr<const Found> found;
+    std::size_t variant = 0;
+  };
+  using FoundCell = Computed<LabInputs, Found>;
+  using CurvesCell = Computed<Drawn, MethodCurves>;
+  static FoundCell::Answer compareChoices(const LabInputs& from, const RunOf<Found>& run);
+  static CurvesCell::Answer draw(const Drawn& drawn, const RunOf<MethodCurves>& run);
+  std::optional<Drawn> drawn() const;
   void markOld();
 
   LabData& data_;
-  std::shared_ptr<const Found> found_;
+  std::optional<LabInputs> order_;  ///< what is compared: the study and the settings when the button was pressed
   int number_ = 0;
-  QString failure_;
   bool old_ = false;
   std::optional<std::size_t> chosen_;
-  std::shared_ptr<const MethodCurves> curves_;
-  std::atomic<bool> asked_ = false;  ///< a comparison is wanted; written here, read by the work
-  Background draws_;
-  LabWork work_;  ///< last: its end waits for the work, which answers to all above
+  FoundCell found_;
+  CurvesCell curves_;
 };
 
 /// The inputs of `at` but the one of the curves, for a caption: `Tube lubrication 1 · Neck flexion angle 60 deg`.

@@ -157,7 +157,8 @@ constexpr int kLowerShare = 170;
 }  // namespace
 
 MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
-    : QWidget(parent),
+    : LabView(
+          QStringLiteral("method"), tr("Method"), [&lab](bool wanted) { lab.setWanted(wanted); }, parent),
       lab_(lab),
       factors_(new Columns<FactorRow>(factorColumns(), this)),
       variants_(new Columns<VariantRow>(variantColumns(), this)),
@@ -166,8 +167,6 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
       progress_(new QProgressBar),
       state_(new WrappedLabel),
       place_(new WrappedLabel) {
-  setObjectName(QStringLiteral("method"));
-  setWindowTitle(tr("Method"));
   auto* both = new QSplitter(Qt::Horizontal);
   both->setChildrenCollapsible(false);
   both->setHandleWidth(theme::kGrid);
@@ -315,16 +314,6 @@ void MethodLabView::followCurves() {
                             .arg(other, place, quantityText(variant.largest_n, output.unit, 3),
                                  quantityText(curves->at[curves->x_input], lab_.model().inputs[curves->x_input].unit))
                       : tr("%1 moves the force nowhere. Drawn at %2.").arg(other, place));
-}
-
-void MethodLabView::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  lab_.setWanted(true);
-}
-
-void MethodLabView::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  lab_.setWanted(false);
 }
 
 }  // namespace tactus::workbench

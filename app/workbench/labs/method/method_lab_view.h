@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/plot/plot_menu.h"
 
@@ -44,7 +45,7 @@ class LabCard;
 class MethodLab;
 class MethodPlot;
 
-class MethodLabView : public QWidget {
+class MethodLabView : public LabView {
   Q_OBJECT
 
  public:
@@ -54,10 +55,6 @@ class MethodLabView : public QWidget {
   QPushButton& button() { return *button_; }
   QTableView& factorView() { return *factor_view_; }
   MethodPlot& plot() { return *plot_; }
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makeHead();

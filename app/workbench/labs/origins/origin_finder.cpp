@@ -283,35 +283,65 @@ base::Result<elicitation::RecordInfluence> influenceOf(const OriginRecord& recor
 }
 
 OriginFinder::OriginFinder(LabData& data, LabModel& model, QObject* parent)
-    : QObject(parent), data_(data), model_(model) {
-  connect(&model_, &LabModel::builtChanged, this, &OriginFinder::find);
+    : QObject(parent),
+      data_(data),
+      model_(model),
+      origin_(
+          [this]() -> std::optional<Asked> {
+            const auto built = model_.inputs();
+            const bool asked = question_ && not_of_study_.isEmpty();
+            return asked && built ? std::optional(Asked{*question_, *built}) : std::nullopt;
+          },
+          [](const Asked& asked, const auto&) {
+            const auto& [built, study, settings] = asked.built;
+            return std::make_shared<const Origin>(originOf(asked.question, *built, *study, settings));
+          }),
+      moved_(
+          [this]() -> std::optional<Compared> {
+            const auto row = nextRow();
+            return row ? std::optional(Compared{*row, origin_.value(), origin_.of()}) : std::nullopt;
+          },
+          [](const Compared& one, const auto&) {
+            const auto& [built, study, settings] = one.of->built;
+            return std::make_shared<const Moved>(
+                Moved{one.row, influenceOf(one.origin->records[one.row], *built, *study, settings)});
+          }) {
+  origin_.needs(model_);
+  connect(&model_, &Computation::valueChanged, this, [this] {
+    origin_.refresh();
+    if (isAsked() && model_.value() == nullptr) emit changed();
+  });
   connect(&data_, &LabData::studyChanged, this, [this] {
     if (isAsked() && data_.study() == nullptr) emit changed();
+  });
+  connect(&origin_, &Computation::valueChanged, this, [this] {
+    influences_.assign(origin() == nullptr ? 0 : origin()->records.size(), std::nullopt);
+    wanted_.reset();
+    emit changed();
+    moved_.forget();
+  });
+  connect(&moved_, &Computation::valueChanged, this, [this] {
+    if (moved_.value() == nullptr) return;
+    const std::size_t row = moved_.value()->row;
+    influences_[row] = moved_.value()->influence;
+    emit influenceChanged(row);
+    moved_.refresh();
   });
 }
 
 void OriginFinder::ask(OriginQuestion question, const QString& not_of_study) {
-  question_ = std::move(question);
-  not_of_study_ = not_of_study;
-  origin_ = nullptr;
-  influences_.clear();
-  work_.drop();
-  influence_work_.drop();
-  const bool wanted = not_of_study_.isEmpty();
-  data_.setWanted(*this, wanted);
-  model_.setWanted(*this, wanted);
-  emit changed();
-  if (wanted) find();
+  setAsked(std::move(question), not_of_study);
 }
 
-void OriginFinder::close() {
-  question_.reset();
-  origin_ = nullptr;
-  influences_.clear();
-  work_.drop();
-  influence_work_.drop();
-  data_.setWanted(*this, false);
-  model_.setWanted(*this, false);
+void OriginFinder::close() { setAsked(std::nullopt, not_of_study_); }
+
+void OriginFinder::setAsked(std::optional<OriginQuestion> question, const QString& not_of_study) {
+  question_ = std::move(question);
+  not_of_study_ = not_of_study;
+  const bool wanted = question_ && not_of_study_.isEmpty();
+  origin_.hold(*this, wanted);
+  moved_.hold(*this, wanted);
+  origin_.forget();
   emit changed();
 }
 
@@ -321,62 +351,28 @@ QString OriginFinder::failure() const {
   return model_.failure();
 }
 
-void OriginFinder::find() {
-  if (!question_ || !not_of_study_.isEmpty()) return;
-  influence_work_.drop();
-  if (model_.built() == nullptr) {
-    work_.drop();
-    origin_ = nullptr;
-    influences_.clear();
-    emit changed();
-    return;
-  }
-  work_.run([this, question = *question_, built = model_.built(), study = model_.builtFrom(),
-             settings = model_.builtWith()](const std::stop_token&) {
-    const auto found = std::make_shared<const Origin>(originOf(question, *built, *study, settings));
-    return [this, found, built, study, settings] {
-      origin_ = found;
-      of_ = built;
-      study_ = study;
-      settings_ = settings;
-      influences_.assign(found->records.size(), std::nullopt);
-      wanted_.reset();
-      emit changed();
-      compareNext();
-    };
-  });
-}
-
 void OriginFinder::askInfluence(std::size_t row) {
   if (row >= influences_.size() || influences_[row]) return;
   wanted_ = row;
-  if (!influence_work_.isBusy()) compareNext();
+  if (!moved_.isBusy()) moved_.refresh();
 }
 
 // One at a time, so that the one that is asked for never waits for more than one.
-void OriginFinder::compareNext() {
+std::optional<std::size_t> OriginFinder::nextRow() {
   const auto is_open = [this](std::size_t row) { return row < influences_.size() && !influences_[row]; };
   std::optional<std::size_t> row = std::exchange(wanted_, std::nullopt);
   if (row && !is_open(*row)) row.reset();
   for (std::size_t i = 0; !row && i < std::min(kMostUnasked, influences_.size()); ++i) {
     if (is_open(i)) row = i;
   }
-  if (!row) return;
-  influence_work_.run(
-      [this, row = *row, origin = origin_, built = of_, study = study_, settings = settings_](const std::stop_token&) {
-        auto moved = influenceOf(origin->records[row], *built, *study, settings);
-        return [this, row, moved = std::move(moved)] {
-          influences_[row] = moved;
-          emit influenceChanged(row);
-          compareNext();
-        };
-      });
+  return row;
 }
 
 QString OriginFinder::influenceSentence(std::size_t row) const {
-  if (origin_ == nullptr || row >= influences_.size() || !influences_[row]) return {};
-  const OriginRecord& record = origin_->records[row];
-  return influenceText(QStringLiteral("%1, %2").arg(record.participant, record.what), *influences_[row], of_->model);
+  if (origin() == nullptr || row >= influences_.size() || !influences_[row]) return {};
+  const OriginRecord& record = origin()->records[row];
+  return influenceText(QStringLiteral("%1, %2").arg(record.participant, record.what), *influences_[row],
+                       origin_.of()->built.model->model);
 }
 
 }  // namespace tactus::workbench

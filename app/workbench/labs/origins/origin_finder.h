@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/record_influence.h"
 #include "elicitation/tracing/sources.h"
@@ -98,7 +97,7 @@ class OriginFinder : public QObject {
   bool isAsked() const { return question_.has_value(); }
 
   /// Null while it is computed, or if nothing is asked.
-  const Origin* origin() const { return origin_.get(); }
+  const Origin* origin() const { return origin_.value().get(); }
   /// Why there is no answer; empty if there is one, or it is on its way.
   QString failure() const;
   /// What record `row` moves; nothing while it is not known.
@@ -107,7 +106,7 @@ class OriginFinder : public QObject {
   void askInfluence(std::size_t row);
   /// The sentence about what a record moves; empty while it is not known.
   QString influenceSentence(std::size_t row) const;
-  bool isBusy() const { return work_.isBusy() || influence_work_.isBusy() || model_.work().isBusy(); }
+  bool isBusy() const { return origin_.isBusy() || moved_.isBusy() || model_.isBusy(); }
 
  signals:
   /// `origin` or `failure` changed.
@@ -115,21 +114,30 @@ class OriginFinder : public QObject {
   void influenceChanged(std::size_t row);
 
  private:
-  void find();
-  void compareNext();
+  struct Asked {
+    OriginQuestion question;
+    BuiltStudy built;
+  };
+  struct Moved {
+    std::size_t row = 0;
+    base::Result<elicitation::RecordInfluence> influence;
+  };
+  struct Compared {
+    std::size_t row = 0;
+    std::shared_ptr<const Origin> origin;
+    std::shared_ptr<const Asked> of;
+  };
+  void setAsked(std::optional<OriginQuestion> question, const QString& not_of_study);
+  std::optional<std::size_t> nextRow();
 
   LabData& data_;
   LabModel& model_;
   std::optional<OriginQuestion> question_;
   QString not_of_study_;
-  std::shared_ptr<const Origin> origin_;
-  std::shared_ptr<const elicitation::BuiltModel> of_;  ///< what `origin_` was made from, with the next two
-  std::shared_ptr<const LabStudy> study_;
-  elicitation::BuildSettings settings_;
   std::vector<Influence> influences_;
   std::optional<std::size_t> wanted_;  ///< the record to compare next
-  Background work_;
-  Background influence_work_;
+  Computed<Asked, Origin> origin_;
+  Computed<Compared, Moved> moved_;  ///< one after another
 };
 
 }  // namespace tactus::workbench

@@ -3,7 +3,7 @@
 
 #include <QAbstractScrollArea>
 
-#include "app/workbench/labs/rules/grid_places.h"
+#include "app/workbench/labs/rules/expert_grids.h"
 #include "app/workbench/labs/rules/rules_lab.h"
 
 namespace tactus::workbench {

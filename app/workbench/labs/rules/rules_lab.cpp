@@ -12,50 +12,60 @@
 
 namespace tactus::workbench {
 
-RulesLab::RulesLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent)
+RulesLab::RulesLab(LabModel& model, Corrections& corrections, QObject* parent)
     : QObject(parent),
-      data_(data),
       model_(model),
       corrections_(corrections),
-      work_(data, [this](const LabWork::Run& run) { return compute(run); }) {
-  work_.ignoreSettings();
-  connect(&model_, &LabModel::builtChanged, this, &RulesLab::takeModel);
-  takeModel();
+      work_([&model] { return model.inputs(); }, &RulesLab::compute),
+      influences_(
+          [this] { return asked(); },
+          [](const Asked& asked, const auto& run) {
+            return std::make_shared<const Influences>(elicitation::withoutRules(*asked.built, asked.rules, run.stop));
+          }) {
+  work_.needs(model_);
+  influences_.needs(model_);
+  connect(&work_, &Computation::valueChanged, this, &RulesLab::take);
+  connect(&influences_, &Computation::changed, this, &RulesLab::influencesChanged);
+  connect(&model_, &Computation::valueChanged, this, [this] {
+    work_.refresh();
+    emit changed();
+  });
 }
 
-RulesLab::~RulesLab() = default;
-
 // The grids come first: they are there at once, however many experts there are.
-LabWork::Deliver RulesLab::compute(const LabWork::Run& run) {
-  const auto input = input_.load();
-  if (input == nullptr) return {};
-  auto first = std::make_shared<Found>();
-  first->study = input->study;
-  first->grids = expertGrids(*input->built, *input->study);
-  first->agreement = agreementRows(*input->study, run.stop);
-  first->usability = usabilityRows(*input->study);
-  auto whole = std::make_shared<Found>(*first);
-  run.hand([this, first] { take(first); });
-  auto conflicts = elicitation::conflictMap(input->built->model, {{}, run.stop, run.progress});
-  if (!conflicts) return {};
-  whole->conflicts = std::move(*conflicts);
-  auto checked = std::make_shared<Found>(*whole);
-  run.hand([this, whole] { take(whole); });
-  const auto compiled = fuzzy::compile(input->built->model);
-  if (!compiled) return {};
-  const fuzzy::ForceModel& model = input->built->model;
-  auto& findings = checked->findings.emplace();
-  for (auto& one : elicitation::ruleLint(model, *compiled, input->built->experts, {}, run.stop).findings) {
-    if (run.stop.stop_requested()) return {};
+RulesLab::FoundCell::Answer RulesLab::compute(const BuiltStudy& from, const RunOf<Found>& run) {
+  Found found;
+  found.study = from.study;
+  found.grids = expertGrids(*from.model, *from.study);
+  found.agreement = agreementRows(*from.study, run.stop);
+  found.usability = usabilityRows(*from.study);
+  run.hand(found);
+  const fuzzy::ForceModel& model = from.model->model;
+  auto conflicts = elicitation::conflictMap(model, {{}, run.stop, run.progress});
+  if (!conflicts) return nullptr;
+  found.conflicts = std::move(*conflicts);
+  run.hand(found);
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return nullptr;
+  auto& findings = found.findings.emplace();
+  for (auto& one : elicitation::ruleLint(model, *compiled, from.model->experts, {}, run.stop).findings) {
+    if (run.stop.stop_requested()) return nullptr;
     WordedFinding worded{{}, findingWho(model, one), findingSentence(model, *compiled, one)};
     worded.finding = std::move(one);
     findings.push_back(std::move(worded));
   }
-  if (run.stop.stop_requested()) return {};
-  return [this, checked] { take(checked); };
+  if (run.stop.stop_requested()) return nullptr;
+  return std::make_shared<const Found>(std::move(found));
 }
 
-void RulesLab::take(std::shared_ptr<Found> found) {
+void RulesLab::take() {
+  if (work_.value() == nullptr) {
+    found_ = {};
+    chosen_.reset();
+    emit changed();
+    return;
+  }
+  auto found = std::make_unique<Found>(*work_.value());
   if (!found->findings) found->findings = std::move(found_.findings);
   // While the newest conflicts are on their way, those of before stay.
   if (!found->conflicts && found_.conflicts && found->grids.rows == found_.grids.rows &&
@@ -73,41 +83,24 @@ void RulesLab::take(std::shared_ptr<Found> found) {
     }
   }
   if (chosen_ && (chosen_->row >= grids.rows.size() || chosen_->column >= grids.columns.size())) chosen_.reset();
-  if (chooseWanted()) {
-    askInfluences();
-  } else if (!chosen_ && found_.conflicts) {
-    chooseWorst();
-  } else {
-    askInfluences();
-  }
+  if (!chooseWanted() && !chosen_ && found_.conflicts) chooseWorst();
+  influences_.forget();
   emit changed();
 }
 
-void RulesLab::askInfluences() {
-  influences_.clear();
-  influence_work_.drop();
-  const auto input = input_.load();
-  const std::size_t count = found_.grids.experts.size();
-  if (!chosen_ || input == nullptr || input->study != found_.study) {
-    emit influencesChanged();
-    return;
-  }
-  std::vector<std::optional<std::size_t>> rules(count);
-  for (std::size_t e = 0; e < count; ++e) {
+std::optional<RulesLab::Asked> RulesLab::asked() const {
+  if (!chosen_ || model_.value() == nullptr || model_.value()->study != found_.study) return std::nullopt;
+  Asked out{model_.built(), {}};
+  for (std::size_t e = 0; e < found_.grids.experts.size(); ++e) {
     const AskedCell& cell = found_.grids.at(e, chosen_->row, chosen_->column);
-    if (cell.word) rules[e] = cell.rule;
+    out.rules.push_back(cell.word ? std::optional(cell.rule) : std::nullopt);
   }
-  influence_work_.run([this, built = input->built, rules](const std::stop_token& stop) -> Background::Deliver {
-    return [this, moved = elicitation::withoutRules(*built, rules, stop)] {
-      influences_ = moved;
-      emit influencesChanged();
-    };
-  });
-  emit influencesChanged();
+  return out;
 }
 
 std::optional<elicitation::RecordInfluence> RulesLab::influenceOf(std::size_t expert) const {
-  return expert < influences_.size() ? influences_[expert] : std::nullopt;
+  const auto& all = influences_.value();
+  return all != nullptr && expert < all->size() ? (*all)[expert] : std::nullopt;
 }
 
 // Something worth looking at, before the user has chosen.
@@ -159,34 +152,21 @@ bool RulesLab::chooseWanted() {
   return false;
 }
 
-void RulesLab::takeModel() {
-  if (model_.built() == nullptr) {
-    input_.store(nullptr);
-    found_ = {};
-    chosen_.reset();
-    emit changed();
-    return;
-  }
-  input_.store(std::make_shared<const Input>(Input{model_.built(), model_.builtFrom()}));
-  work_.restart();
-}
-
 const elicitation::CellConflict* RulesLab::conflictAt(const GridPlace& place) const {
   const std::size_t index = place.row * found_.grids.columns.size() + place.column;
   return index < found_.by_cell.size() ? found_.by_cell[index] : nullptr;
 }
 
 void RulesLab::setWanted(bool wanted) {
-  data_.setWanted(*this, wanted);
-  model_.setWanted(*this, wanted);
-  work_.setWanted(wanted);
+  work_.hold(*this, wanted);
+  influences_.hold(*this, wanted);
 }
 
 void RulesLab::choose(const GridPlace& place) {
   if (chosen_ == place) return;
   chosen_ = place;
   emit chosenChanged();
-  askInfluences();
+  influences_.forget();
 }
 
 QString RulesLab::textOf(const GridPlace& place) const {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <QObject>
-#include <atomic>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -11,7 +10,6 @@
 
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
-#include "app/workbench/labs/data/lab_model.h"
 #include "app/workbench/labs/rules/agreement_rows.h"
 #include "app/workbench/labs/rules/expert_grids.h"
 #include "elicitation/agreement/conflict_map.h"
@@ -19,25 +17,16 @@
 
 namespace tactus::workbench {
 
-/// A cell of the grids.
-struct GridPlace {
-  std::size_t row = 0;
-  std::size_t column = 0;
-
-  bool operator==(const GridPlace&) const = default;
-};
-
 /// Thread: gui.
 class RulesLab : public QObject {
   Q_OBJECT
 
  public:
-  /// All outlive this.
-  RulesLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent = nullptr);
-  ~RulesLab() override;
+  /// Both outlive this.
+  RulesLab(LabModel& model, Corrections& corrections, QObject* parent = nullptr);
 
   /// The model behind the grids; needs grids.
-  const fuzzy::ForceModel& model() const { return model_.built()->model; }
+  const fuzzy::ForceModel& model() const { return model_.value()->model->model; }
   const ExpertGrids& grids() const { return found_.grids; }
   /// Null until it is computed.
   const elicitation::ConflictMap* conflicts() const { return found_.conflicts ? &*found_.conflicts : nullptr; }
@@ -49,7 +38,7 @@ class RulesLab : public QObject {
   const std::vector<UsabilityRow>& usability() const { return found_.usability; }
   /// Why there are no grids; empty if there are.
   const QString& failure() const { return model_.failure(); }
-  LabWork& work() { return work_; }
+  Computation& work() { return work_; }
 
   /// Computes while wanted.
   void setWanted(bool wanted);
@@ -57,7 +46,7 @@ class RulesLab : public QObject {
   /// How far the averaged force moves without the expert's rule in the chosen cell; nothing while it is not known.
   std::optional<elicitation::RecordInfluence> influenceOf(std::size_t expert) const;
   /// Some are still being computed.
-  bool isComparing() const { return influence_work_.isBusy(); }
+  bool isComparing() const { return influences_.isBusy(); }
 
   /// The chosen cell.
   const std::optional<GridPlace>& chosen() const { return chosen_; }
@@ -81,11 +70,6 @@ class RulesLab : public QObject {
   void influencesChanged();
 
  private:
-  /// What one run of the work reads: the model and the study that it was built from.
-  struct Input {
-    std::shared_ptr<const elicitation::BuiltModel> built;
-    std::shared_ptr<const LabStudy> study;
-  };
   struct Found {
     std::shared_ptr<const LabStudy> study;
     ExpertGrids grids;
@@ -95,25 +79,28 @@ class RulesLab : public QObject {
     std::vector<AgreementRow> agreement;
     std::vector<UsabilityRow> usability;
   };
-  LabWork::Deliver compute(const LabWork::Run& run);
-  void take(std::shared_ptr<Found> found);
+  /// What the experts' rules in the chosen cell are compared with.
+  struct Asked {
+    std::shared_ptr<const elicitation::BuiltModel> built;
+    std::vector<std::optional<std::size_t>> rules;  ///< by expert
+  };
+  using Influences = std::vector<std::optional<elicitation::RecordInfluence>>;
+  using FoundCell = Computed<BuiltStudy, Found>;
+  static FoundCell::Answer compute(const BuiltStudy& from, const RunOf<Found>& run);
+  std::optional<Asked> asked() const;
+  void take();
   void chooseWorst();
   bool chooseWanted();
-  void askInfluences();
-  void takeModel();
   void correct(std::size_t expert, const GridPlace& place, study::Answer::Status status, const std::string& term,
                const QString& said);
 
-  LabData& data_;
   LabModel& model_;
   Corrections& corrections_;
   Found found_;
   std::optional<GridPlace> chosen_;
   std::optional<std::pair<std::size_t, std::size_t>> wanted_;  ///< expert and rule to choose as soon as they are there
-  std::vector<std::optional<elicitation::RecordInfluence>> influences_;  ///< by expert, of the chosen cell
-  Background influence_work_;
-  std::atomic<std::shared_ptr<const Input>> input_;  ///< written here, read by the work
-  LabWork work_;                                     ///< last: its end waits for the work, which answers to all above
+  FoundCell work_;
+  Computed<Asked, Influences> influences_;  ///< by expert, of the chosen cell
 };
 
 }  // namespace tactus::workbench

@@ -221,7 +221,8 @@ QString spreadText(const RulesLab& lab) {
 }  // namespace
 
 RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
-    : QWidget(parent),
+    : LabView(
+          QStringLiteral("rules"), tr("Rules"), [&lab](bool wanted) { lab.setWanted(wanted); }, parent),
       lab_(lab),
       grids_(new GridsView(lab)),
       spread_(new QLabel),
@@ -234,8 +235,6 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       usability_(new Columns<UsabilityRow>(usabilityColumns(), this)),
       usability_note_(new ElidedLabel),
       details_(new QTabWidget) {
-  setObjectName(QStringLiteral("rules"));
-  setWindowTitle(tr("Rules"));
   setMuted(*spread_);
   auto* grids = new LabCard(tr("What each expert says, and what it costs"), grids_);
   grids->addTool(spread_);
@@ -327,16 +326,6 @@ QWidget* RulesLabView::makeUsability() {
   column->addWidget(table, 1);
   column->addWidget(usability_note_);
   return page;
-}
-
-void RulesLabView::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  lab_.setWanted(true);
-}
-
-void RulesLabView::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  lab_.setWanted(false);
 }
 
 void RulesLabView::follow() {

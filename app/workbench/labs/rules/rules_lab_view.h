@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/workbench/base/columns.h"
+#include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/rules/expert_grids.h"
 #include "app/workbench/labs/rules/rules_lab.h"
 
@@ -39,7 +40,7 @@ struct RuleFindingRow {
 class ElidedLabel;
 class GridsView;
 
-class RulesLabView : public QWidget {
+class RulesLabView : public LabView {
   Q_OBJECT
 
  public:
@@ -48,10 +49,6 @@ class RulesLabView : public QWidget {
 
   GridsView& grids() { return *grids_; }
   QTabWidget& details() { return *details_; }
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makeCell();

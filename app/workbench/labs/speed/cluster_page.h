@@ -4,10 +4,11 @@
 #include <QString>
 #include <QWidget>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/workbench/base/plot_table.h"
-#include "app/workbench/labs/speed/speed_result.h"
+#include "app/workbench/labs/speed/speed_clusters.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "elicitation/speed/stroke_bootstrap.h"
 
@@ -16,6 +17,39 @@ class QCustomPlot;
 class QLabel;
 
 namespace tactus::workbench {
+
+// The speed terms (paper, Fig. 8 and 3d): the ramps of each participant and the trapezoids averaged from them, with the
+// 95 % intervals of their corners. The report draws the same.
+
+class TermLabels;
+class VertexPick;
+
+class SpeedTermPlot : public QWidget, public PlotSource {
+  Q_OBJECT
+
+ public:
+  explicit SpeedTermPlot(QWidget* parent = nullptr);
+
+  void show(const SpeedResult& result);
+  VertexPick& corners() { return *corners_; }
+
+  QSize pictureSize() const override { return {940, 340}; }
+  std::vector<LegendEntry> legend() const override { return legend_; }
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ signals:
+  /// The user clicked a corner of the averaged terms.
+  void vertexAsked(const std::string& term, std::size_t point);
+
+ private:
+  void addLine(const std::vector<elicitation::Ramp>& ramps, double max_mm_s, const QPen& pen, const QString& name);
+  void addIntervals(const SpeedResult& result);
+
+  QCustomPlot* plot_;
+  TermLabels* labels_;
+  VertexPick* corners_;
+  std::vector<LegendEntry> legend_;
+};
 
 class ElidedLabel;
 class SpeedLab;

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "app/workbench/base/columns.h"
+#include "app/workbench/labs/speed/speed_clusters.h"
 #include "app/workbench/labs/speed/speed_lab.h"
-#include "app/workbench/labs/speed/speed_result.h"
 
 class QCustomPlot;
 class QLabel;

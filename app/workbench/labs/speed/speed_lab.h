@@ -3,18 +3,19 @@
 
 #include <QObject>
 #include <QString>
-#include <atomic>
 #include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
-#include "app/workbench/labs/data/lab_model.h"
+#include "app/workbench/labs/data/lab_data.h"
 #include "app/workbench/labs/speed/speed_clusters.h"
-#include "app/workbench/labs/speed/speed_result.h"
 #include "elicitation/tracing/sources.h"
 
 namespace tactus::workbench {
@@ -34,20 +35,22 @@ class StrokeInfluence : public QObject {
   void stop();
   const std::optional<elicitation::StrokeKey>& asked() const { return asked_; }
   /// One sentence; while it is computed, it says so; empty if nothing is asked.
-  const QString& sentence() const { return sentence_; }
+  QString sentence() const;
 
  signals:
   void told();
 
  private:
-  void compare();
-  void tell(const QString& sentence);
+  struct Asked {
+    BuiltStudy built;
+    elicitation::StrokeKey stroke;
+    QString which;
+  };
 
   LabModel& model_;
   std::optional<elicitation::StrokeKey> asked_;
   QString which_;
-  QString sentence_;
-  Background work_;
+  Computed<Asked, QString> answer_;
 };
 
 /// The objective J of fuzzy C-means (paper, Eq. 1) against the iteration of the textbook's algorithm.
@@ -74,14 +77,14 @@ class SpeedLab : public QObject {
   explicit SpeedLab(LabData& data, QObject* parent = nullptr);
 
   /// Nothing is computed while the lab is hidden.
-  void setSeen(bool seen) { work_.setWanted(seen); }
+  void setSeen(bool seen) { work_.hold(*this, seen); }
   /// The newest result; null before the first one, and without a study.
   const std::shared_ptr<const SpeedResult>& result() const { return result_; }
   /// `result` has the settings of now. While a slider moves faster than the clusters, those of a moment ago are shown.
   bool isCurrent() const { return current_; }
   /// J against the iteration for the participants on the page, in their order; may be shorter while it is computed.
   const std::vector<ObjectiveTrace>& objectives() const { return objectives_; }
-  LabWork& work() { return work_; }
+  Computation& work() { return work_; }
   LabData& data() { return data_; }
 
   const elicitation::SpeedTermSettings& settings() const { return data_.settings().speed; }
@@ -109,8 +112,18 @@ class SpeedLab : public QObject {
   void pageChanged();
 
  private:
-  LabWork::Deliver compute(const LabWork::Run& run);
-  void take(std::shared_ptr<const SpeedResult> result, bool current);
+  struct Inputs {
+    LabInputs from;
+    std::size_t clusters = 3;
+    std::size_t page = 0;
+  };
+  struct Found {
+    std::shared_ptr<const SpeedResult> result;
+    std::optional<std::vector<ObjectiveTrace>> objectives = {};  ///< once they are computed
+  };
+  using FoundCell = Computed<Inputs, Found>;
+  static FoundCell::Answer compute(const Inputs& inputs, const RunOf<Found>& run, SpeedClusters& calculation);
+  void take();
   template <class Change>
   void change(Change apply);
 
@@ -120,10 +133,61 @@ class SpeedLab : public QObject {
   bool current_ = false;
   std::size_t clusters_ = 3;
   std::size_t page_ = 0;
-  std::atomic<std::size_t> wanted_clusters_{3};  ///< read by the work, as the next one
-  std::atomic<std::size_t> wanted_page_{0};
-  SpeedClusters calculation_;  ///< of the work's thread alone
-  LabWork work_;               ///< last: its end waits for the work, which answers to all above
+  FoundCell work_;
+};
+
+// The recordings of strokes for the screen: speed over time around each stroke, and where the stroke was marked. They
+// are read from the study when they are asked for; a few are kept.
+
+struct StrokeTrace {
+  study::StrokeRecord record;     ///< without its recording
+  std::vector<double> time_s;     ///< of each sample of the recording, from 0
+  std::vector<float> speed_mm_s;  ///< at `speed_time_s`
+  std::vector<double> speed_time_s;
+  std::string failure;  ///< one sentence: why it has no speeds
+
+  double durationS() const { return time_s.empty() ? 0 : time_s.back(); }
+  /// The time of a mark: of sample `index`, or the end.
+  double timeOf(std::size_t index) const;
+  /// The sample nearest to `time_s`.
+  std::size_t sampleAt(double time_s) const;
+};
+
+/// The strokes of one participant at one level: without practice, accepted or left out by the researcher.
+struct StrokeSet {
+  std::string participant;
+  std::string level;
+  std::vector<StrokeTrace> strokes;  ///< by number
+};
+
+/// Thread: gui.
+class StrokeTraces : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `data` outlives this.
+  explicit StrokeTraces(LabData& data, QObject* parent = nullptr);
+
+  /// The set, or null while it is read; then `arrived` follows. After a change of the study the old set stays until
+  /// the new one has come.
+  std::shared_ptr<const StrokeSet> strokes(const std::string& participant, const std::string& level);
+
+ signals:
+  void arrived();
+
+ private:
+  struct Kept {
+    std::string participant;
+    std::string level;
+    std::shared_ptr<const LabStudy> of;
+    std::shared_ptr<const StrokeSet> set;
+    bool reading = false;
+  };
+  void read(Kept& kept);
+  void take(const std::shared_ptr<const LabStudy>& of, std::shared_ptr<const StrokeSet> set);
+
+  LabData& data_;
+  std::deque<Kept> kept_;
 };
 
 }  // namespace tactus::workbench

@@ -316,7 +316,8 @@ constexpr int kSettingsWidth = 29 * theme::kGrid;  // px at 100 %
 }  // namespace
 
 SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent)
-    : QWidget(parent),
+    : LabView(
+          QStringLiteral("speed"), tr("Speed"), [&lab](bool wanted) { lab.setSeen(wanted); }, parent),
       lab_(lab),
       terms_(nullptr),
       strokes_(new StrokePage(lab, model, corrections, this)),
@@ -325,8 +326,6 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& correcti
       on_(new QToolButton(this)),
       place_(new QLabel(this)),
       nothing_(new QLabel(this)) {
-  setObjectName(QStringLiteral("speed"));
-  setWindowTitle(tr("Speed"));
   auto* settings = new SpeedSettingsPanel(lab, this);
   keepFitted(*settings, [settings] { settings->setFixedWidth(appearance::scaled(kSettingsWidth)); });
   new TabLook(*pages_->tabBar());
@@ -393,16 +392,6 @@ void SpeedLabView::follow() {
   place_->setText(tr("%1 to %2 of %3").arg(first + 1).arg(last).arg(result ? result->subjects.size() : 0));
   back_->setEnabled(lab_.page() > 0);
   on_->setEnabled(lab_.page() + 1 < lab_.pages());
-}
-
-void SpeedLabView::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  lab_.setSeen(true);
-}
-
-void SpeedLabView::hideEvent(QHideEvent* event) {
-  QWidget::hideEvent(event);
-  lab_.setSeen(false);
 }
 
 }  // namespace tactus::workbench

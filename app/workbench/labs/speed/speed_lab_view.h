@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "app/workbench/kit/cards.h"
+#include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/speed/speed_lab.h"
-#include "app/workbench/labs/speed/stroke_traces.h"
 #include "elicitation/tracing/sources.h"
 
 class QComboBox;
@@ -94,7 +94,7 @@ class SpeedSettingsPanel : public Card {
   QLabel* note_;
 };
 
-class SpeedLabView : public QWidget {
+class SpeedLabView : public LabView {
   Q_OBJECT
 
  public:
@@ -108,10 +108,6 @@ class SpeedLabView : public QWidget {
   /// The pages, for pictures of them.
   QTabWidget& pages() { return *pages_; }
   StrokePage& strokes() { return *strokes_; }
-
- protected:
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
  private:
   QWidget* makePager();

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/workbench/labs/speed/stroke_traces.h"
+#include "app/workbench/labs/speed/speed_lab.h"
 #include "elicitation/tracing/sources.h"
 
 class QPainter;

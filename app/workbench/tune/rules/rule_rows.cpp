@@ -101,6 +101,7 @@ std::vector<RuleRow> ruleRows(const RuleController& rules) {
   const fuzzy::Expert& expert = rules.expert();
   for (const fuzzy::Rule& rule : expert.rules) {
     RuleRow row;
+    row.number = out.size();
     row.rule = rule;
     for (const fuzzy::Condition& condition : rule.conditions) {
       const fuzzy::Variable& input = rules.input(condition.input);

@@ -38,6 +38,7 @@ class RuleFilter {
 };
 
 struct RuleRow {
+  std::size_t number = 0;  ///< of the rule, from 0
   fuzzy::Rule rule;
   RuleWords words;
   bool conflict = false;  ///< another rule that counts (enabled, weight > 0) contradicts it
