@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QTabBar>
+#include <cmath>
 
 #include "tests/gui/text_recorder.h"
 
@@ -83,11 +84,15 @@ void addMisplaced(QWidget& window, QStringList& out) {
 
 /// What wrote the text that is seen at `seen`. The last px of a row of a table may lie on the edge of its viewport.
 const QWidget* paintedBy(const QWidget& window, const QRectF& seen) {
+  // Of a text that is scrolled away but for a px, a rounded place would lie beyond the area that scrolls.
+  const auto pixelAt = [](const QPointF& place) {
+    return QPoint(static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())));
+  };
   for (const QPointF& place : {seen.center(), seen.topLeft()}) {
-    const QWidget* widget = window.childAt(place.toPoint());
+    const QWidget* widget = window.childAt(pixelAt(place));
     if (widget != nullptr && qobject_cast<const QAbstractScrollArea*>(widget->parentWidget()) != nullptr) return widget;
   }
-  return window.childAt(seen.center().toPoint());
+  return window.childAt(pixelAt(seen.center()));
 }
 
 bool mustBeWhole(const QWidget& widget) {
