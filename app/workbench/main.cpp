@@ -130,7 +130,7 @@ int main(int argc, char** argv) {
   SystemLook system_look;
   QObject::connect(&system_look, &SystemLook::changed, &application,
                    [&](theme::Look look) { appearance::followSystem(application, settings, look); });
-  system_look.follow();
+  system_look.refreshState();
   if (read->rehearse) return rehearse(*read->rehearse);
   if (!read->take_part.isEmpty()) return takePart(read->take_part, settings);
   Workbench workbench(settings);

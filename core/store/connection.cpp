@@ -75,7 +75,7 @@ StudyLock::StudyLock(const std::string& path, Kind kind, int timeout_ms) {
   }
 }
 
-StudyLock::~StudyLock() { letGo(); }
+StudyLock::~StudyLock() { release(); }
 
 std::optional<StudyLock::File> StudyLock::named(const std::string& path) {
   struct stat info {};
@@ -92,18 +92,18 @@ bool StudyLock::tryToTake(const std::string& path, Kind kind) {
   descriptor_ = base::Descriptor(::open(path.c_str(), (writing ? O_RDWR : O_RDONLY) | O_NONBLOCK | O_CLOEXEC));
   struct stat opened {};
   if (!descriptor_.isOpen() || ::fstat(descriptor_.number(), &opened) != 0) {
-    letGo();
+    release();
     return true;
   }
   // Until the lock is there, the name may have gone to another file.
   struct flock lock = lockOf(writing ? F_WRLCK : F_RDLCK, kOurByte, 1);
   const bool taken = ::fcntl(descriptor_.number(), F_OFD_SETLK, &lock) != 0 && isTaken(errno);
   if (!taken && File{opened.st_dev, opened.st_ino} == *held_ && isNamed(path)) return true;
-  letGo();
+  release();
   return false;
 }
 
-void StudyLock::letGo() {
+void StudyLock::release() {
   descriptor_.close();
   if (held_) holdings().remove(held_->device, held_->inode);
   held_.reset();

@@ -54,7 +54,7 @@ class StudyLock {
   static std::optional<File> named(const std::string& path);
   /// Whether there is nothing to wait for any more.
   bool tryToTake(const std::string& path, Kind kind);
-  void letGo();
+  void release();
 
   base::Descriptor descriptor_;
   std::optional<File> held_;

@@ -135,7 +135,7 @@ TEST(NamedPlaces, ThePagesAreShort) {
   for (const fs::path& page : pages()) {
     const std::string text = textOf(page);
     const auto lines = static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-    EXPECT_LE(lines, page.filename() == "ARCHITECTURE.md" ? 90 : 30) << page;
+    EXPECT_LE(lines, page.filename() == "ARCHITECTURE.md" ? 90 : 25) << page;
   }
 }
 

@@ -174,7 +174,7 @@ MonitorWindow::MonitorWindow(MonitorController& monitor, QWidget* parent)
   setInk(*call_text_, theme::errorInk());
   columnIn(*call_)->addWidget(call_text_);
 
-  connect(&monitor_, &MonitorController::changed, this, &MonitorWindow::follow);
+  connect(&monitor_, &MonitorController::changed, this, &MonitorWindow::refreshState);
   connect(&monitor_, &MonitorController::lineAdded, this, &MonitorWindow::addLines);
   connect(&monitor_, &MonitorController::traced, this, [this] {
     if (!calm_->isActive()) calm_->start();
@@ -182,9 +182,9 @@ MonitorWindow::MonitorWindow(MonitorController& monitor, QWidget* parent)
   connect(calm_, &QTimer::timeout, this, &MonitorWindow::followForce);
   connect(pause_, &QPushButton::clicked, this, [this] { monitor_.isPaused() ? monitor_.goOn() : monitor_.pause(); });
   connect(note_, &QLineEdit::returnPressed, this, &MonitorWindow::storeNote);
-  connect(note_, &QLineEdit::textChanged, this, &MonitorWindow::follow);
+  connect(note_, &QLineEdit::textChanged, this, &MonitorWindow::refreshState);
   connect(store_note_, &QPushButton::clicked, this, &MonitorWindow::storeNote);
-  follow();
+  refreshState();
   followForce();
   addLines();
 }
@@ -286,7 +286,7 @@ QWidget* MonitorWindow::makeCourse() {
   return card;
 }
 
-void MonitorWindow::follow() {
+void MonitorWindow::refreshState() {
   const NurseView& nurse = monitor_.nurse();
   const bool paused = monitor_.isPaused();
   code_->setText(nurse.code.isEmpty() ? tr("No participant yet") : harmless(nurse.code));

@@ -52,7 +52,7 @@ class MonitorWindow : public QWidget {
   QWidget* makeNotes();
   QWidget* makeForce();
   QWidget* makeCourse();
-  void follow();
+  void refreshState();
   void followForce();
   void addLines();
   void typeNotes(bool typing);

@@ -55,8 +55,8 @@ PartList::PartList(ProtocolController& protocol, QWidget* parent) : QWidget(pare
     connect(row.earlier, &QToolButton::clicked, this, [this, i] { move(i, -1); });
     connect(row.later, &QToolButton::clicked, this, [this, i] { move(i, 1); });
   }
-  connect(&protocol_, &ProtocolController::changed, this, &PartList::follow);
-  follow();
+  connect(&protocol_, &ProtocolController::changed, this, &PartList::refreshState);
+  refreshState();
 }
 
 QToolButton* PartList::makeArrow(const QString& text) {
@@ -66,7 +66,7 @@ QToolButton* PartList::makeArrow(const QString& text) {
   return arrow;
 }
 
-void PartList::follow() {
+void PartList::refreshState() {
   in_ = protocol_.value(kPartsValue).split(QLatin1Char(','), Qt::SkipEmptyParts);
   shown_ = in_;
   for (const QString& part : publishedOrder()) {
@@ -169,8 +169,8 @@ ProtocolField::ProtocolField(ProtocolController& protocol, ProtocolFieldSpec spe
   label->setFixedWidth(kLabelWidth);
 
   connect(undo_, &QToolButton::clicked, this, [this] { protocol_.reset(spec_.name); });
-  connect(&protocol_, &ProtocolController::changed, this, &ProtocolField::follow);
-  follow();
+  connect(&protocol_, &ProtocolController::changed, this, &ProtocolField::refreshState);
+  refreshState();
 }
 
 QWidget* ProtocolField::makeInput() {
@@ -215,7 +215,7 @@ QString ProtocolField::trouble() const {
 }
 
 // What is typed stays as it is typed, also where it is refused.
-void ProtocolField::follow() {
+void ProtocolField::refreshState() {
   const QString value = protocol_.value(spec_.name);
   const QSignalBlocker quiet(input_);
   const bool refused = !trouble().isEmpty();

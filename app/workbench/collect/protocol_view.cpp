@@ -182,7 +182,7 @@ void ProtocolView::addKey() {
   for (QLineEdit* field : {key_, key_again_}) {
     field->setEchoMode(QLineEdit::Password);
     row->addWidget(field, 1);
-    connect(field, &QLineEdit::textChanged, this, &ProtocolView::follow);
+    connect(field, &QLineEdit::textChanged, this, &ProtocolView::refreshState);
   }
   row->addWidget(set_key_);
   row->addWidget(remove_key_);
@@ -305,8 +305,8 @@ ProtocolView::ProtocolView(ProtocolController& protocol, std::function<QString()
   layout->addWidget(makeFoot());
 
   connect(index_, &QListWidget::currentRowChanged, this, &ProtocolView::showSection);
-  connect(&protocol_, &ProtocolController::changed, this, &ProtocolView::follow);
-  follow();
+  connect(&protocol_, &ProtocolController::changed, this, &ProtocolView::refreshState);
+  refreshState();
 }
 
 QWidget* ProtocolView::makeHead() {
@@ -384,7 +384,7 @@ void ProtocolView::showKey() { showSection(static_cast<int>(sections_.size()) - 
 
 void ProtocolView::store() { protocol_.store(reason_->text(), author_()); }
 
-void ProtocolView::follow() {
+void ProtocolView::refreshState() {
   followLists();
   followForces();
   followFoot();

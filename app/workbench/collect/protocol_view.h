@@ -47,7 +47,7 @@ class PartList : public QWidget {
   };
 
   QToolButton* makeArrow(const QString& text);
-  void follow();
+  void refreshState();
   void put(const QString& part, bool in);
   void move(int row, int by);
 
@@ -84,7 +84,7 @@ class ProtocolField : public QWidget {
 
  private:
   QWidget* makeInput();
-  void follow();
+  void refreshState();
 
   ProtocolController& protocol_;
   const ProtocolFieldSpec spec_;
@@ -123,7 +123,7 @@ class ProtocolView : public QWidget {
   void addDevice();
   void addKey();
   void offer(const QString& language, bool in);
-  void follow();
+  void refreshState();
   void followLists();
   void followForces();
   void followFoot();

@@ -231,7 +231,7 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
   layout->addWidget(hint_);
   layout->addWidget(pages_, 1);
   connectAll();
-  follow();
+  refreshState();
 }
 
 QWidget* StudyHome::makeHead() {
@@ -313,7 +313,7 @@ QWidget* StudyHome::makeFoot() {
 }
 
 void StudyHome::connectAll() {
-  connect(&collect_, &CollectController::changed, this, &StudyHome::follow);
+  connect(&collect_, &CollectController::changed, this, &StudyHome::refreshState);
   connect(&collect_, &CollectController::added, this, &StudyHome::showAdded);
   connect(protocol_, &QPushButton::clicked, this, &StudyHome::protocolAsked);
   connect(add_, &QPushButton::clicked, &collect_, &CollectController::addParticipant);
@@ -355,7 +355,7 @@ void StudyHome::select(const study::RecordId& person) {
   view_->scrollTo(table_->index(row, 0));
 }
 
-void StudyHome::follow() {
+void StudyHome::refreshState() {
   const StudyOverview& overview = collect_.overview();
   const auto count = static_cast<int>(overview.rows.size());
   name_->setFullText(collect_.study().fileName());
@@ -439,7 +439,7 @@ void StudyHome::showHints() {
 
 void StudyHome::showAdded(const study::RecordId& person, const QString& /*code*/) {
   newest_ = person;
-  follow();
+  refreshState();
 }
 
 }  // namespace tactus::workbench

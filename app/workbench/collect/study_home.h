@@ -59,7 +59,7 @@ class StudyHome : public QWidget {
   QWidget* makeInvitation();
   QWidget* makeFoot();
   void connectAll();
-  void follow();
+  void refreshState();
   void showSelection();
   void showHints();
   void showAdded(const study::RecordId& person, const QString& code);

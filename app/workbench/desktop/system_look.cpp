@@ -19,7 +19,7 @@ constexpr uint kLight = 2;
 
 }  // namespace
 
-void SystemLook::follow() {
+void SystemLook::refreshState() {
   QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return;
   bus.connect(QLatin1String(kService), QLatin1String(kPath), QLatin1String(kInterface),

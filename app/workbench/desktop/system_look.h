@@ -16,7 +16,7 @@ class SystemLook : public QObject {
   using QObject::QObject;
 
   /// Asks for the look, and listens to changes. Does nothing if there is no session bus or no portal.
-  void follow();
+  void refreshState();
 
  public slots:
   /// A setting of the portal: emits `changed` where it is the one of the look and has a wish.

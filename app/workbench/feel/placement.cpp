@@ -56,7 +56,7 @@ PlotTable traceTable(const SceneController& scene, const FeelHistory& history,
 FeltState::FeltState(const FeelController& feel, const SceneController& scene, EditController& edits, QObject* parent)
     : QObject(parent), feel_(feel), scene_(scene), edits_(edits) {
   connect(&edits_, &EditController::modelReset, this, &FeltState::forget);
-  connect(&edits_, &EditController::historyChanged, this, &FeltState::follow);
+  connect(&edits_, &EditController::historyChanged, this, &FeltState::refreshState);
   connect(&feel_, &FeelController::sampled, this, &FeltState::add);
 }
 
@@ -66,7 +66,7 @@ void FeltState::forget() {
   tell();
 }
 
-void FeltState::follow() {
+void FeltState::refreshState() {
   if (!edits_.isOpen() || edits_.history().current() == state_) return;
   state_ = edits_.history().current();
   tell();

@@ -40,7 +40,7 @@ class FeltState : public QObject {
   };
 
   void forget();
-  void follow();
+  void refreshState();
   void add(std::span<const haptics::Sample> samples);
   void tell();
 

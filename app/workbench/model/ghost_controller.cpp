@@ -44,10 +44,10 @@ std::vector<std::vector<fuzzy::Evaluation>> inOrderOf(const fuzzy::ForceModel& n
 GhostController::GhostController(EditController& edits, const SceneController& scene, QObject* parent)
     : QObject(parent), edits_(edits), scene_(scene) {
   connect(&edits_, &EditController::modelReset, this, &GhostController::reset);
-  connect(&edits_, &EditController::changed, this, &GhostController::follow);
-  connect(&edits_, &EditController::historyChanged, this, &GhostController::follow);
+  connect(&edits_, &EditController::changed, this, &GhostController::refreshState);
+  connect(&edits_, &EditController::historyChanged, this, &GhostController::refreshState);
   connect(&edits_, &EditController::reporting, this, [this] { curves(); });
-  if (edits_.isOpen()) follow();
+  if (edits_.isOpen()) refreshState();
 }
 
 QString GhostController::label() const { return reference_ ? reference_label_ : tr("Before the last edit"); }
@@ -87,7 +87,7 @@ void GhostController::reset() {
   state_.reset();
   reference_.reset();
   curves_.reset();
-  follow();
+  refreshState();
   emit changed();
 }
 
@@ -97,7 +97,7 @@ std::optional<editing::StateId> GhostController::stateBefore() const {
   return history.states()[history.current()].parent;
 }
 
-void GhostController::follow() {
+void GhostController::refreshState() {
   const auto state = stateBefore();
   if (state == state_) return;
   state_ = state;

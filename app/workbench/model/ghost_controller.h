@@ -76,7 +76,7 @@ class GhostController : public QObject {
 
  private:
   std::shared_ptr<const OpenModel> shown() const { return reference_ ? reference_ : before_; }
-  void follow();
+  void refreshState();
   void reset();
   std::optional<editing::StateId> stateBefore() const;
   void compute() const;

@@ -47,7 +47,7 @@ void sortOnce(std::vector<std::size_t>& indices) {
 
 Selection::Selection(const EditController& edits, QObject* parent) : QObject(parent), edits_(edits) {
   connect(&edits_, &EditController::modelReset, this, &Selection::adoptModel);
-  connect(&edits_, &EditController::changed, this, &Selection::follow);
+  connect(&edits_, &EditController::changed, this, &Selection::refreshState);
   if (edits_.isOpen()) adoptModel();
 }
 
@@ -147,7 +147,7 @@ void Selection::adoptModel() {
   if (had) emit rulesChanged();
 }
 
-void Selection::follow() {
+void Selection::refreshState() {
   const std::vector<Rule>* const all = rulesOfExpert();
   if (all == nullptr) {
     adoptModel();

@@ -59,7 +59,7 @@ class Selection : public QObject {
 
  private:
   void adoptModel();
-  void follow();
+  void refreshState();
   bool followGap(const std::vector<fuzzy::Rule>& rules);
   void keep();
   const std::vector<fuzzy::Rule>* rulesOfExpert() const;

@@ -93,7 +93,7 @@ void DepthLab::go(std::size_t state) {
   const bool other_image =
       states_[state].image != now_.image || states_[state].measurement.example != now_.measurement.example;
   now_ = states_[state];
-  follow();
+  refreshState();
   if (other_image) emit imageChanged();
   emit measurementChanged();
   emit changed();
@@ -102,11 +102,11 @@ void DepthLab::go(std::size_t state) {
 void DepthLab::show(const elicitation::DepthMeasurement& measurement) {
   if (measurement == now_.measurement) return;
   now_.measurement = measurement;
-  follow();
+  refreshState();
   emit measurementChanged();
 }
 
-void DepthLab::follow() {
+void DepthLab::refreshState() {
   path_.reset();
   problem_.clear();
   if (now_.measurement.path.size() >= 2) {

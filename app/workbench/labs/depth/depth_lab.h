@@ -81,7 +81,7 @@ class DepthLab : public UndoSource {
   void read();
   void begin(State state);
   void go(std::size_t state);
-  void follow();
+  void refreshState();
   void store();
   void add(State next);
 

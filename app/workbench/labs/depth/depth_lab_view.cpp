@@ -125,14 +125,14 @@ DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
   connect(choice_, &QComboBox::activated, this, [this](int item) {
     lab_.setDepthsFrom(item == kMeasuredItem ? DepthsFrom::kMeasured : DepthsFrom::kTemplate);
   });
-  connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::follow);
+  connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::refreshState);
   connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::followChoice);
   connect(&lab_, &DepthLab::depthsFromChanged, this, &DepthTermPage::followChoice);
-  follow();
+  refreshState();
   followChoice();
 }
 
-void DepthTermPage::follow() {
+void DepthTermPage::refreshState() {
   plot_->show(lab_.terms());
   QStringList lines;
   for (const fuzzy::Term& term : lab_.terms().terms) {

@@ -56,7 +56,7 @@ class DepthTermPage : public QWidget {
   QComboBox& choice() { return *choice_; }
 
  private:
-  void follow();
+  void refreshState();
   void followChoice();
 
   DepthLab& lab_;

@@ -106,9 +106,9 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
     lab_.show(wanted);
     lab_.commit(tr("anatomical scale"));
   });
-  connect(&lab_, &DepthLab::measurementChanged, this, &DepthSettingsPanel::follow);
-  connect(&lab_, &DepthLab::imageChanged, this, &DepthSettingsPanel::follow);
-  follow();
+  connect(&lab_, &DepthLab::measurementChanged, this, &DepthSettingsPanel::refreshState);
+  connect(&lab_, &DepthLab::imageChanged, this, &DepthSettingsPanel::refreshState);
+  refreshState();
 }
 
 QWidget* DepthSettingsPanel::makeBoundaries() {
@@ -151,7 +151,7 @@ void DepthSettingsPanel::setBoundary(std::size_t index, double depth_mm, double 
   lab_.commit(rows_[index].name->text());
 }
 
-void DepthSettingsPanel::follow() {
+void DepthSettingsPanel::refreshState() {
   const auto& measurement = lab_.measurement();
   const bool has_image = measurement.example || !lab_.image().isEmpty();
   name_->setText(has_image ? text(measurement.image)

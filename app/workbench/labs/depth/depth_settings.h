@@ -40,7 +40,7 @@ class DepthSettingsPanel : public Card {
 
  private:
   QWidget* makeBoundaries();
-  void follow();
+  void refreshState();
   void setBoundary(std::size_t index, double depth_mm, double half_overlap_mm);
 
   DepthLab& lab_;

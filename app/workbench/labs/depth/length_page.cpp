@@ -184,8 +184,8 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
     lab_.show(wanted);
     lab_.commit(tr("nose – ear – xiphoid length"));
   });
-  connect(&lab_, &DepthLab::measurementChanged, this, &LengthPage::follow);
-  follow();
+  connect(&lab_, &DepthLab::measurementChanged, this, &LengthPage::refreshState);
+  refreshState();
 }
 
 QWidget* LengthPage::makeTable() {
@@ -221,7 +221,7 @@ QString LengthPage::lengthText(std::size_t formula) const { return rows_[formula
 
 QString LengthPage::targetText() const { return target_->text(); }
 
-void LengthPage::follow() {
+void LengthPage::refreshState() {
   const auto& measurement = lab_.measurement();
   const double nex_mm = measurement.nose_ear_xiphoid_mm.value_or(kExampleMm);
   const QSignalBlocker quiet(length_);

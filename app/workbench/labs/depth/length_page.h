@@ -61,7 +61,7 @@ class LengthPage : public QWidget {
 
  private:
   QWidget* makeTable();
-  void follow();
+  void refreshState();
 
   DepthLab& lab_;
   NumberBox* length_;

@@ -41,7 +41,7 @@ QVector<double> forcesOf(const std::vector<fuzzy::Evaluation>& curve) {
 
 }  // namespace
 
-PullPlot::PullPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
+LeaveOneOutPlot::LeaveOneOutPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   plot_->plotLayout()->clear();
   forces_ = new QCPAxisRect(plot_);
   pulls_ = new QCPAxisRect(plot_);
@@ -62,20 +62,21 @@ PullPlot::PullPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
   setAccessibleName(tr("Averaged force and the experts' distances from it"));
 }
 
-QCPGraph& PullPlot::addLine(QCPAxisRect& area, const QPen& pen) {
+QCPGraph& LeaveOneOutPlot::addLine(QCPAxisRect& area, const QPen& pen) {
   QCPGraph* const graph = plot_->addGraph(area.axis(QCPAxis::atBottom), area.axis(QCPAxis::atLeft));
   graph->setPen(pen);
   graph->setAdaptiveSampling(false);
   return *graph;
 }
 
-void PullPlot::clear() {
+void LeaveOneOutPlot::clear() {
   plot_->clearGraphs();
   legend_.clear();
   redraw(*plot_);
 }
 
-void PullPlot::setCurves(const fuzzy::ForceModel& model, std::size_t x_input, const figures::ForceCurves& curves) {
+void LeaveOneOutPlot::setCurves(const fuzzy::ForceModel& model, std::size_t x_input,
+                                const figures::ForceCurves& curves) {
   plot_->clearGraphs();
   legend_.clear();
   if (curves.x.empty()) return redraw(*plot_);
@@ -92,9 +93,9 @@ void PullPlot::setCurves(const fuzzy::ForceModel& model, std::size_t x_input, co
   redraw(*plot_);
 }
 
-void PullPlot::setBand(const ShownBand* band) { band_ = band == nullptr ? std::nullopt : std::optional(*band); }
+void LeaveOneOutPlot::setBand(const ShownBand* band) { band_ = band == nullptr ? std::nullopt : std::optional(*band); }
 
-void PullPlot::drawBand(const figures::ForceCurves& curves) {
+void LeaveOneOutPlot::drawBand(const figures::ForceCurves& curves) {
   QVector<double> x(curves.x.begin(), curves.x.end());
   QVector<double> low;
   QVector<double> high;
@@ -129,8 +130,8 @@ void PullPlot::drawBand(const figures::ForceCurves& curves) {
   legend_.push_back({name, Qt::NoPen, theme::onCard(fill)});
 }
 
-void PullPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
-                          const std::vector<std::size_t>& numbers) {
+void LeaveOneOutPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
+                                 const std::vector<std::size_t>& numbers) {
   const QVector<double> x(curves.x.begin(), curves.x.end());
   QCPAxis* const left = forces_->axis(QCPAxis::atLeft);
   styleAxis(*left, model.output);
@@ -146,8 +147,8 @@ void PullPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCu
   legend_.push_back({tr("Mean"), pen});
 }
 
-void PullPlot::drawPulls(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
-                         const std::vector<std::size_t>& numbers) {
+void LeaveOneOutPlot::drawPulls(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
+                                const std::vector<std::size_t>& numbers) {
   const QVector<double> x(curves.x.begin(), curves.x.end());
   const auto pulls = pullsOf(curves);
   double widest = 0.1;  // N: small distances are not blown up
@@ -182,7 +183,7 @@ void PullPlot::drawPulls(const fuzzy::ForceModel& model, const figures::ForceCur
   }
 }
 
-void PullPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
+void LeaveOneOutPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 namespace {
 
@@ -302,7 +303,7 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
       weights_(new Columns<WeightRow>(weightColumns(lab), this)),
       policies_(new Columns<PolicyRow>(policyColumns(), this)),
       pairs_(new Columns<DistanceRow>(this)),
-      plot_(new PullPlot),
+      plot_(new LeaveOneOutPlot),
       policy_(new QComboBox),
       open_(new PrimaryButton(tr("&Open in the bench"))),
       failure_(new QLabel),
@@ -328,7 +329,7 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
 
   connect(policy_, &QComboBox::activated, this,
           [this](int index) { lab_.setPolicy(kPolicies[static_cast<std::size_t>(index)]); });
-  auto* refresh = new Refresh(this, [this] { follow(); });
+  auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &ExpertsLab::changed, refresh, &Refresh::request);
   connect(band_, &QComboBox::activated, this, [this](int index) {
     lab_.bands().choose(index == 0 ? std::nullopt : std::optional(kBands[static_cast<std::size_t>(index - 1)]));
@@ -420,7 +421,7 @@ void ExpertsLabView::makeSettings() {
   }
 }
 
-void ExpertsLabView::follow() {
+void ExpertsLabView::refreshState() {
   makeSettings();
   weights_->updateRows(weightRows(lab_.built().get()));
   policies_->setRows(policyRows(lab_.compared()));

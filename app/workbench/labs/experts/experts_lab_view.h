@@ -23,11 +23,11 @@ namespace tactus::workbench {
 // The averaged force along the depth with every expert, and below it who pulls where: each expert's distance from the
 // mean, beside what a hand notices.
 
-class PullPlot : public QWidget, public PlotSource {
+class LeaveOneOutPlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
-  explicit PullPlot(QWidget* parent = nullptr);
+  explicit LeaveOneOutPlot(QWidget* parent = nullptr);
 
   /// `x_input`: the input of the curves.
   void setCurves(const fuzzy::ForceModel& model, std::size_t x_input, const figures::ForceCurves& curves);
@@ -61,7 +61,7 @@ struct WeightRow {
   QString expert, weight, rms, largest, noticeable, where;
 };
 
-class PullPlot;
+class LeaveOneOutPlot;
 class SettingRow;
 
 class ExpertsLabView : public LabView {
@@ -72,7 +72,7 @@ class ExpertsLabView : public LabView {
   explicit ExpertsLabView(ExpertsLab& lab, QWidget* parent = nullptr);
 
   Columns<WeightRow>& weights() { return *weights_; }
-  PullPlot& plot() { return *plot_; }
+  LeaveOneOutPlot& plot() { return *plot_; }
 
  signals:
   /// The user wants to tune the averaged model.
@@ -82,7 +82,7 @@ class ExpertsLabView : public LabView {
   QWidget* makeLeft();
   QWidget* makeRight();
   void makeSettings();
-  void follow();
+  void refreshState();
   void followCurves();
   void followBand();
 
@@ -91,7 +91,7 @@ class ExpertsLabView : public LabView {
   Columns<PolicyRow>* policies_;
   Columns<DistanceRow>* pairs_;
   std::shared_ptr<const elicitation::BuiltModel> of_;  ///< what `pairs_` shows
-  PullPlot* plot_;
+  LeaveOneOutPlot* plot_;
   QComboBox* policy_;
   QPushButton* open_;
   QLabel* failure_;

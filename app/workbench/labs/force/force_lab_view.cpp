@@ -279,7 +279,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   connect(&lab_, &ForceLab::influenceChanged, judgements_, [this] { judgements_->tell(lab_.influence()); });
   connect(series_, &QComboBox::activated, this,
           [this] { lab_.setSeries(series_->currentData().toString().toStdString()); });
-  auto* refresh = new Refresh(this, [this] { follow(); });
+  auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &ForceLab::changed, refresh, &Refresh::request);
 }
 
@@ -300,7 +300,7 @@ void ForceLabView::divide() {
   top_->setSizes({votes, std::max(1, width() - votes)});
 }
 
-void ForceLabView::follow() {
+void ForceLabView::refreshState() {
   votes_->setVotes(lab_.votes());
   terms_->setVotes(lab_.votes());
   terms_->setChosen(lab_.settings().force_terms);

@@ -84,7 +84,7 @@ class ForceLabView : public LabView {
 
  private:
   void divide();
-  void follow();
+  void refreshState();
   void followSeries();
 
   ForceLab& lab_;

@@ -182,7 +182,7 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
   layout->addWidget(both, 1);
 
   connect(button_, &QPushButton::clicked, this, [this] { lab_.isBusy() ? lab_.cancel() : lab_.compare(); });
-  auto* refresh = new Refresh(this, [this] { follow(); });
+  auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &MethodLab::changed, refresh, &Refresh::request);
   auto* redraws = new Refresh(plot_, [this] { followCurves(); });
   connect(&lab_, &MethodLab::curvesChanged, redraws, &Refresh::request);
@@ -191,7 +191,7 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
           [this](const QModelIndex& index) {
             if (index.isValid()) lab_.choose(variants_->row(index.row()).index);
           });
-  follow();
+  refreshState();
 }
 
 QWidget* MethodLabView::makeHead() {
@@ -252,7 +252,7 @@ QWidget* MethodLabView::makeRight() {
   return card;
 }
 
-void MethodLabView::follow() {
+void MethodLabView::refreshState() {
   const bool busy = lab_.isBusy();
   button_->setText(busy ? tr("Cancel") : tr("&Compare the choices"));
   button_->setEnabled(busy || lab_.isPossible());

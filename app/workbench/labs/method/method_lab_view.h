@@ -60,7 +60,7 @@ class MethodLabView : public LabView {
   QWidget* makeHead();
   QWidget* makeLeft();
   QWidget* makeRight();
-  void follow();
+  void refreshState();
   void followFactor();
   void followCurves();
 

@@ -105,13 +105,13 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &OriginWindow::followChosen);
   connect(&finder_, &OriginFinder::changed, this, [this] {
     table_->setRows(originRows(finder_.origin()));
-    follow();
+    refreshState();
   });
   connect(&finder_, &OriginFinder::influenceChanged, this, [this](std::size_t row) {
     table_->updateColumn(kMovesColumn);
     if (static_cast<int>(row) == chosenRow()) followChosen();
   });
-  follow();
+  refreshState();
 }
 
 void OriginWindow::setPreview(QWidget* preview, std::function<bool(const OriginRecord&)> shows) {
@@ -139,7 +139,7 @@ void OriginWindow::lead() {
   if (const OriginRecord* const record = chosen()) emit recordChosen(*record);
 }
 
-void OriginWindow::follow() {
+void OriginWindow::refreshState() {
   const Origin* const origin = finder_.origin();
   const QString failure = finder_.failure();
   if (origin != nullptr) {
@@ -177,7 +177,7 @@ void OriginWindow::showEvent(QShowEvent* event) {
     placed_ = true;
   }
   QDialog::showEvent(event);
-  follow();
+  refreshState();
 }
 
 void OriginWindow::hideEvent(QHideEvent* event) {

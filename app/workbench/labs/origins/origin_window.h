@@ -43,7 +43,7 @@ class OriginWindow : public QDialog {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void follow();
+  void refreshState();
   void followChosen();
   int chosenRow() const;
   void lead();

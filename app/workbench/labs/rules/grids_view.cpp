@@ -139,7 +139,7 @@ QSize GridsView::sizeHint() const { return {960, std::max(places_.leastHeight(),
 
 int GridsView::scrolled() const { return horizontalScrollBar()->value(); }
 
-void GridsView::follow() {
+void GridsView::refreshState() {
   layOut();
   viewport()->update();
 }

@@ -19,7 +19,7 @@ class GridsView : public QAbstractScrollArea {
 
  public slots:
   /// Shows what the lab has.
-  void follow();
+  void refreshState();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -263,7 +263,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(all);
 
-  auto* refresh = new Refresh(this, [this] { follow(); });
+  auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &RulesLab::changed, refresh, &Refresh::request);
   connect(&lab_, &RulesLab::chosenChanged, this, &RulesLabView::followCell);
   connect(&lab_, &RulesLab::influencesChanged, cell_, [this] { cell_->updateColumn(kWithoutColumn); });
@@ -328,8 +328,8 @@ QWidget* RulesLabView::makeUsability() {
   return page;
 }
 
-void RulesLabView::follow() {
-  grids_->follow();
+void RulesLabView::refreshState() {
+  grids_->refreshState();
   spread_->setText(spreadText(lab_));
   const auto* const findings = lab_.findings();
   findings_->setRows(findings == nullptr ? std::vector<RuleFindingRow>()

@@ -54,7 +54,7 @@ class RulesLabView : public LabView {
   QWidget* makeCell();
   QWidget* makeUsability();
   QWidget* makeFindings();
-  void follow();
+  void refreshState();
   void followCell();
 
   RulesLab& lab_;

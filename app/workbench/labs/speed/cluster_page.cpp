@@ -334,7 +334,7 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
   layout->setSpacing(theme::kGrid);
   layout->addWidget(clusters, 7);
   layout->addWidget(makeTerms(), 4);
-  auto* refresh = new Refresh(this, [this] { follow(); });
+  auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &SpeedLab::resultChanged, refresh, &Refresh::request);
   connect(&lab_, &SpeedLab::pageChanged, refresh, &Refresh::request);
   refresh->request();
@@ -361,7 +361,7 @@ QWidget* ClusterPage::makeTerms() {
   return card;
 }
 
-void ClusterPage::follow() {
+void ClusterPage::refreshState() {
   const auto& result = lab_.result();
   const auto [first, last] = lab_.shown();
   for (std::size_t i = 0; i < plots_.size(); ++i) plots_[i]->setVisible(first + i < last);

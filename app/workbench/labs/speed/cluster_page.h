@@ -95,7 +95,7 @@ class ClusterPage : public QWidget, public PlotSource {
 
  private:
   QWidget* makeTerms();
-  void follow();
+  void refreshState();
   PlotTable clusterTable() const;
   PlotTable termTable() const;
   QString settingText() const;

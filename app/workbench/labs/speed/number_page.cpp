@@ -199,7 +199,7 @@ NumberPage::NumberPage(SpeedLab& lab, QWidget* parent)
   layout->setRowStretch(1, 1);
   layout->setColumnStretch(0, 3);
   layout->setColumnStretch(1, 2);
-  auto* refresh = new Refresh(this, [this] { follow(); });
+  auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &SpeedLab::resultChanged, refresh, &Refresh::request);
   connect(&lab_, &SpeedLab::pageChanged, refresh, &Refresh::request);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& current) {
@@ -233,7 +233,7 @@ QString NumberPage::warningText() const {
   return lines.join(QLatin1Char('\n'));
 }
 
-void NumberPage::follow() {
+void NumberPage::refreshState() {
   const auto& result = lab_.result();
   const int columns = table_->columnCount();
   auto heads = result ? speedColumns(result->speed) : std::vector<Column<SubjectRow>>();

@@ -36,7 +36,7 @@ class NumberPage : public QWidget {
   explicit NumberPage(SpeedLab& lab, QWidget* parent = nullptr);
 
  private:
-  void follow();
+  void refreshState();
   QString warningText() const;
 
   SpeedLab& lab_;

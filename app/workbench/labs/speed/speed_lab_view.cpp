@@ -74,15 +74,15 @@ StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections,
   moved_->setFixedHeight(2 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
   moved_->hide();
   connect(&influence_, &StrokeInfluence::told, this, &StrokePage::followChosen);
-  connect(choice_, &QComboBox::currentIndexChanged, this, &StrokePage::follow);
+  connect(choice_, &QComboBox::currentIndexChanged, this, &StrokePage::refreshState);
   connect(&lab_, &SpeedLab::resultChanged, this, [this] {
     if (!isVisible()) return;
     fillChoice();
     followWanted();
-    follow();
+    refreshState();
   });
-  connect(&lab_, &SpeedLab::pageChanged, this, &StrokePage::follow);
-  connect(&traces_, &StrokeTraces::arrived, this, &StrokePage::follow);
+  connect(&lab_, &SpeedLab::pageChanged, this, &StrokePage::refreshState);
+  connect(&traces_, &StrokeTraces::arrived, this, &StrokePage::refreshState);
   connect(&corrections_, &Corrections::refused, this, &StrokePage::putBack);
 }
 
@@ -128,7 +128,7 @@ std::vector<StrokePage::Cell> StrokePage::cells() const {
   return out;
 }
 
-void StrokePage::follow() {
+void StrokePage::refreshState() {
   if (!isVisible()) return;
   const std::vector<Cell> shown = cells();
   std::vector<std::shared_ptr<const StrokeSet>> sets;
@@ -187,7 +187,7 @@ void StrokePage::followChosen() {
 // A mark that was not stored goes back.
 void StrokePage::putBack() {
   for (TraceRow* row : rows_) row->show({}, {}, nullptr, 1);
-  follow();
+  refreshState();
 }
 
 void StrokePage::correct(const study::StrokeRecord& before, const study::StrokeRecord& wanted, bool marks) {
@@ -210,7 +210,7 @@ void StrokePage::showEvent(QShowEvent* event) {
   Card::showEvent(event);
   fillChoice();
   followWanted();
-  follow();
+  refreshState();
 }
 
 void StrokePage::hideEvent(QHideEvent* event) {
@@ -287,11 +287,11 @@ SpeedSettingsPanel::SpeedSettingsPanel(SpeedLab& lab, QWidget* parent)
   connect(averaging_, &QComboBox::currentIndexChanged, this,
           [this](int index) { lab_.setAveraging(static_cast<Averaging>(index)); });
   connect(defaults, &QPushButton::clicked, &lab_, &SpeedLab::setDefaults);
-  connect(&lab_, &SpeedLab::settingsChanged, this, &SpeedSettingsPanel::follow);
-  follow();
+  connect(&lab_, &SpeedLab::settingsChanged, this, &SpeedSettingsPanel::refreshState);
+  refreshState();
 }
 
-void SpeedSettingsPanel::follow() {
+void SpeedSettingsPanel::refreshState() {
   const elicitation::SpeedTermSettings& settings = lab_.settings();
   const bool means = settings.centres == SpeedCentres::kLevelMeans;
   clusters_->setValue(static_cast<double>(lab_.clusters()));
@@ -349,9 +349,9 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& correcti
   layout->addWidget(settings);
   layout->addWidget(pages_, 1);
   layout->addWidget(nothing_, 1);
-  connect(&lab_, &SpeedLab::resultChanged, this, &SpeedLabView::follow);
-  connect(&lab_, &SpeedLab::pageChanged, this, &SpeedLabView::follow);
-  follow();
+  connect(&lab_, &SpeedLab::resultChanged, this, &SpeedLabView::refreshState);
+  connect(&lab_, &SpeedLab::pageChanged, this, &SpeedLabView::refreshState);
+  refreshState();
 }
 
 QWidget* SpeedLabView::makePager() {
@@ -377,7 +377,7 @@ void SpeedLabView::showStroke(const elicitation::StrokeKey& stroke) {
   strokes_->showStroke(stroke);
 }
 
-void SpeedLabView::follow() {
+void SpeedLabView::refreshState() {
   const auto& result = lab_.result();
   const bool empty = result && result->subjects.empty();
   nothing_->setText(

@@ -54,7 +54,7 @@ class StrokePage : public Card {
   };
   std::vector<Cell> cells() const;
   void fillChoice();
-  void follow();
+  void refreshState();
   void putBack();
   void choose(const study::StrokeRecord& record);
   void followWanted();
@@ -82,7 +82,7 @@ class SpeedSettingsPanel : public Card {
   explicit SpeedSettingsPanel(SpeedLab& lab, QWidget* parent = nullptr);
 
  private:
-  void follow();
+  void refreshState();
 
   SpeedLab& lab_;
   SettingRow* clusters_;
@@ -111,7 +111,7 @@ class SpeedLabView : public LabView {
 
  private:
   QWidget* makePager();
-  void follow();
+  void refreshState();
 
   SpeedLab& lab_;
   SpeedTermPlot* terms_;

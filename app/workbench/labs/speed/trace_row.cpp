@@ -23,15 +23,15 @@ StrokePreview::StrokePreview(LabData& lab_data, QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(row_);
   row_->setReadOnly();
-  connect(&traces_, &StrokeTraces::arrived, this, &StrokePreview::follow);
+  connect(&traces_, &StrokeTraces::arrived, this, &StrokePreview::refreshState);
 }
 
 void StrokePreview::showStroke(const elicitation::StrokeKey& stroke) {
   stroke_ = stroke;
-  follow();
+  refreshState();
 }
 
-void StrokePreview::follow() {
+void StrokePreview::refreshState() {
   if (!stroke_) return;
   const auto set = traces_.strokes(stroke_->participant, stroke_->level);
   const QString title =

@@ -98,7 +98,7 @@ class StrokePreview : public QWidget {
   const TraceRow& row() const { return *row_; }
 
  private:
-  void follow();
+  void refreshState();
 
   StrokeTraces traces_;
   std::optional<elicitation::StrokeKey> stroke_;

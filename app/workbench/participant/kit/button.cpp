@@ -103,13 +103,13 @@ Button::Button(const Look& look, ButtonKind kind, const Phrase& text, QWidget* p
     : QAbstractButton(parent), look_(look), kind_(kind), text_(text) {
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
-  connect(&look, &Look::changed, this, &Button::follow);
-  follow();
+  connect(&look, &Look::changed, this, &Button::refreshState);
+  refreshState();
 }
 
 void Button::setPhrase(const Phrase& text) {
   text_ = text;
-  follow();
+  refreshState();
 }
 
 void Button::waitFor(const std::optional<Phrase>& reason) {
@@ -118,7 +118,7 @@ void Button::waitFor(const std::optional<Phrase>& reason) {
   // Qt would hand the keyboard of a disabled button to a neighbour.
   if (reason) giveKeyboardBack(*this);
   setEnabled(!reason);
-  follow();
+  refreshState();
 }
 
 void Button::reserve(const Phrase& text) {
@@ -131,7 +131,7 @@ void Button::keepOneLine() {
   updateGeometry();
 }
 
-void Button::follow() {
+void Button::refreshState() {
   setFont(look_.font(1, kind_ != ButtonKind::kPlain && !reason_));
   setText(look_.say(reason_ ? *reason_ : text_));
   setAccessibleName(text());

@@ -61,7 +61,7 @@ class Button : public QAbstractButton {
   bool hitButton(const QPoint& at) const override;
 
  private:
-  void follow();
+  void refreshState();
   QColor fill() const;
   /// What `text` takes, on two lines if it is long, px.
   QSize room(const QString& text) const;

@@ -28,12 +28,12 @@ AnswerCard::AnswerCard(const Look& look, Answer answer, int place, int count, QW
   // Reads as one of several, none of them chosen at the start; arrow keys move the focus without choosing.
   setAutoExclusive(true);
   setFocusPolicy(Qt::StrongFocus);
-  connect(&look, &Look::changed, this, &AnswerCard::follow);
-  connect(this, &QAbstractButton::toggled, this, &AnswerCard::follow);
-  follow();
+  connect(&look, &Look::changed, this, &AnswerCard::refreshState);
+  connect(this, &QAbstractButton::toggled, this, &AnswerCard::refreshState);
+  refreshState();
 }
 
-void AnswerCard::follow() {
+void AnswerCard::refreshState() {
   const QString word = look_.say(answer_.word, answer_.language.value_or(look_.language()));
   setText(word);
   QString name = word;

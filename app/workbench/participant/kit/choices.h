@@ -46,7 +46,7 @@ class AnswerCard : public QAbstractButton {
 
  private:
   QFont font(bool bold) const;
-  void follow();
+  void refreshState();
 
   const Look& look_;
   Answer answer_;

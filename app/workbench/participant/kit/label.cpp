@@ -102,17 +102,17 @@ Label::Label(const Look& look, TextRole role, const Phrase& text, QWidget* paren
   QPalette colors = palette();
   colors.setColor(QPalette::WindowText, muted ? colors::kMutedInk : colors::kInk);
   setPalette(colors);
-  connect(&look, &Look::changed, this, &Label::follow);
-  follow();
+  connect(&look, &Look::changed, this, &Label::refreshState);
+  refreshState();
 }
 
 void Label::setPhrase(const Phrase& text) {
   if (text == text_) return;
   text_ = text;
-  follow();
+  refreshState();
 }
 
-void Label::follow() {
+void Label::refreshState() {
   const bool bold = role_ == TextRole::kLead || role_ == TextRole::kTitle;
   setFont(look_.font(role_ == TextRole::kLead ? kLeadFactor : 1, bold));
   setText(look_.say(text_));

@@ -59,7 +59,7 @@ class Label : public QLabel {
   void setPhrase(const Phrase& text);
 
  private:
-  void follow();
+  void refreshState();
 
   const Look& look_;
   TextRole role_;

@@ -84,17 +84,17 @@ constexpr double kGapMm = 3;
 
 Dots::Dots(const Look& look, QWidget* parent) : QWidget(parent), look_(look) {
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  connect(&look, &Look::changed, this, &Dots::follow);
+  connect(&look, &Look::changed, this, &Dots::refreshState);
 }
 
 void Dots::setCount(int filled, int all) {
   if (filled == filled_ && all == all_) return;
   filled_ = filled;
   all_ = all;
-  follow();
+  refreshState();
 }
 
-void Dots::follow() {
+void Dots::refreshState() {
   setAccessibleName(
       look_.say(phrase(QStringLiteral("acc.recorded"), {QString::number(filled_), QString::number(all_)})));
   updateGeometry();

@@ -53,7 +53,7 @@ class Dots : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  void follow();
+  void refreshState();
 
   const Look& look_;
   int filled_ = 0;

@@ -40,16 +40,16 @@ ReviewCell::ReviewCell(const Look& look, int item, QWidget* parent)
     glow_ = value.toDouble();
     update();
   });
-  connect(&look, &Look::changed, this, &ReviewCell::follow);
+  connect(&look, &Look::changed, this, &ReviewCell::refreshState);
 }
 
 void ReviewCell::setAnswer(const QString& word, const QString& situation) {
   word_ = word;
   situation_ = situation;
-  follow();
+  refreshState();
 }
 
-void ReviewCell::follow() {
+void ReviewCell::refreshState() {
   setText(word_.isEmpty() ? QString() : look_.say(phrase(QStringLiteral("w.") + word_)));
   setAccessibleName(word_.isEmpty() ? look_.say(phrase(QStringLiteral("acc.open"), {situation_}))
                                     : situation_ + QStringLiteral(": ") + text());
@@ -60,7 +60,7 @@ void ReviewCell::follow() {
   update();
 }
 
-void ReviewCell::showEvent(QShowEvent* /*event*/) { follow(); }
+void ReviewCell::showEvent(QShowEvent* /*event*/) { refreshState(); }
 void ReviewCell::hideEvent(QHideEvent* /*event*/) { pulse_.stop(); }
 
 QSize ReviewCell::sizeHint() const {

@@ -33,7 +33,7 @@ class ReviewCell : public QAbstractButton {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void follow();
+  void refreshState();
 
   const Look& look_;
   int item_;

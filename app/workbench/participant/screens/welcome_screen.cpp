@@ -27,11 +27,11 @@ CodeField::CodeField(const Look& look, QWidget* parent) : QWidget(parent), look_
   edit_->setInputMethodHints(Qt::ImhNoPredictiveText | Qt::ImhLatinOnly | Qt::ImhNoAutoUppercase);
   connect(edit_, &QLineEdit::textEdited, this, &CodeField::edited);
   connect(edit_, &QLineEdit::returnPressed, this, &CodeField::entered);
-  connect(&look, &Look::changed, this, &CodeField::follow);
-  follow();
+  connect(&look, &Look::changed, this, &CodeField::refreshState);
+  refreshState();
 }
 
-void CodeField::follow() {
+void CodeField::refreshState() {
   edit_->setFont(look_.font());
   edit_->setAccessibleName(look_.say(phrase(QStringLiteral("code.field"))));
   updateGeometry();

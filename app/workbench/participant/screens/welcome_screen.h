@@ -34,7 +34,7 @@ class CodeField : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  void follow();
+  void refreshState();
 
   const Look& look_;
   QLineEdit* edit_;

@@ -25,8 +25,8 @@ struct SessionProxy::LiveSession {
 SessionProxy::SessionProxy(StudyConnection& study, QObject* parent, std::function<study::Moment()> now)
     : QObject(parent), study_(study), now_(std::move(now)) {
   connect(&study_, &StudyConnection::changed, this, &SessionProxy::changed);
-  connect(&study_, &StudyConnection::opened, this, &SessionProxy::letGo);
-  connect(&study_, &StudyConnection::closed, this, &SessionProxy::letGo);
+  connect(&study_, &StudyConnection::opened, this, &SessionProxy::forgetSession);
+  connect(&study_, &StudyConnection::closed, this, &SessionProxy::forgetSession);
 }
 
 void SessionProxy::begin(const session::SessionStart& start, std::optional<study::Person> newcomer) {
@@ -245,7 +245,7 @@ void SessionProxy::send(std::shared_ptr<LiveSession> room, Asks asks,
   emit changed();
 }
 
-void SessionProxy::letGo() {
+void SessionProxy::forgetSession() {
   room_.reset();
   snapshot_.reset();
   unanswered_ = moving_on_ = 0;

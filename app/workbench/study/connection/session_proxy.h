@@ -96,7 +96,7 @@ class SessionProxy : public QObject {
   void order(Call call, Asks asks);
   void send(std::shared_ptr<LiveSession> room, Asks asks,
             std::function<base::Result<void>(LiveSession&, store::StudyFile&)> work);
-  void letGo();
+  void forgetSession();
 
   StudyConnection& study_;
   std::function<study::Moment()> now_;

@@ -255,7 +255,7 @@ void StudyConnection::close() {
       const QString sentence = closed ? QString() : text(closed.error().message());
       answer([this, sentence] {
         if (!sentence.isEmpty()) emit failed(path_, sentence);
-        letGo();
+        releaseStudy();
       });
     });
   });
@@ -450,7 +450,7 @@ void StudyConnection::setNotices(StudyNotices notices) {
   emit noticesChanged();
 }
 
-void StudyConnection::letGo() {
+void StudyConnection::releaseStudy() {
   path_.clear();
   read_only_.clear();
   people_.clear();

@@ -237,7 +237,7 @@ class StudyConnection : public QObject {
   void adopt(OpenedStudy& study);
   void setNotices(StudyNotices notices);
   void onErased(ErasureEnd end);
-  void letGo();
+  void releaseStudy();
 
   StudyKeeper* keeper_ = nullptr;
   QString path_;

@@ -117,7 +117,7 @@ RuleController::RuleController(EditController& edits, SceneController& scene, Se
   rest_.setInterval(kRestMs);
   connect(&rest_, &QTimer::timeout, this, &RuleController::endWeighing);
   connect(&edits_, &EditController::modelReset, this, &RuleController::adoptModel);
-  connect(&edits_, &EditController::changed, this, &RuleController::follow);
+  connect(&edits_, &EditController::changed, this, &RuleController::refreshState);
   connect(&scene_, &SceneController::readingChanged, this, &RuleController::readAnew);
   connect(&selection_, &Selection::expertChanged, this, &RuleController::adoptExpert);
   connect(&selection_, &Selection::rulesChanged, this, &RuleController::adoptSelection);
@@ -427,7 +427,7 @@ void RuleController::adoptRegion() {
   if (!has(region_)) region_ = has("depth") ? "depth" : inputs.back().id;
 }
 
-void RuleController::follow() {
+void RuleController::refreshState() {
   // An undo or another edit has ended the steps of a weight.
   if (!edits_.inGesture()) {
     weighing_.reset();

@@ -194,7 +194,7 @@ class RuleController : public QObject {
   void adoptExpert();
   void adoptRegion();
   void adoptSelection();
-  void follow();
+  void refreshState();
   void selectRuleOfCell();
   void dropGrids();
   RuleGridSizes sizes() const;

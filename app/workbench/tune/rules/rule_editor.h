@@ -164,7 +164,7 @@ class RuleForm : public QFrame {
   /// Opens the form for rule `rule`, to replace it.
   void openFor(std::size_t rule);
   /// Updates the form to the current rules and terms.
-  void follow();
+  void refreshState();
 
  signals:
   /// Rule `rule` now has the contents of the form.

@@ -110,7 +110,7 @@ void RuleForm::show(const fuzzy::Rule& rule) {
   if (!lines_.empty()) lines_.front().terms->setFocus();
 }
 
-void RuleForm::follow() {
+void RuleForm::refreshState() {
   if (isHidden() || !rules_.isOpen()) return;
   fill();
   if (target_) {

@@ -217,7 +217,7 @@ void RuleListPane::refresh() {
   if (!rules_.isOpen()) return;
   if (stale_) {
     sync();
-    form_->follow();
+    form_->refreshState();
     fitRows();
   } else {
     list_->refreshStrengths();

@@ -278,7 +278,7 @@ class TermTable : public QScrollArea {
     QMenu* shape_menu = nullptr;  ///< in the menu of `more`; in the place of `shapes` where the table has no room
   };
 
-  void follow();
+  void refreshState();
   void build();
   void buildHeads(QGridLayout& grid);
   void buildRow(QGridLayout& grid, std::size_t index);
@@ -365,7 +365,7 @@ class TermSliders : public QWidget {
     ElidedLabel* name;
     VertexSlider* slider;
   };
-  void follow();
+  void refreshState();
   void build(const fuzzy::Term& term);
   void show(const fuzzy::Term& term);
 

@@ -55,7 +55,7 @@ double startOf(const std::vector<Term>& terms, const Grip& grip) {
 
 TermController::TermController(EditController& edits, QObject* parent) : QObject(parent), edits_(edits) {
   connect(&edits_, &EditController::modelReset, this, &TermController::adoptModel);
-  connect(&edits_, &EditController::changed, this, &TermController::follow);
+  connect(&edits_, &EditController::changed, this, &TermController::refreshState);
   if (edits_.isOpen()) adoptModel();
 }
 
@@ -382,7 +382,7 @@ void TermController::adoptModel() {
   emit listChanged();
 }
 
-void TermController::follow() {
+void TermController::refreshState() {
   // Undo or another edit has ended the move.
   if (!edits_.inGesture()) {
     moving_.reset();

@@ -102,7 +102,7 @@ class TermController : public QObject {
  private:
   void adoptModel();
   bool waitsForScope(std::function<void()> edit);
-  void follow();
+  void refreshState();
   void resolveList();
   const std::vector<fuzzy::Term>& termsIn(const fuzzy::ForceModel& model) const;
   editing::MoveOptions options() const;

@@ -121,21 +121,21 @@ TermSliders::TermSliders(TermController& terms, QWidget* parent)
   layout_->setContentsMargins(6, 0, 0, 0);
   layout_->setSpacing(theme::kGrid);
   layout_->addWidget(title_);
-  connect(&terms_, &TermController::listChanged, this, &TermSliders::follow);
-  connect(&terms_, &TermController::termsChanged, this, &TermSliders::follow);
-  connect(&terms_, &TermController::selectionChanged, this, &TermSliders::follow);
-  connect(&terms_, &TermController::locksChanged, this, &TermSliders::follow);
+  connect(&terms_, &TermController::listChanged, this, &TermSliders::refreshState);
+  connect(&terms_, &TermController::termsChanged, this, &TermSliders::refreshState);
+  connect(&terms_, &TermController::selectionChanged, this, &TermSliders::refreshState);
+  connect(&terms_, &TermController::locksChanged, this, &TermSliders::refreshState);
 }
 
 void TermSliders::showEvent(QShowEvent* event) {
   // Hidden, it followed nothing.
-  follow();
+  refreshState();
   QWidget::showEvent(event);
 }
 
 void TermSliders::fitInto(int height) { setVisible(height >= appearance::scaled(kRoomyHeight)); }
 
-void TermSliders::follow() {
+void TermSliders::refreshState() {
   if (!isVisible() || !terms_.isOpen() || terms_.terms().empty()) return;
   if (const auto selected = terms_.selected()) term_ = selected->term;
   term_ = std::min(term_, terms_.terms().size() - 1);

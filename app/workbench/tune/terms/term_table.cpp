@@ -181,7 +181,7 @@ TermTable::TermTable(TermController& terms, QWidget* parent) : QScrollArea(paren
   setWidgetResizable(true);
   setBackgroundRole(QPalette::Base);
   connect(&terms_, &TermController::listChanged, this, &TermTable::build);
-  connect(&terms_, &TermController::termsChanged, this, &TermTable::follow);
+  connect(&terms_, &TermController::termsChanged, this, &TermTable::refreshState);
   connect(&terms_, &TermController::locksChanged, this, &TermTable::showLocks);
   connect(&terms_, &TermController::selectionChanged, this, &TermTable::showSelection);
 }
@@ -222,7 +222,7 @@ bool TermTable::sameRows() const {
                     [](const Row& row, const Term& term) { return row.term == term.id && row.shape == term.shape; });
 }
 
-void TermTable::follow() {
+void TermTable::refreshState() {
   if (!isVisible()) return;
   if (sameRows()) {
     showValues();
@@ -340,7 +340,7 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   QComboBox* const shapes = row.shapes;
   connect(shapes, &QComboBox::activated, this, [this, id, shapes] {
     terms_.convert(id, static_cast<fuzzy::Shape>(shapes->currentData().toInt()));
-    follow();
+    refreshState();
   });
   rows_.push_back(std::move(row));
 }
@@ -376,7 +376,7 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   const std::string id = term.id;
   connect(out.number, &NumberBox::valueChanged, this, [this, id, point](double value) {
     terms_.setPoint(id, point, value);
-    follow();
+    refreshState();
   });
   connect(out.lock, &LockButton::toggled, this,
           [this, id, point](bool locked) { terms_.setLocked(id, point, locked); });
@@ -419,7 +419,7 @@ void TermTable::buildMore(QGridLayout& grid, std::size_t index, Row& row) {
   for (const fuzzy::Shape shape : fuzzy::kShapes) {
     QAction* choice = row.shape_menu->addAction(shapeText(shape), this, [this, id, shape] {
       terms_.convert(id, shape);
-      follow();
+      refreshState();
     });
     choice->setEnabled(term.shape != shape);
   }

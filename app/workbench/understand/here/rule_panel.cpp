@@ -56,7 +56,7 @@ ExpertFlow::ExpertFlow(const SceneController& scene, QWidget* parent) : QWidget(
 
 std::size_t ExpertFlow::count() const { return scene_.model() ? scene_.model()->model.experts.size() : 0; }
 
-void ExpertFlow::follow() {
+void ExpertFlow::refreshState() {
   updateGeometry();
   update();
 }
@@ -357,7 +357,7 @@ void RulePanel::explain() {
   const analysis::Explanation& explanation = scene_.explanation();
   const int row = who_->currentIndex();
   if (row == 0) {
-    experts_->follow();
+    experts_->refreshState();
     sets_->showExperts(scene_.model()->model, explanation);
   } else {
     const auto expert = static_cast<std::size_t>(row) - 1;

@@ -100,7 +100,7 @@ class ExpertFlow : public QWidget {
   explicit ExpertFlow(const SceneController& scene, QWidget* parent = nullptr);
 
   /// The explanation changed.
-  void follow();
+  void refreshState();
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
