@@ -1,4 +1,4 @@
-// A value that follows its inputs: another thread computes it, and only while somebody holds it.
+// A value that follows its inputs: another thread computes it, and only while a view or another value holds it.
 // Example: Computed<Place, double> force([this] { return place_; },
 //                                        [model](const Place& at, const auto&) { return forceAt(*model, at); });
 #pragma once
@@ -20,7 +20,7 @@
 
 namespace tactus::workbench {
 
-/// Is kept current while somebody holds it: a view that is on the screen, or a value that is computed from it.
+/// Is kept current while it is held: by a view that is on the screen, or by a value that is computed from it.
 /// Thread: gui.
 class Held : public QObject {
   Q_OBJECT
@@ -120,7 +120,7 @@ struct RunOf {
   std::function<bool()> given_up;
 };
 
-/// Nothing is computed while nobody holds it; the newest inputs win. The function runs in the other thread and reads
+/// Nothing is computed while it is not held; the newest inputs win. The function runs in the other thread and reads
 /// nothing but the inputs and what it owns, so that it may outlive all that is on the screen. Thread: gui.
 template <class Inputs, class T>
 class Computed : public Computation {

@@ -1,4 +1,4 @@
-// A value that another thread computes while somebody holds it.
+// A value that another thread computes while it is held.
 #include "app/workbench/base/computed.h"
 
 #include <QCoreApplication>
