@@ -1,4 +1,4 @@
-// The variables of a foreign model as Tactus carries them, and what each term of the file became.
+// From a foreign model to a force model: the variables as Tactus carries them, and what each term of the file became.
 #pragma once
 
 #include <cstddef>
