@@ -12,8 +12,8 @@
 #include "app/workbench/base/utf8_locale.h"
 #include "app/workbench/desktop/system_look.h"
 #include "app/workbench/program_options.h"
-#include "app/workbench/rehearse_start.h"
-#include "app/workbench/take_part.h"
+#include "app/workbench/session/rehearse_start.h"
+#include "app/workbench/session/take_part.h"
 #include "app/workbench/workbench.h"
 
 namespace {

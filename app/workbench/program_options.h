@@ -6,8 +6,8 @@
 #include <QStringList>
 #include <optional>
 
-#include "app/workbench/rehearse_start.h"
 #include "app/workbench/screen_pictures.h"
+#include "app/workbench/session/rehearse_start.h"
 #include "core/base/error.h"
 
 class QCoreApplication;

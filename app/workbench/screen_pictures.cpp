@@ -25,16 +25,18 @@
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
 #include "app/workbench/deliver/link/link_dialog.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/help/guide_window.h"
 #include "app/workbench/help/tour.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
-#include "app/workbench/nurse_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/panels.h"
 #include "app/workbench/participant/screens/sample_screens.h"
+#include "app/workbench/session/nurse_view.h"
 #include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/panel_area.h"
@@ -120,7 +122,7 @@ Result<void> makeStudy(const QString& path) {
 // A session at the forces, as the monitor sees it.
 Result<void> addMonitor(PictureAlbum& album, Workbench& bench) {
   SessionProxy proxy(bench.study);
-  const auto* const row = &bench.collect_parts.collect().overview().rows.at(1);
+  const auto* const row = &bench.collect.overview().rows.at(1);
   std::optional<study::RecordId> session;
   bench.study.read(bench.study, [&session, person = row->person](const store::StudyFile& file) {
     const auto sessions = store::sessions(file, person);
@@ -180,31 +182,32 @@ Result<void> addCollectPictures(PictureAlbum& album, Workbench& bench, const QSt
     bench.window.banner().hide();
     return album.add(kArea, QLatin1String(screen), stageName(Stage::kCollect), bench.window);
   };
-  CollectParts& parts = bench.collect_parts;
-  const auto settled = [&] { return !bench.study.isOpening() && parts.collect().isCurrent() && parts.isReady(); };
+  const auto settled = [&] {
+    return !bench.study.isOpening() && bench.collect.isCurrent() && bench.protocol.isReady();
+  };
   bench.window.enter(Stage::kCollect);
   if (auto ok = home("home_simulated"); !ok) return ok;
 
   const QString path = folder + QStringLiteral("/ward-7.tactus");
   if (auto made = makeStudy(path); !made) return made;
   bench.files.open(path);
-  waitFor([&] { return bench.study.path() == path && settled() && parts.collect().overview().rows.size() == 5; });
+  waitFor([&] { return bench.study.path() == path && settled() && bench.collect.overview().rows.size() == 5; });
   bench.window.enter(Stage::kCollect);
-  StudyHome& list = parts.view().home();
-  list.select(parts.collect().overview().rows.at(1).person);
+  StudyHome& list = bench.views.collect->home();
+  list.select(bench.collect.overview().rows.at(1).person);
   if (auto ok = home("home"); !ok) return ok;
-  parts.view().showProtocol();
+  bench.views.collect->showProtocol();
   if (auto ok = home("protocol"); !ok) return ok;
-  parts.view().protocolPage().showSection(2);
+  bench.views.collect->protocolPage().showSection(2);
   if (auto ok = home("protocol_forces"); !ok) return ok;
-  parts.view().protocolPage().showSection(4);
+  bench.views.collect->protocolPage().showSection(4);
   if (auto ok = home("protocol_consent"); !ok) return ok;
-  parts.protocol().set("force.ladder.highest_n", QStringLiteral("2.4"));
-  parts.view().protocolPage().showSection(2);
+  bench.protocol.set("force.ladder.highest_n", QStringLiteral("2.4"));
+  bench.views.collect->protocolPage().showSection(2);
   if (auto ok = home("protocol_refused"); !ok) return ok;
-  parts.protocol().discard();
-  parts.view().showHome();
-  WithdrawalDialog dialog(parts.collect(), parts.collect().overview().rows.at(1).person, &bench.window);
+  bench.protocol.discard();
+  bench.views.collect->showHome();
+  WithdrawalDialog dialog(bench.collect, bench.collect.overview().rows.at(1).person, &bench.window);
   dialog.show();
   waitFor([&] { return dialog.isCounted(); });
   if (auto ok = album.add(kArea, QStringLiteral("withdrawal"), dialog.windowTitle(), dialog); !ok) return ok;
@@ -247,9 +250,9 @@ void waitForLab(const LabScreen& screen) {
 }  // namespace
 
 base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
-  LabScreen& screen = bench.lab_parts.screen();
+  LabScreen& screen = *bench.views.labs;
   bench.window.enter(Stage::kAgree);
-  bench.lab_parts.depthView().showExample();
+  bench.views.depth->showExample();
   for (QWidget* const lab : screen.labs()) {
     screen.reveal(lab);
     waitForLab(screen);
@@ -381,7 +384,7 @@ base::Result<void> addBundle(PictureAlbum& album, Workbench& bench, const QStrin
 /// Each step of the tour, the guide, and the search.
 base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
   const QString help = QStringLiteral("help");
-  Tour& tour = bench.help_parts.tour();
+  Tour& tour = bench.help->tour();
   for (int step = 0; step < tour.steps(); ++step) {
     tour.goTo(step);
     const QString screen = QStringLiteral("tour_%1").arg(step + 1);
@@ -392,13 +395,12 @@ base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
     }
   }
   tour.end();
-  GuideWindow& guide = bench.help_parts.guide();
+  GuideWindow& guide = bench.help->guide();
   guide.show();
   if (auto added = album.add(help, QStringLiteral("guide"), guide.windowTitle(), guide); !added) return added;
   guide.hide();
   CommandSearch search(
-      bench.search_parts.sources(), [&bench](const QString& typed) { return bench.search_parts.placesIn(typed); },
-      &bench.window);
+      bench.search->sources(), [&bench](const QString& typed) { return bench.search->placesIn(typed); }, &bench.window);
   search.show();
   return album.add(help, QStringLiteral("search"), search.windowTitle(), search);
 }
@@ -429,8 +431,9 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   if (auto added = addLabPictures(album, bench); !added) return added;
   if (auto added = addCollectPictures(album, bench, folder.path()); !added) return added;
   if (auto added = addHelp(album, bench); !added) return added;
-  bench.window.enterLayout(FeelParts::layoutId());
-  if (auto added = album.add(QStringLiteral("feel"), QStringLiteral("layout"), FeelParts::tr("Feel"), bench.window);
+  bench.window.enterLayout(feelLayout());
+  if (auto added =
+          album.add(QStringLiteral("feel"), QStringLiteral("layout"), bench.panels.feel->windowTitle(), bench.window);
       !added) {
     return added;
   }
@@ -441,7 +444,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     return added;
   }
   sheet.hide();
-  LinkDialog& link = bench.link_parts.dialog();
+  LinkDialog& link = *bench.views.link;
   link.show();
   if (auto added = album.add(QStringLiteral("deliver"), QStringLiteral("serve"), link.windowTitle(), link); !added) {
     return added;

@@ -92,9 +92,9 @@ constexpr Exception kExceptions[] = {
     {"workbench/screen_pictures.cpp", "zh-Hant", "the id of a language"},
     {"workbench/screen_pictures.cpp", "This study is run by the School of Nursing. Questions: ask the researcher.",
      "stored in the study of the pictures"},
-    {"workbench/study_parts.cpp", "Study", "stands in the report, which is in English"},
-    {"workbench/study_parts.cpp", "Program", "stands in the report, which is in English"},
-    {"workbench/study_parts.cpp", "Created (UTC)", "stands in the report, which is in English"},
+    {"workbench/features/study_feature.cpp", "Study", "stands in the report, which is in English"},
+    {"workbench/features/study_feature.cpp", "Program", "stands in the report, which is in English"},
+    {"workbench/features/study_feature.cpp", "Created (UTC)", "stands in the report, which is in English"},
     {"feel/recordings/feel_store.cpp", " alone", "stored in the study, the same in every language"},
 };
 

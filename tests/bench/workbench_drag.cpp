@@ -112,7 +112,7 @@ DragTimes dragVertex(TimedApplication& application, const fuzzy::ForceModel& mod
   bench.terms.beginMove({1, workbench::Grip::Part::kVertex, 3, false});
   DragTimes out;
 #ifdef TACTUS_FRAME_CLOCK
-  const auto* const strip = &bench.edit_parts.clock();
+  const auto* const strip = bench.views.edit_clock;
 #endif
   for (int i = -kWarmUp; i < edits; ++i) {
     application.begin();

@@ -18,6 +18,7 @@
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/force/votes_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/workbench.h"
@@ -105,7 +106,7 @@ std::vector<LabVisit> visitLabs(const std::string& path) {
   workbench::Workbench bench(settings, folder.filePath(QStringLiteral("autosave")));
   bench.window.resize(1920, 1080);
   bench.window.show();
-  workbench::LabScreen& screen = bench.lab_parts.screen();
+  workbench::LabScreen& screen = *bench.views.labs;
   Watch watch(screen);
   std::vector<LabVisit> out;
   out.push_back(watch.wait(
@@ -115,11 +116,11 @@ std::vector<LabVisit> visitLabs(const std::string& path) {
   const auto ready = [&screen] { return !screen.isBusy(); };
   out.push_back(watch.wait(
       "stage Agree", [&] { bench.window.enter(workbench::Stage::kAgree); }, ready));
-  workbench::SpeedLab& speed = bench.lab_parts.speed();
+  workbench::SpeedLab& speed = bench.labs.speed;
   const std::map<const QWidget*, std::function<bool()>> shown = {
-      {&bench.lab_parts.speedView(), [&speed] { return speed.result() != nullptr; }},
-      {&bench.lab_parts.forceView(), [&bench] { return bench.lab_parts.forceView().votes().table().rowCount() > 0; }},
-      {&bench.lab_parts.rulesView(), [&bench] { return !bench.lab_parts.rules().grids().experts.empty(); }}};
+      {bench.views.speed, [&speed] { return speed.result() != nullptr; }},
+      {bench.views.force, [&bench] { return bench.views.force->votes().table().rowCount() > 0; }},
+      {bench.views.rules, [&bench] { return !bench.labs.rules.grids().experts.empty(); }}};
   for (QWidget* const lab : screen.labs()) {
     const std::string title = lab->windowTitle().toStdString();
     const auto own = shown.find(lab);
@@ -132,7 +133,7 @@ std::vector<LabVisit> visitLabs(const std::string& path) {
     }
     if (pages != nullptr) pages->setCurrentIndex(0);
   }
-  screen.reveal(&bench.lab_parts.speedView());
+  screen.reveal(bench.views.speed);
   const auto current = [&speed] { return speed.isCurrent(); };
   out.push_back(watch.wait(
       "Speed: another alpha", [&] { speed.setAlpha(0.8); }, ready, current));

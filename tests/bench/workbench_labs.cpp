@@ -15,6 +15,7 @@
 #include "app/session/simulated_study.h"
 #include "app/session/study_import.h"
 #include "app/session/study_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/shell/frame_clock.h"
@@ -132,9 +133,9 @@ class Mover {
  public:
   Mover(TimedApplication& application, Workbench& bench)
       : application_(application),
-        lab_(bench.lab_parts.speed()),
-        screen_(bench.lab_parts.screen()),
-        strip_(*bench.lab_parts.findChild<workbench::FrameClock*>()) {
+        lab_(bench.labs.speed),
+        screen_(*bench.views.labs),
+        strip_(*bench.views.labs->findChild<workbench::FrameClock*>()) {
     QObject::connect(&lab_, &SpeedLab::resultChanged, &screen_, [this] {
       if (result_ms_ > 0) return;
       result_ms_ = static_cast<double>(since_.nsecsElapsed()) / 1e6;
@@ -222,8 +223,8 @@ std::vector<LabTimes> moveLabSettings(TimedApplication& application, int samples
   const QString path = makeStudy(folder, samples);
   Workbench bench(settings, folder.filePath(QStringLiteral("autosave")));
   open(bench, path);
-  bench.lab_parts.screen().reveal(&bench.lab_parts.speedView());
-  waitUntil([&] { return bench.lab_parts.speed().result() != nullptr; });
+  bench.views.labs->reveal(bench.views.speed);
+  waitUntil([&] { return bench.labs.speed.result() != nullptr; });
   Mover mover(application, bench);
   std::vector<LabTimes> out;
   for (const Setting& setting : kSettings) {

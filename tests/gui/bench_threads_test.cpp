@@ -115,11 +115,11 @@ TEST(BenchThreads, ViewsAreOutOfSightBeforeWhatTheyUseGoes) {
   bench->models.open(folder.write(support::s4AsPrinted()));
   bench->window.enter(Stage::kUnderstand);
   tests::settle(bench->window);
-  bench->map_parts.map().reveal();
+  bench->panels.map->reveal();
   tests::settle(bench->window);
-  const MapPanel& map = bench->map_parts.view();
+  const MapPanel& map = *bench->views.map;
   ASSERT_TRUE(map.isVisible());
-  const auto* forces = bench->map_parts.findChild<ForceMapController*>();
+  const auto* forces = bench->features.findChild<ForceMapController*>();
   ASSERT_NE(forces, nullptr);
   bool was_seen = true;
   QObject::connect(forces, &QObject::destroyed, [&] { was_seen = map.isVisible(); });

@@ -26,13 +26,13 @@ class ErrorActs : public testing::Test {
     tests::makeStudyFile(
         path, [](store::StudyFile& file, study::RecordIds& ids) { tests::addVisit(file, ids, "amber-crow", true); });
     bench.study.open(path);
-    ASSERT_TRUE(comesTrue([this] { return collect().isCurrent() && bench.collect_parts.isReady(); }));
+    ASSERT_TRUE(comesTrue([this] { return collect().isCurrent() && bench.protocol.isReady(); }));
     bench.window.banner().hide();
   }
 
-  CollectController& collect() { return bench.collect_parts.collect(); }
-  ProtocolController& protocol() { return bench.collect_parts.protocol(); }
-  CollectView& view() { return bench.collect_parts.view(); }
+  CollectController& collect() { return bench.collect; }
+  ProtocolController& protocol() { return bench.protocol; }
+  CollectView& view() { return *bench.views.collect; }
   /// The error on the screen begins with `what`; its button `act` is pressed.
   void expectError(const QString& what, const QString& act) {
     ASSERT_TRUE(comesTrue([this] { return bench.window.banner().isVisible(); }));
@@ -86,8 +86,8 @@ TEST_F(ErrorActs, AModelThatIsNotBuiltLeadsToTheStudy) {
 
 TEST_F(ErrorActs, ACorrectionThatWasNotStoredIsTriedAgain) {
   bool again = false;
-  emit bench.lab_parts.corrections().refused(QStringLiteral("Not stored: marks of stroke 2. The disk is full."),
-                                             {QStringLiteral("Try again"), [&again] { again = true; }});
+  emit bench.labs.corrections.refused(QStringLiteral("Not stored: marks of stroke 2. The disk is full."),
+                                      {QStringLiteral("Try again"), [&again] { again = true; }});
   expectError(QStringLiteral("Not stored: marks of stroke 2. "), QStringLiteral("Try again"));
   EXPECT_TRUE(again);
 }

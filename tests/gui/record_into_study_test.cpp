@@ -8,6 +8,7 @@
 #include <QTimer>
 #include <gtest/gtest.h>
 
+#include "app/workbench/features/features.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/workbench.h"
@@ -27,7 +28,7 @@ class RecordIntoStudy : public testing::Test {
     bench.window.show();
     bench.models.open(folder.write(tests::twoExperts()));
     bench.window.enter(Stage::kTune);
-    bench.window.enterLayout(FeelParts::layoutId());
+    bench.window.enterLayout(feelLayout());
     QCoreApplication::processEvents();
   }
 
@@ -64,7 +65,7 @@ TEST_F(RecordIntoStudy, ANewStudyTakesTheRecordingOfTheOpenModel) {
   ASSERT_TRUE(comesTrue([&] { return bench.study.isOpen() && bench.feel_store.isRecording(); }));
   EXPECT_EQ(bench.study.path(), path);
   // The model stays, and so does the layout.
-  EXPECT_EQ(bench.window.layoutBeside(), FeelParts::layoutId());
+  EXPECT_EQ(bench.window.layoutBeside(), feelLayout());
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
   EXPECT_EQ(bench.models.current()->path, folder.path(QStringLiteral("sample.tactus.json")));
   EXPECT_NE(button(card(), QStringLiteral("Armed")), nullptr);
@@ -79,7 +80,7 @@ TEST_F(RecordIntoStudy, AStudyThatIsThereIsOpened) {
   choose(path);
   ASSERT_TRUE(comesTrue([&] { return bench.study.isOpen() && bench.feel_store.isRecording(); }));
   EXPECT_EQ(bench.study.people().size(), 1U);
-  EXPECT_EQ(bench.window.layoutBeside(), FeelParts::layoutId());
+  EXPECT_EQ(bench.window.layoutBeside(), feelLayout());
 }
 
 TEST_F(RecordIntoStudy, AFileThatIsNoStudyOffersAnotherOne) {

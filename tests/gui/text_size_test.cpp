@@ -8,6 +8,7 @@
 #include <qcustomplot.h>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/understand/curves/curve_plot.h"
@@ -122,10 +123,10 @@ TEST_P(TextSize, NothingIsCutWhereAModelIsTuned) {
 TEST_P(TextSize, NothingIsCutWhereAModelIsFelt) {
   openModel();
   bench.window.enter(Stage::kTune);
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   expectWhole(QStringLiteral("feel"));
   openStudy();
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   expectWhole(QStringLiteral("feel-study"));
 }
 

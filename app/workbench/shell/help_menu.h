@@ -18,15 +18,6 @@ class ShortcutSheet : public QDialog {
 
 class MainWindow;
 
-class HelpMenu {
-  Q_DECLARE_TR_FUNCTIONS(HelpMenu)
-
- public:
-  explicit HelpMenu(MainWindow& window);
-
- private:
-  static void showShortcuts(MainWindow& window);
-  static void showAbout(MainWindow& window);
-};
+void addHelpMenu(MainWindow& window);
 
 }  // namespace tactus::workbench

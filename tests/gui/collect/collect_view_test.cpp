@@ -21,8 +21,8 @@
 #include "app/workbench/collect/withdrawal_dialog.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/notes.h"
+#include "app/workbench/session/take_part.h"
 #include "app/workbench/shell/start_view.h"
-#include "app/workbench/take_part.h"
 #include "app/workbench/workbench.h"
 #include "core/store/persons.h"
 
@@ -45,12 +45,11 @@ class CollectViewTest : public testing::Test {
   void openStudy(const std::function<void(store::StudyFile&, study::RecordIds&)>& fill = {}) {
     tests::makeStudyFile(path, fill);
     bench.files.open(path);
-    ASSERT_TRUE(comesTrue([this] {
-      return window.stage() == Stage::kCollect && collect().isCurrent() && bench.collect_parts.isReady();
-    }));
+    ASSERT_TRUE(comesTrue(
+        [this] { return window.stage() == Stage::kCollect && collect().isCurrent() && bench.protocol.isReady(); }));
   }
-  CollectController& collect() { return bench.collect_parts.collect(); }
-  StudyHome& home() { return bench.collect_parts.view().home(); }
+  CollectController& collect() { return bench.collect; }
+  StudyHome& home() { return bench.views.collect->home(); }
   template <class Button = QPushButton>
   Button* button(QWidget& in, const char* text) {
     for (Button* each : in.findChildren<Button*>()) {
@@ -157,15 +156,15 @@ TEST_F(CollectViewTest, AWithdrawalNeedsTheCodeTyped) {
 TEST_F(CollectViewTest, TheProtocolIsStoredFromItsPage) {
   openStudy();
   QTest::mouseClick(button(home(), "Open the protocol…"), Qt::LeftButton);
-  ProtocolView& page = bench.collect_parts.view().protocolPage();
+  ProtocolView& page = bench.views.collect->protocolPage();
   ASSERT_TRUE(page.isVisible());
   auto* store = button<PrimaryButton>(page, "Store");
   ASSERT_NE(store, nullptr);
   EXPECT_FALSE(store->isEnabled());  // there is no consent text yet
-  bench.collect_parts.protocol().set("consent.en", QStringLiteral("Please read."));
+  bench.protocol.set("consent.en", QStringLiteral("Please read."));
   ASSERT_TRUE(store->isEnabled());
   QTest::mouseClick(store, Qt::LeftButton);
-  ASSERT_TRUE(comesTrue([this] { return bench.collect_parts.protocol().version() == 1; }));
+  ASSERT_TRUE(comesTrue([this] { return bench.protocol.version() == 1; }));
   EXPECT_FALSE(store->isEnabled());
   QTest::mouseClick(button(page, "‹ Participants"), Qt::LeftButton);
   EXPECT_TRUE(home().isVisible());
@@ -174,10 +173,10 @@ TEST_F(CollectViewTest, TheProtocolIsStoredFromItsPage) {
 
 TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) {
   openStudy();
-  ProtocolController& protocol = bench.collect_parts.protocol();
-  bench.collect_parts.view().showProtocol();
+  ProtocolController& protocol = bench.protocol;
+  bench.views.collect->showProtocol();
   const auto arrow = [this](const char* name) {
-    for (auto* each : bench.collect_parts.view().protocolPage().findChildren<QToolButton*>()) {
+    for (auto* each : bench.views.collect->protocolPage().findChildren<QToolButton*>()) {
       if (each->accessibleName() == QString::fromLatin1(name)) return each;
     }
     return static_cast<QToolButton*>(nullptr);
@@ -193,8 +192,7 @@ TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) 
   // It cannot come earlier; Space leaves it out, and again puts it where the published experiment has it.
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force"));
-  QTest::mouseClick(button<QCheckBox>(bench.collect_parts.view(), "Questions: the force in 45 situations"),
-                    Qt::LeftButton);
+  QTest::mouseClick(button<QCheckBox>(*bench.views.collect, "Questions: the force in 45 situations"), Qt::LeftButton);
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force,form"));
 }
 
@@ -206,10 +204,10 @@ TEST_F(CollectViewTest, WithoutATextOfTheStudyNoPersonSitsDownAndTheProtocolIsOn
   home().select(collect().overview().rows.front().person);
   QTest::mouseClick(button<PrimaryButton>(home(), "Start with amber-crow"), Qt::LeftButton);
   ASSERT_TRUE(comesTrue([this] { return window.banner().message().contains(QStringLiteral("no protocol")); }));
-  EXPECT_EQ(bench.collect_parts.run().takePart(), nullptr);
+  EXPECT_EQ(bench.run.takePart(), nullptr);
   EXPECT_TRUE(window.isVisible());
   QTest::mouseClick(button(window.banner(), "Edit the protocol"), Qt::LeftButton);
-  EXPECT_TRUE(bench.collect_parts.view().protocolPage().isVisible());
+  EXPECT_TRUE(bench.views.collect->protocolPage().isVisible());
 }
 
 /// A person, and what a session needs of a protocol.
@@ -227,7 +225,7 @@ TEST_F(CollectViewTest, AStudyClosedWhileTheDeviceIsLookedForHoldsNothingBack) {
   openStudy(readyForASession);
   const QString other = folder.path(QStringLiteral("other.tactus"));
   tests::makeStudyFile(other, readyForASession);
-  SessionRun& run = bench.collect_parts.run();
+  SessionRun& run = bench.run;
   for (const bool opens_another : {false, true}) {
     ASSERT_TRUE(comesTrue([this] { return collect().overview().rows.size() == 1 && collect().isCurrent(); }));
     run.start(QStringLiteral("amber-crow"));
@@ -247,7 +245,7 @@ TEST_F(CollectViewTest, ASessionTakesTheParticipantsScreensAndComesBack) {
   openStudy(readyForASession);
   ASSERT_TRUE(comesTrue([this] { return collect().overview().rows.size() == 1; }));
   home().select(collect().overview().rows.front().person);
-  SessionRun& run = bench.collect_parts.run();
+  SessionRun& run = bench.run;
   QTest::mouseClick(button<PrimaryButton>(home(), "Start with amber-crow"), Qt::LeftButton);
   ASSERT_TRUE(comesTrue([&] { return run.takePart() != nullptr; }));
   EXPECT_FALSE(window.isVisible());

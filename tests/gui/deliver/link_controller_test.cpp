@@ -6,7 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/workbench/deliver_parts.h"
+#include "app/workbench/features/features.h"
+#include "app/workbench/features/felt_states.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "core/base/files/checksums.h"

@@ -78,12 +78,12 @@ TEST_F(LinkSignTest, StandsInTheStripAndInDeliverWhileTheModelIsServed) {
 TEST_F(LinkSignTest, LeadsToThePanelOfTheLink) {
   bench.link.start();
   settle();
-  ASSERT_FALSE(bench.link_parts.dialog().isVisible());
+  ASSERT_FALSE(bench.views.link->isVisible());
   QTest::mouseClick(&sign(), Qt::LeftButton);
-  EXPECT_TRUE(bench.link_parts.dialog().isVisible());
-  bench.link_parts.dialog().close();
+  EXPECT_TRUE(bench.views.link->isVisible());
+  bench.views.link->close();
   QTest::mouseClick(row().findChild<QPushButton*>(), Qt::LeftButton);
-  EXPECT_TRUE(bench.link_parts.dialog().isVisible());
+  EXPECT_TRUE(bench.views.link->isVisible());
 }
 
 TEST_F(LinkSignTest, IsShorterWhereThereIsNoRoom) {

@@ -1,6 +1,7 @@
 #include <QSettings>
 #include <gtest/gtest.h>
 
+#include "app/workbench/features/features.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/model/patient.h"
@@ -66,11 +67,11 @@ TEST(HeadAtFirst, IsInThePictureAsInTheStripAndUpInTheFeelLayout) {
   bench.models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   bench.window.enter(Stage::kTune);
   tests::settle(bench.window);
-  const auto* picture = bench.feel_parts.view().findChild<TubePicture*>();
+  const auto* picture = bench.views.feel->findChild<TubePicture*>();
   EXPECT_EQ(bench.scene.value(kNeck), 60);
   EXPECT_EQ(picture->posture(), Posture::kHalfFlexed);
 
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   tests::settle(bench.window);
   EXPECT_EQ(bench.scene.value(kNeck), 7.5);
   EXPECT_EQ(picture->posture(), Posture::kUpright);
@@ -78,7 +79,7 @@ TEST(HeadAtFirst, IsInThePictureAsInTheStripAndUpInTheFeelLayout) {
   bench.scene.setValue(kNeck, 90);
   EXPECT_EQ(picture->posture(), Posture::kChinOnChest);
   bench.window.leaveLayout();
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   EXPECT_EQ(bench.scene.value(kNeck), 90);
 }
 

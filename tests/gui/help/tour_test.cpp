@@ -3,6 +3,7 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/workbench/features/features.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/workbench.h"
 
@@ -25,12 +26,12 @@ TEST(TourCardPlace, IsBesideWhatItSpeaksOf) {
 class TourTest : public tests::ShownBench {
  protected:
   TourTest() : ShownBench(Stage::kUnderstand) {}
-  Tour& tour() { return bench.help_parts.tour(); }
+  Tour& tour() { return bench.help->tour(); }
   QRect inWindow(const QWidget& widget) { return {widget.mapTo(&bench.window, QPoint(0, 0)), widget.size()}; }
 };
 
 TEST_F(TourTest, EachStepShowsItsPanelAndStaysInTheWindow) {
-  bench.help_parts.startTour();
+  bench.help->startTour();
   ASSERT_TRUE(tour().isRunning());
   for (int step = 0; step < tour().steps(); ++step) {
     ASSERT_EQ(tour().step(), step);
@@ -46,7 +47,7 @@ TEST_F(TourTest, EachStepShowsItsPanelAndStaysInTheWindow) {
 }
 
 TEST_F(TourTest, KeysGoThroughIt) {
-  bench.help_parts.startTour();
+  bench.help->startTour();
   QTest::keyClick(&tour().card(), Qt::Key_Right);
   QTest::keyClick(&tour().card(), Qt::Key_Right);
   EXPECT_EQ(tour().step(), 2);

@@ -13,6 +13,7 @@
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/workbench.h"
@@ -35,12 +36,12 @@ class LabTexts : public testing::Test {
     bench.window.show();
     bench.files.open(path);
     ASSERT_TRUE(comesTrue([this] { return bench.study.isOpen() && !bench.study.isOpening(); }));
-    ASSERT_TRUE(comesTrue([this] { return bench.collect_parts.collect().isCurrent(); }));
+    ASSERT_TRUE(comesTrue([this] { return bench.collect.isCurrent(); }));
     bench.window.banner().hide();
   }
   void TearDown() override { appearance::changeTextSize(*qApp, 100); }
 
-  LabScreen& screen() { return bench.lab_parts.screen(); }
+  LabScreen& screen() { return *bench.views.labs; }
   static void expectNone(const QString& where, const QStringList& found) {
     EXPECT_TRUE(found.isEmpty()) << where.toStdString() << ":\n  " << found.join(QStringLiteral("\n  ")).toStdString();
   }
@@ -57,7 +58,7 @@ class LabTexts : public testing::Test {
   template <class Look>
   void showLabs(Look look) {
     bench.window.enter(Stage::kAgree);
-    bench.lab_parts.depthView().showExample();
+    bench.views.depth->showExample();
     for (QWidget* const lab : screen().labs()) {
       screen().reveal(lab);
       auto* const pages = lab->findChild<QTabWidget*>();
@@ -73,7 +74,7 @@ class LabTexts : public testing::Test {
   template <class Look>
   void showCollect(Look look) {
     constexpr int kSections = 6;
-    CollectView& view = bench.collect_parts.view();
+    CollectView& view = *bench.views.collect;
     bench.window.enter(Stage::kCollect);
     view.showHome();
     look(QStringLiteral("collect"));
@@ -105,8 +106,7 @@ TEST_F(LabTexts, NothingIsCutInCollectAndItsDialogAtAnySize) {
     showCollect(
         [&](const QString& page) { expectWhole(QStringLiteral("%1-%2").arg(page).arg(percent), bench.window); });
     ASSERT_EQ(bench.window.size(), QSize(1280, 720)) << percent;
-    WithdrawalDialog dialog(bench.collect_parts.collect(), bench.collect_parts.collect().overview().rows.at(0).person,
-                            &bench.window);
+    WithdrawalDialog dialog(bench.collect, bench.collect.overview().rows.at(0).person, &bench.window);
     dialog.show();
     ASSERT_TRUE(comesTrue([&dialog] { return dialog.isCounted(); }));
     expectWhole(QStringLiteral("withdrawal-%1").arg(percent), dialog);
@@ -116,9 +116,9 @@ TEST_F(LabTexts, NothingIsCutInCollectAndItsDialogAtAnySize) {
 TEST_F(LabTexts, NothingIsCutInTheDialogsAtAnySize) {
   for (const int percent : appearance::kTextSizes) {
     appearance::changeTextSize(*qApp, percent);
-    bench.link_parts.showDialog();
-    expectWhole(QStringLiteral("link-%1").arg(percent), bench.link_parts.dialog());
-    bench.link_parts.dialog().hide();
+    bench.views.link->bringUp();
+    expectWhole(QStringLiteral("link-%1").arg(percent), *bench.views.link);
+    bench.views.link->hide();
     ShortcutSheet keys(*bench.window.menuBar(), &bench.window);
     keys.show();
     expectWhole(QStringLiteral("keys-%1").arg(percent), keys);

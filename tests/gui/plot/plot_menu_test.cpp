@@ -33,8 +33,8 @@ class PlotMenuTest : public testing::Test {
     QCoreApplication::processEvents();
   }
 
-  PlotMenu& curves() { return bench.curve_parts.view().plotMenu(); }
-  PlotMenu& map() { return bench.map_parts.view().plotMenu(); }
+  PlotMenu& curves() { return bench.views.curves->plotMenu(); }
+  PlotMenu& map() { return bench.views.map->plotMenu(); }
 
   base::CsvTable saved(PlotMenu& plot) {
     const QString path = folder.path(QStringLiteral("plot.csv"));

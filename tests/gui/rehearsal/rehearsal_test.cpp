@@ -12,7 +12,7 @@
 
 #include "app/session/simulated_study.h"
 #include "app/workbench/participant/participant_controller.h"
-#include "app/workbench/rehearse_start.h"
+#include "app/workbench/session/rehearse_start.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 #include "core/store/entries.h"

@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "app/workbench/device/virtual_time.h"
-#include "app/workbench/take_part.h"
+#include "app/workbench/session/take_part.h"
 #include "core/store/entries.h"
 #include "core/store/research_key.h"
 

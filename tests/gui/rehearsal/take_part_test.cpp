@@ -1,5 +1,5 @@
 // Whole sessions on the screens by the keyboard alone and by touch alone, as events of the window; and the way out.
-#include "app/workbench/take_part.h"
+#include "app/workbench/session/take_part.h"
 
 #include <QLabel>
 #include <QLineEdit>

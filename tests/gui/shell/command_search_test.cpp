@@ -8,6 +8,7 @@
 
 #include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/feel_status.h"
 #include "app/workbench/shell/operating_strip.h"
@@ -43,8 +44,7 @@ class SearchTest : public tests::ShownBench {
   // Types into the search and takes the first that is found.
   void searchFor(const QString& typed) {
     CommandSearch search(
-        bench.search_parts.sources(), [this](const QString& words) { return bench.search_parts.placesIn(words); },
-        &bench.window);
+        bench.search->sources(), [this](const QString& words) { return bench.search->placesIn(words); }, &bench.window);
     search.show();
     auto* line = search.findChild<QLineEdit*>();
     QTest::keyClicks(line, typed);
@@ -56,7 +56,7 @@ class SearchTest : public tests::ShownBench {
 
 TEST_F(SearchTest, LeadsToCommandsPanelsTermsAndExperts) {
   searchFor(QStringLiteral("findings panel"));
-  EXPECT_TRUE(bench.finding_parts.panel().isVisible());
+  EXPECT_TRUE(bench.panels.findings->isVisible());
   searchFor(QStringLiteral("near"));
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
   EXPECT_EQ(bench.terms.variable().id, "depth");
@@ -64,7 +64,7 @@ TEST_F(SearchTest, LeadsToCommandsPanelsTermsAndExperts) {
   searchFor(labelOf(expert) + QStringLiteral(" expert"));
   EXPECT_EQ(bench.rules.expert().id, expert.id);
   searchFor(QStringLiteral("feel layout"));
-  EXPECT_EQ(bench.window.layoutBeside(), FeelParts::layoutId());
+  EXPECT_EQ(bench.window.layoutBeside(), feelLayout());
 }
 
 // The sentence of a hole says that no rule fires; who looks for one types "hole".
@@ -73,7 +73,7 @@ TEST_F(SearchTest, AFindingIsFoundByItsKind) {
   searchFor(QStringLiteral("hole"));
   ASSERT_TRUE(bench.findings.chosen());
   EXPECT_EQ(bench.findings.findings()[*bench.findings.chosen()].kind, QStringLiteral("Hole"));
-  EXPECT_TRUE(bench.finding_parts.panel().isVisible());
+  EXPECT_TRUE(bench.panels.findings->isVisible());
 }
 
 TEST_F(SearchTest, APlaceLeadsToTheForceThere) {
@@ -82,7 +82,7 @@ TEST_F(SearchTest, APlaceLeadsToTheForceThere) {
   EXPECT_EQ(bench.window.stage(), Stage::kUnderstand);
   EXPECT_EQ(bench.scene.value(0), 20);
   EXPECT_EQ(bench.scene.value(1), 8);
-  EXPECT_TRUE(bench.here_parts.rules().isVisible());
+  EXPECT_TRUE(bench.panels.rules_here->isVisible());
   // A says 0.75 N, B 0.25 N.
   EXPECT_NEAR(bench.scene.reading().mean.force_n, 0.5, 1e-12);
 }
@@ -101,7 +101,7 @@ TEST_F(SearchTest, F6GoesThroughThePartsOfTheWindowAndBack) {
     if (part != nullptr && !visited.contains(part)) visited << part;
   }
   EXPECT_TRUE(visited.contains(&bench.window.strip()));
-  EXPECT_TRUE(visited.contains(&bench.curve_parts.curves()));
+  EXPECT_TRUE(visited.contains(bench.panels.curves));
   EXPECT_GE(visited.size(), 4);
   QWidget* here = bench.window.focusWidget();
   bench.window.focusNextPart(true);
@@ -111,20 +111,20 @@ TEST_F(SearchTest, F6GoesThroughThePartsOfTheWindowAndBack) {
 }
 
 TEST_F(SearchTest, TheFeelLayoutIsForFeelingAloneAndLeadsBack) {
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   settle();
   for (const Panel* panel : bench.window.panels().panels()) {
-    EXPECT_EQ(panel->isVisible(), panel == &bench.feel_parts.panel()) << panel->objectName().toStdString();
+    EXPECT_EQ(panel->isVisible(), panel == bench.panels.feel) << panel->objectName().toStdString();
   }
-  const auto* picture = bench.feel_parts.view().findChild<anatomy::AnatomyView*>();
+  const auto* picture = bench.views.feel->findChild<anatomy::AnatomyView*>();
   ASSERT_NE(picture, nullptr);
   EXPECT_GE(picture->height(), 320);
   // All of it is on the screen.
-  EXPECT_TRUE(bench.feel_parts.view().rect().contains(
-      QRect(picture->mapTo(&bench.feel_parts.view(), QPoint(0, 0)), picture->size())));
+  EXPECT_TRUE(
+      bench.views.feel->rect().contains(QRect(picture->mapTo(bench.views.feel, QPoint(0, 0)), picture->size())));
   EXPECT_EQ(bench.window.stage(), Stage::kUnderstand);
   bench.window.leaveLayout();
-  EXPECT_TRUE(bench.curve_parts.curves().isVisible());
+  EXPECT_TRUE(bench.panels.curves->isVisible());
   EXPECT_TRUE(bench.window.layoutBeside().isEmpty());
 }
 

@@ -191,7 +191,7 @@ TEST_F(MainWindowTest, TheMouseReadsTheCurves) {
   openSample();
   auto* plot = window.findChild<CurvePlot*>();
   emit plot->hovered(8);
-  const auto* readings = bench.curve_parts.findChild<ReadingModel*>();
+  const auto* readings = bench.features.findChild<ReadingModel*>();
   const auto force = [readings](int row) { return readings->index(row, ReadingModel::kForce).data().toString(); };
   EXPECT_EQ(force(ReadingModel::kMeanRow), QStringLiteral("0.500 N"));
   EXPECT_EQ(force(1), QStringLiteral("0.750 N"));
@@ -203,7 +203,7 @@ TEST_F(MainWindowTest, TheMouseReadsTheCurves) {
 TEST_F(MainWindowTest, ALineCanBeHidden) {
   openSample();
   const QImage before = curves();
-  auto* readings = bench.curve_parts.findChild<ReadingModel*>();
+  auto* readings = bench.features.findChild<ReadingModel*>();
   ASSERT_TRUE(readings->setData(readings->index(1, ReadingModel::kWho), Qt::Unchecked, Qt::CheckStateRole));
   EXPECT_NE(curves(), before);
 }
@@ -325,12 +325,12 @@ TEST_F(MainWindowTest, SavesPicturesByTheirEnding) {
   const QImage before = curves();
   const std::pair<const char*, const char*> kinds[] = {{"a.png", "\x89PNG"}, {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}};
   for (const auto& [name, start] : kinds) {
-    ASSERT_TRUE(bench.curve_parts.view().plotMenu().savePicture(folder.path(QString::fromLatin1(name))));
+    ASSERT_TRUE(bench.views.curves->plotMenu().savePicture(folder.path(QString::fromLatin1(name))));
     QFile file(folder.path(QString::fromLatin1(name)));
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
     EXPECT_TRUE(file.readAll().startsWith(start)) << name;
   }
-  const auto refused = bench.curve_parts.view().plotMenu().savePicture(folder.path(QStringLiteral("a.bmp")));
+  const auto refused = bench.views.curves->plotMenu().savePicture(folder.path(QStringLiteral("a.bmp")));
   ASSERT_FALSE(refused);
   EXPECT_FALSE(QFile::exists(folder.path(QStringLiteral("a.bmp"))));
   // The caption of the picture leaves no trace in the window.

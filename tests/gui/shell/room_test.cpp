@@ -11,6 +11,7 @@
 #include <qcustomplot.h>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/kit/buttons.h"
@@ -56,7 +57,7 @@ class RoomTest : public testing::Test {
     tests::settle(bench.window);
   }
   int plotHeight() { return bench.window.findChild<CurvePlot*>()->findChild<QCustomPlot*>()->axisRect()->height(); }
-  FeelPanel& feel() { return bench.feel_parts.view(); }
+  FeelPanel& feel() { return *bench.views.feel; }
   int scrolls() { return feel().findChild<QScrollArea*>()->verticalScrollBar()->maximum(); }
 
   tests::ModelFolder folder;
@@ -128,7 +129,7 @@ TEST_F(RoomTest, NothingScrollsWhereAModelIsFelt) {
   EXPECT_EQ(card->window()->windowType(), Qt::Popup);
   card->window()->hide();
 
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   tests::settle(bench.window);
   EXPECT_FALSE(drawer->isVisible());
   EXPECT_TRUE(card->isVisible());
@@ -141,7 +142,7 @@ TEST_F(RoomTest, TheFirstWindowOfASmallScreenHasRoomToo) {
   bench.window.resize(1264, 672);
   enter(Stage::kTune);
   EXPECT_EQ(scrolls(), 0);
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   tests::settle(bench.window);
   EXPECT_EQ(scrolls(), 0);
 }
@@ -178,11 +179,11 @@ TEST_F(RoomTest, InTheFeelLayoutNoStageIsMarked) {
   enter(Stage::kTune);
   EXPECT_EQ(marked(), QStringList{stageName(Stage::kTune)});
   const QStringList before = marked();
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   EXPECT_EQ(marked(), QStringList());
   bench.window.leaveLayout();
   EXPECT_EQ(marked(), before);
-  bench.window.enterLayout(FeelParts::layoutId());
+  bench.window.enterLayout(feelLayout());
   bench.window.enter(Stage::kDeliver);
   EXPECT_EQ(marked(), QStringList{stageName(Stage::kDeliver)});
 }

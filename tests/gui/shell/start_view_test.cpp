@@ -63,10 +63,10 @@ class StartViewTest : public testing::Test {
   void SetUp() override {
     bench.window.resize(1280, 720);
     bench.window.show();
-    bench.start_parts.demo().setDocuments(folder.path(QStringLiteral("documents")));
+    bench.demo.setDocuments(folder.path(QStringLiteral("documents")));
   }
   StartEntry* entry(const QString& name) {
-    for (auto* one : bench.start_parts.view().findChildren<StartEntry*>()) {
+    for (auto* one : bench.views.start->findChildren<StartEntry*>()) {
       if (one->text() == name) return one;
     }
     return nullptr;
@@ -83,7 +83,7 @@ TEST_F(StartViewTest, TheDemoStudyIsOneClickAway) {
   ASSERT_NE(explore, nullptr);
   EXPECT_FALSE(entry(QStringLiteral("Make a fresh copy of the demo"))->isVisible());
   QTest::mouseClick(explore, Qt::LeftButton);
-  EXPECT_TRUE(bench.start_parts.demo().isMaking());
+  EXPECT_TRUE(bench.demo.isMaking());
   EXPECT_FALSE(explore->isEnabled());
   // Sessions and model take seconds, on a busy machine more.
   ASSERT_TRUE(QTest::qWaitFor([this] { return bench.models.current() != nullptr; }, 60'000));
@@ -95,11 +95,11 @@ TEST_F(StartViewTest, TheDemoStudyIsOneClickAway) {
   EXPECT_EQ(bench.recent.files().value(0).path, study);
   EXPECT_EQ(bench.recent.files().value(0).model, QString::fromStdString(bench.models.current()->model.name));
   // The copy is the user's: it is opened again, not made again.
-  QSignalSpy ready(&bench.start_parts.demo(), &DemoMaker::ready);
-  bench.start_parts.exploreDemo();
+  QSignalSpy ready(&bench.demo, &DemoMaker::ready);
+  bench.demo.explore();
   EXPECT_EQ(ready.size(), 1);
   // What follows the study is written in the background.
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !bench.start_parts.demo().isMaking(); }, 60'000));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !bench.demo.isMaking(); }, 60'000));
   EXPECT_TRUE(QFile::exists(folder.path(QStringLiteral("documents/Tactus demo/report.html"))));
 }
 
@@ -107,8 +107,8 @@ TEST_F(StartViewTest, ADemoThatCannotBeMadeIsASentence) {
   QFile file(folder.path(QStringLiteral("documents")));
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));  // a file in the place of the folder
   file.close();
-  bench.start_parts.exploreDemo();
-  ASSERT_TRUE(comesTrue([this] { return !bench.start_parts.demo().isMaking(); }));
+  bench.demo.explore();
+  ASSERT_TRUE(comesTrue([this] { return !bench.demo.isMaking(); }));
   EXPECT_TRUE(bench.window.banner().message().startsWith(QStringLiteral("The demo study was not made.")))
       << bench.window.banner().message().toStdString();
 }
@@ -125,8 +125,8 @@ TEST_F(StartViewTest, ANewModelHasTheInputsOfTheProcedureAndNoRules) {
   EXPECT_TRUE(model.experts[0].rules.empty());
   EXPECT_TRUE(bench.models.isModified());
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
-  EXPECT_TRUE(bench.rule_parts.panel().isVisible());
-  EXPECT_FALSE(bench.window.panels().isBehind(bench.rule_parts.panel()));
+  EXPECT_TRUE(bench.panels.rule_editor->isVisible());
+  EXPECT_FALSE(bench.window.panels().isBehind(*bench.panels.rule_editor));
 }
 
 TEST_F(StartViewTest, TablesBecomeAStudy) {
@@ -141,7 +141,7 @@ TEST_F(StartViewTest, TablesBecomeAStudy) {
   speeds.write("participant,level,stroke,time_s,depth_mm,speed_mm_s\nS1,slow,1,0,10,40\nS1,fast,1,0,10,200\n");
   speeds.close();
   const QString path = folder.path(QStringLiteral("made.tactus"));
-  bench.start_parts.tables().run(tables, path, true);
+  bench.tables.run(tables, path, true);
   ASSERT_TRUE(comesTrue([this] { return bench.study.isOpen(); })) << bench.window.banner().message().toStdString();
   EXPECT_EQ(bench.study.path(), path);
   ASSERT_EQ(bench.study.people().size(), 1U);
@@ -149,8 +149,8 @@ TEST_F(StartViewTest, TablesBecomeAStudy) {
 
 TEST_F(StartViewTest, TablesThatCannotBeReadLeaveNothing) {
   const QString path = folder.path(QStringLiteral("made.tactus"));
-  bench.start_parts.tables().run(folder.path(QStringLiteral("nowhere")), path, false);
-  ASSERT_TRUE(comesTrue([this] { return !bench.start_parts.tables().isRunning(); }));
+  bench.tables.run(folder.path(QStringLiteral("nowhere")), path, false);
+  ASSERT_TRUE(comesTrue([this] { return !bench.tables.isRunning(); }));
   EXPECT_TRUE(bench.window.banner().message().startsWith(QStringLiteral("The tables were not imported.")));
   EXPECT_FALSE(QFile::exists(path));
 }

@@ -218,6 +218,12 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
   showState();
 }
 
+void LinkDialog::bringUp() {
+  show();
+  raise();
+  activateWindow();
+}
+
 void LinkDialog::showState() {
   const bool serving = link_.isServing();
   state_->setText(serving ? tr("Serving") : tr("Off"));

@@ -80,6 +80,9 @@ class LinkDialog : public QDialog {
  public:
   explicit LinkDialog(LinkController& link, QWidget* parent = nullptr);
 
+  /// Shows it in front of the other windows.
+  void bringUp();
+
  private:
   void showState();
   void showFailure(const QString& sentence);

@@ -5,14 +5,16 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/workbench/collect_parts.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/force/judgement_view.h"
 #include "app/workbench/labs/force/votes_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/origins/origin_window.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/labs/speed/trace_row.h"
+#include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -25,7 +27,7 @@ using tests::comesTrue;
 
 constexpr int kBuildMs = 60'000;  // a second or two on a quiet machine
 
-class OriginPartsTest : public testing::Test {
+class OriginsFeatureTest : public testing::Test {
  protected:
   void SetUp() override {
     bench.window.resize(1280, 720);
@@ -39,9 +41,9 @@ class OriginPartsTest : public testing::Test {
     return QTest::qWaitFor([this] { return bench.models.current() != nullptr; }, kBuildMs);
   }
   bool answered() {
-    return QTest::qWaitFor([this] { return bench.origin_parts.finder().origin() != nullptr; }, kBuildMs);
+    return QTest::qWaitFor([this] { return bench.labs.origins.origin() != nullptr; }, kBuildMs);
   }
-  const Origin& origin() { return *bench.origin_parts.finder().origin(); }
+  const Origin& origin() { return *bench.labs.origins.origin(); }
 
   QTemporaryDir folder;
   QString path = tests::demoStudyIn(folder);
@@ -50,44 +52,44 @@ class OriginPartsTest : public testing::Test {
 };
 
 // The vertex is one click, "Where from?" the second: the raw trace of the first stroke is on the screen then.
-TEST_F(OriginPartsTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
+TEST_F(OriginsFeatureTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
   ASSERT_TRUE(built());
   bench.window.enter(Stage::kTune);
   bench.terms.setVariable("speed");
-  emit bench.edit_parts.editor().originAsked("speed", "medium", 0);
+  emit bench.views.membership_editor->originAsked("speed", "medium", 0);
   ASSERT_TRUE(answered());
   EXPECT_EQ(origin().records.size(), 48U);  // four nurses, three levels of four strokes
-  OriginWindow& view = *bench.origin_parts.view();
+  OriginWindow& view = *bench.origins->view();
   EXPECT_TRUE(view.isVisible());
   ASSERT_NE(view.chosen(), nullptr);
   auto* const preview = view.findChild<StrokePreview*>();
   ASSERT_NE(preview, nullptr);
   EXPECT_TRUE(preview->isVisible());
   EXPECT_TRUE(comesTrue([&] { return preview->row().hasStrokes(); }));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return bench.origin_parts.finder().influence(0).has_value(); }, kBuildMs));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return bench.labs.origins.influence(0).has_value(); }, kBuildMs));
 
   const elicitation::StrokeKey key = origin().records[5].stroke;
   const QModelIndex sixth = view.table().model()->index(5, 1);
   view.table().setCurrentIndex(sixth);
   emit view.table().clicked(sixth);
   EXPECT_EQ(bench.window.stage(), Stage::kAgree);
-  const StrokeInfluence& moves = bench.lab_parts.speedView().strokes().influence();
+  const StrokeInfluence& moves = bench.views.speed->strokes().influence();
   ASSERT_TRUE(QTest::qWaitFor([&] { return moves.asked() == key; }, kBuildMs));
   EXPECT_TRUE(QTest::qWaitFor([&] { return moves.sentence().contains(QStringLiteral(" rms")); }, kBuildMs));
 }
 
 // A header that hides asks for its columns again: the records are gone by then, and the table has to know it.
-TEST_F(OriginPartsTest, TheWindowClosesAndAnswersTheNextQuestion) {
+TEST_F(OriginsFeatureTest, TheWindowClosesAndAnswersTheNextQuestion) {
   bench.window.enter(Stage::kAgree);
-  ForceLabView& lab = bench.lab_parts.forceView();
-  bench.lab_parts.screen().reveal(&lab);
+  ForceLabView& lab = *bench.views.force;
+  bench.views.labs->reveal(&lab);
   emit lab.votes().originAsked(0.9, "large");
   ASSERT_TRUE(answered());
-  OriginWindow& view = *bench.origin_parts.view();
+  OriginWindow& view = *bench.origins->view();
   ASSERT_EQ(view.table().model()->rowCount(), 2);
   view.close();
   EXPECT_FALSE(view.isVisible());
-  EXPECT_EQ(bench.origin_parts.finder().origin(), nullptr);
+  EXPECT_EQ(bench.labs.origins.origin(), nullptr);
   EXPECT_EQ(view.table().model()->rowCount(), 0);
   EXPECT_EQ(view.table().model()->headerData(0, Qt::Horizontal).toString(), QStringLiteral("Participant"));
 
@@ -97,14 +99,14 @@ TEST_F(OriginPartsTest, TheWindowClosesAndAnswersTheNextQuestion) {
   EXPECT_EQ(view.table().model()->rowCount(), 3);
 }
 
-TEST_F(OriginPartsTest, AVoteLeadsToItsJudgements) {
+TEST_F(OriginsFeatureTest, AVoteLeadsToItsJudgements) {
   bench.window.enter(Stage::kAgree);
-  ForceLabView& lab = bench.lab_parts.forceView();
-  bench.lab_parts.screen().reveal(&lab);
+  ForceLabView& lab = *bench.views.force;
+  bench.views.labs->reveal(&lab);
   emit lab.votes().originAsked(0.9, "large");
   ASSERT_TRUE(answered());
   ASSERT_EQ(origin().records.size(), 2U);  // S3 and S4 (elicitation.md 3)
-  OriginWindow& view = *bench.origin_parts.view();
+  OriginWindow& view = *bench.origins->view();
   view.table().setCurrentIndex(view.table().model()->index(1, 0));
   emit view.table().clicked(view.table().currentIndex());
   const JudgementGrid& grid = lab.judgements().grid();
@@ -113,14 +115,14 @@ TEST_F(OriginPartsTest, AVoteLeadsToItsJudgements) {
   EXPECT_EQ(grid.participant(lab.judgements().table().currentIndex().row()), "S4");
 }
 
-TEST_F(OriginPartsTest, AModelThatWasNotBuiltFromTheStudySaysSo) {
+TEST_F(OriginsFeatureTest, AModelThatWasNotBuiltFromTheStudySaysSo) {
   // A model without provenance is put into the study's place on the bench.
   ASSERT_TRUE(bench.files.makeFromTemplate());
   bench.terms.setVariable("speed");
-  emit bench.edit_parts.editor().originAsked("speed", "medium", 0);
-  EXPECT_EQ(bench.origin_parts.finder().origin(), nullptr);
-  EXPECT_TRUE(bench.origin_parts.finder().failure().contains(QStringLiteral("was not built from records")));
-  EXPECT_TRUE(bench.origin_parts.view() != nullptr && bench.origin_parts.view()->isVisible());
+  emit bench.views.membership_editor->originAsked("speed", "medium", 0);
+  EXPECT_EQ(bench.labs.origins.origin(), nullptr);
+  EXPECT_TRUE(bench.labs.origins.failure().contains(QStringLiteral("was not built from records")));
+  EXPECT_TRUE(bench.origins->view() != nullptr && bench.origins->view()->isVisible());
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/device/virtual_time.h"
 #include "app/workbench/rehearsal/rehearsal.h"
+#include "app/workbench/session/take_part.h"
 #include "app/workbench/study/connection/study_connection.h"
-#include "app/workbench/take_part.h"
 
 namespace tactus::workbench {
 

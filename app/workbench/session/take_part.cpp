@@ -1,4 +1,4 @@
-#include "app/workbench/take_part.h"
+#include "app/workbench/session/take_part.h"
 
 #include <QGuiApplication>
 #include <QPointer>
@@ -9,10 +9,10 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/collect/monitor_controller.h"
 #include "app/workbench/collect/monitor_window.h"
-#include "app/workbench/nurse_view.h"
 #include "app/workbench/participant/check_in.h"
 #include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_window.h"
+#include "app/workbench/session/nurse_view.h"
 #include "app/workbench/shell/main_window.h"
 #include "core/store/research_key.h"
 

@@ -1,4 +1,4 @@
-#include "app/workbench/nurse_view.h"
+#include "app/workbench/session/nurse_view.h"
 
 #include <QCoreApplication>
 

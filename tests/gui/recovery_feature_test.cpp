@@ -44,7 +44,7 @@ struct HistoryWindow {
   std::unique_ptr<Workbench> bench;
 };
 
-class RecoveryPartsTest : public testing::Test {
+class RecoveryFeatureTest : public testing::Test {
  protected:
   /// A run that leaves a history with one edit.
   void leaveHistory() const {
@@ -64,7 +64,7 @@ class RecoveryPartsTest : public testing::Test {
   const QString path = folder.write(tests::twoExperts());
 };
 
-TEST_F(RecoveryPartsTest, WhereNothingIsAutosavedTheModelCanBeSavedAndALaterSuccessEndsTheMessage) {
+TEST_F(RecoveryFeatureTest, WhereNothingIsAutosavedTheModelCanBeSavedAndALaterSuccessEndsTheMessage) {
   folder.writeText("", QStringLiteral("autosave"));  // a file stands where the folder has to be
   const HistoryWindow run(root);
   run.openAndLook(path);
@@ -79,7 +79,7 @@ TEST_F(RecoveryPartsTest, WhereNothingIsAutosavedTheModelCanBeSavedAndALaterSucc
   run.bench->models.save();
 }
 
-TEST_F(RecoveryPartsTest, TheModelIsSavedByTheButtonBesideTheMessage) {
+TEST_F(RecoveryFeatureTest, TheModelIsSavedByTheButtonBesideTheMessage) {
   folder.writeText("", QStringLiteral("autosave"));
   const HistoryWindow run(root);
   run.openAndLook(path);
@@ -90,7 +90,7 @@ TEST_F(RecoveryPartsTest, TheModelIsSavedByTheButtonBesideTheMessage) {
   EXPECT_FALSE(run.bench->models.isModified());
 }
 
-TEST_F(RecoveryPartsTest, AHistoryThatWasNotReadIsLookedForAgain) {
+TEST_F(RecoveryFeatureTest, AHistoryThatWasNotReadIsLookedForAgain) {
   leaveHistory();
   const QString file = historyFile();
   ASSERT_TRUE(QFile::copy(file, folder.path(QStringLiteral("good"))));
@@ -110,7 +110,7 @@ TEST_F(RecoveryPartsTest, AHistoryThatWasNotReadIsLookedForAgain) {
   EXPECT_TRUE(comesTrue([&] { return run.bench->edits.history().states().size() == 2; }));
 }
 
-TEST_F(RecoveryPartsTest, AHistoryThatDoesNotFitOpensAsAStudy) {
+TEST_F(RecoveryFeatureTest, AHistoryThatDoesNotFitOpensAsAStudy) {
   leaveHistory();
   fuzzy::ForceModel other = tests::twoExperts();
   other.inputs.push_back(other.inputs.back());

@@ -1,5 +1,3 @@
-#include "app/workbench/deliver_parts.h"
-
 #include <QFile>
 #include <QLabel>
 #include <QPushButton>
@@ -10,6 +8,7 @@
 
 #include "app/workbench/deliver/bundle_panel.h"
 #include "app/workbench/deliver/readiness_panel.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/shell/panel_area.h"
 
 #include "tests/gui/shown_bench.h"
@@ -19,9 +18,9 @@ namespace {
 
 using tests::kPatience;
 
-class DeliverPartsTest : public tests::ShownBench {
+class DeliverFeatureTest : public tests::ShownBench {
  protected:
-  DeliverPartsTest() : ShownBench(Stage::kDeliver) {}
+  DeliverFeatureTest() : ShownBench(Stage::kDeliver) {}
 
   const ReadinessLine& line(ReadinessTopic topic) { return bench.readiness.lines()[static_cast<std::size_t>(topic)]; }
   QPushButton& makeButton() { return *bench.window.findChild<QPushButton*>(QStringLiteral("make_bundle")); }
@@ -40,7 +39,7 @@ class DeliverPartsTest : public tests::ShownBench {
   }
 };
 
-TEST_F(DeliverPartsTest, AHoleStopsTheBundleUntilItIsAcceptedByName) {
+TEST_F(DeliverFeatureTest, AHoleStopsTheBundleUntilItIsAcceptedByName) {
   waitForLint();
   EXPECT_EQ(line(ReadinessTopic::kHoles).state, Readiness::kBlocks);
   EXPECT_FALSE(makeButton().isEnabled());
@@ -58,14 +57,14 @@ TEST_F(DeliverPartsTest, AHoleStopsTheBundleUntilItIsAcceptedByName) {
   EXPECT_FALSE(makeButton().isEnabled());
 }
 
-TEST_F(DeliverPartsTest, EachLineLeadsToItsPlace) {
+TEST_F(DeliverFeatureTest, EachLineLeadsToItsPlace) {
   waitForLint();
   // Two experts at far: 0.75 N and 0.25 N.
   EXPECT_TRUE(line(ReadinessTopic::kExpertsApart).sentence.endsWith(QStringLiteral("by up to 0.500 N.")))
       << line(ReadinessTopic::kExpertsApart).sentence.toStdString();
   QTest::mouseClick(button(row(ReadinessTopic::kExpertsApart), QStringLiteral("Show findings")), Qt::LeftButton);
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
-  EXPECT_TRUE(bench.finding_parts.panel().isVisible());
+  EXPECT_TRUE(bench.panels.findings->isVisible());
   ASSERT_TRUE(bench.findings.chosen());
   EXPECT_EQ(bench.findings.findings()[*bench.findings.chosen()].finding.kind,
             elicitation::RuleFinding::Kind::kExpertsApart);
@@ -74,10 +73,10 @@ TEST_F(DeliverPartsTest, EachLineLeadsToItsPlace) {
   QTest::mouseClick(button(row(ReadinessTopic::kSignOff), QStringLiteral("Sign off…")), Qt::LeftButton);
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
   settle();
-  EXPECT_TRUE(bench.history_parts.panel().isVisible());
+  EXPECT_TRUE(bench.panels.history->isVisible());
 }
 
-TEST_F(DeliverPartsTest, ABundleShowsTheErrorOfEachFile) {
+TEST_F(DeliverFeatureTest, ABundleShowsTheErrorOfEachFile) {
   waitForLint();
   bench.readiness.acceptHole("depth 5 to 6 mm");
   bench.bundles.make(folder.path(QStringLiteral("bundle")));
@@ -97,7 +96,7 @@ TEST_F(DeliverPartsTest, ABundleShowsTheErrorOfEachFile) {
   EXPECT_NE(button(*bench.window.findChild<BundlePanel*>(), QStringLiteral("Open folder")), nullptr);
 }
 
-TEST_F(DeliverPartsTest, ABundleThatIsNotMadeSaysWhyAndOffersAnotherFolder) {
+TEST_F(DeliverFeatureTest, ABundleThatIsNotMadeSaysWhyAndOffersAnotherFolder) {
   waitForLint();
   bench.readiness.acceptHole("depth 5 to 6 mm");
   QFile other(folder.path(QStringLiteral("other.txt")));

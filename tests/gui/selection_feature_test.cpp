@@ -16,9 +16,9 @@ namespace {
 
 using tests::kPatience;
 
-class SelectionPartsTest : public tests::ShownBench {
+class SelectionFeatureTest : public tests::ShownBench {
  protected:
-  SelectionPartsTest() : ShownBench(Stage::kUnderstand) {}
+  SelectionFeatureTest() : ShownBench(Stage::kUnderstand) {}
 
   template <class Widget>
   Widget& only() {
@@ -43,7 +43,7 @@ class SelectionPartsTest : public tests::ShownBench {
   }
 };
 
-TEST_F(SelectionPartsTest, FromARuleHereToEditingItIsOneDoubleClick) {
+TEST_F(SelectionFeatureTest, FromARuleHereToEditingItIsOneDoubleClick) {
   RuleFlow& flow = rulesOfA();
   QTest::mouseDClick(&flow, Qt::LeftButton, {}, firstLine(flow));
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
@@ -56,7 +56,7 @@ TEST_F(SelectionPartsTest, FromARuleHereToEditingItIsOneDoubleClick) {
   EXPECT_EQ(focus, &only<RuleGrids>()) << (focus != nullptr ? focus->metaObject()->className() : "none");
 }
 
-TEST_F(SelectionPartsTest, AClickSelectsAndTheButtonOpensTheEditor) {
+TEST_F(SelectionFeatureTest, AClickSelectsAndTheButtonOpensTheEditor) {
   RuleFlow& flow = rulesOfA();
   QTest::mouseClick(&flow, Qt::LeftButton, {}, firstLine(flow));
   ASSERT_TRUE(bench.selection.rule().has_value());
@@ -69,7 +69,7 @@ TEST_F(SelectionPartsTest, AClickSelectsAndTheButtonOpensTheEditor) {
   EXPECT_EQ(bench.window.stage(), Stage::kTune);
 }
 
-TEST_F(SelectionPartsTest, AnEditInTheHistorySelectsWhatItChanged) {
+TEST_F(SelectionFeatureTest, AnEditInTheHistorySelectsWhatItChanged) {
   bench.window.enter(Stage::kTune);
   bench.edits.apply(editing::setConsequent(bench.edits.model(), "B", 0, "high"));
   bench.edits.apply(editing::setRuleWeight(bench.edits.model(), "A", 0, 0.5));

@@ -1,5 +1,3 @@
-#include "app/workbench/study_parts.h"
-
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -22,6 +20,7 @@
 
 #include "app/editing/membership_edits.h"
 #include "app/workbench/collect/study_home.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/kit/notes.h"
@@ -42,7 +41,7 @@ using tests::comesTrue;
 
 using tests::kNearShoulder;
 
-class StudyPartsTest : public testing::Test {
+class StudyFeatureTest : public testing::Test {
  protected:
   void SetUp() override {
     window.show();
@@ -90,7 +89,7 @@ class StudyPartsTest : public testing::Test {
   MainWindow& window = bench.window;
 };
 
-TEST_F(StudyPartsTest, AStudyIsOpenedAndTakesTheModelIn) {
+TEST_F(StudyFeatureTest, AStudyIsOpenedAndTakesTheModelIn) {
   EXPECT_FALSE(action("Put the open model")->isEnabled());
   ASSERT_TRUE(open());
   EXPECT_TRUE(window.banner().message().contains(QStringLiteral("holds neither a model")));
@@ -105,7 +104,7 @@ TEST_F(StudyPartsTest, AStudyIsOpenedAndTakesTheModelIn) {
   EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
 }
 
-TEST_F(StudyPartsTest, AModelOfTheAnswersIsOfferedAndNotStoredUnasked) {
+TEST_F(StudyFeatureTest, AModelOfTheAnswersIsOfferedAndNotStoredUnasked) {
   QFile::remove(path);
   tests::makeStudyFile(path, [](store::StudyFile& file, study::RecordIds& ids) {
     study::RuleRecord rule;
@@ -132,7 +131,7 @@ TEST_F(StudyPartsTest, AModelOfTheAnswersIsOfferedAndNotStoredUnasked) {
   EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 1U);
 }
 
-TEST_F(StudyPartsTest, AStudyIsDroppedOnTheWindow) {
+TEST_F(StudyFeatureTest, AStudyIsDroppedOnTheWindow) {
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(path)});
   QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
@@ -143,14 +142,14 @@ TEST_F(StudyPartsTest, AStudyIsDroppedOnTheWindow) {
   EXPECT_TRUE(comesTrue([this] { return bench.study.isOpen(); }));
 }
 
-TEST_F(StudyPartsTest, AFailureIsOneSentenceInTheBanner) {
+TEST_F(StudyFeatureTest, AFailureIsOneSentenceInTheBanner) {
   bench.files.open(folder.path(QStringLiteral("nowhere.tactus")));
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpening(); }));
   EXPECT_TRUE(window.banner().message().contains(QStringLiteral("nowhere.tactus")));
   EXPECT_FALSE(bench.study.isOpen());
 }
 
-TEST_F(StudyPartsTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChanges) {
+TEST_F(StudyFeatureTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChanges) {
   ASSERT_TRUE(open());
   bench.files.open(folder.write(tests::twoExperts()));
   bench.study_models.putModel();
@@ -211,7 +210,7 @@ TEST_F(StudyPartsTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChange
   ASSERT_TRUE(QFile::setPermissions(folder.path({}), look | enter | QFile::WriteOwner));
 }
 
-TEST_F(StudyPartsTest, ALockedStudyWithoutAModelOffersItsCopyAndSaysWhatItHolds) {
+TEST_F(StudyFeatureTest, ALockedStudyWithoutAModelOffersItsCopyAndSaysWhatItHolds) {
   const auto look = QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther;
   const auto enter = QFile::ExeOwner | QFile::ExeGroup | QFile::ExeOther;
   ASSERT_TRUE(QFile::setPermissions(path, look));
@@ -233,7 +232,7 @@ TEST_F(StudyPartsTest, ALockedStudyWithoutAModelOffersItsCopyAndSaysWhatItHolds)
   ASSERT_TRUE(QFile::setPermissions(folder.path({}), look | enter | QFile::WriteOwner));
 }
 
-TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
+TEST_F(StudyFeatureTest, TheWindowStaysUntilEverythingIsWritten) {
   ASSERT_TRUE(open());
   bench.files.open(folder.write(tests::twoExperts()));
   bench.study_models.putModel();
@@ -246,7 +245,7 @@ TEST_F(StudyPartsTest, TheWindowStaysUntilEverythingIsWritten) {
   EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 2U);
 }
 
-TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
+TEST_F(StudyFeatureTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
   ASSERT_TRUE(open());
   bench.files.open(folder.write(tests::twoExperts()));
   // In a file of its own, beside the study.
@@ -273,7 +272,7 @@ TEST_F(StudyPartsTest, AWindowThatIsKeptOpenIsNotClosedByTheNextWrite) {
   EXPECT_EQ(asked, 1);
 }
 
-TEST_F(StudyPartsTest, ChangesThatAreNotSavedAreAskedFor) {
+TEST_F(StudyFeatureTest, ChangesThatAreNotSavedAreAskedFor) {
   ASSERT_TRUE(open());
   bench.files.open(folder.write(tests::twoExperts()));
   bench.study_models.putModel();
@@ -288,7 +287,7 @@ TEST_F(StudyPartsTest, ChangesThatAreNotSavedAreAskedFor) {
   EXPECT_TRUE(bench.models.isModified());
 }
 
-TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
+TEST_F(StudyFeatureTest, TheRecordingsStandInTheFeelPanel) {
   auto* card = window.findChild<RecordingsCard*>();
   ASSERT_NE(card, nullptr);
   const auto shown = [&](const auto* widget) { return widget->isVisibleTo(card); };
@@ -302,7 +301,7 @@ TEST_F(StudyPartsTest, TheRecordingsStandInTheFeelPanel) {
   }
 }
 
-TEST_F(StudyPartsTest, WhichStudyIsOpenIsSaidWhereItMatters) {
+TEST_F(StudyFeatureTest, WhichStudyIsOpenIsSaidWhereItMatters) {
   EXPECT_FALSE(window.windowTitle().contains(QStringLiteral("sample.tactus")));
   ASSERT_TRUE(open());
   EXPECT_TRUE(window.windowTitle().contains(QStringLiteral("study sample.tactus")))
@@ -325,7 +324,7 @@ TEST_F(StudyPartsTest, WhichStudyIsOpenIsSaidWhereItMatters) {
 }
 
 // Stopped, a recording waits for Start, and says so on the button and on the pad.
-TEST_F(StudyPartsTest, RecordWhileStoppedSaysThatItIsArmed) {
+TEST_F(StudyFeatureTest, RecordWhileStoppedSaysThatItIsArmed) {
   bench.models.open(folder.write(tests::twoExperts()));
   ASSERT_TRUE(open());
   window.enter(Stage::kTune);

@@ -32,7 +32,7 @@ namespace {
 
 using tests::comesTrue;
 
-class NotePartsTest : public testing::Test {
+class NotesFeatureTest : public testing::Test {
  protected:
   void SetUp() override {
     window.resize(2000, 1000);  // there is room for each button in the heading
@@ -110,7 +110,7 @@ class NotePartsTest : public testing::Test {
   MainWindow& window = bench.window;
 };
 
-TEST_F(NotePartsTest, WhatIsOddInTheDataAndWhatTheBuildSaysIsReadableAfterReopening) {
+TEST_F(NotesFeatureTest, WhatIsOddInTheDataAndWhatTheBuildSaysIsReadableAfterReopening) {
   makeNurses(oneWordOfN2);
   ASSERT_TRUE(open());
   ASSERT_TRUE(build());
@@ -130,7 +130,7 @@ TEST_F(NotePartsTest, WhatIsOddInTheDataAndWhatTheBuildSaysIsReadableAfterReopen
   EXPECT_EQ(bench.study_models.notes(), built);
 }
 
-TEST_F(NotePartsTest, NotesOfAnotherBuildThanThatOfTheModelSaySo) {
+TEST_F(NotesFeatureTest, NotesOfAnotherBuildThanThatOfTheModelSaySo) {
   makeNurses([](study::Study&) {});
   ASSERT_TRUE(open());
   ASSERT_TRUE(build());
@@ -144,7 +144,7 @@ TEST_F(NotePartsTest, NotesOfAnotherBuildThanThatOfTheModelSaySo) {
   EXPECT_TRUE(notes.build[0].sentence.startsWith(QStringLiteral("These notes are of a build from the answers")));
 }
 
-TEST_F(NotePartsTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
+TEST_F(NotesFeatureTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
   makeNurses(oneWordOfN2);
   ASSERT_TRUE(open());
   ASSERT_TRUE(build());
@@ -164,7 +164,7 @@ TEST_F(NotePartsTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
   action(QStringLiteral("Look at the data first"))->trigger();
   EXPECT_EQ(popupSays(), said);
 
-  auto* at_terms = bench.edit_parts.editor().findChild<NotesButton*>();
+  auto* at_terms = bench.views.membership_editor->findChild<NotesButton*>();
   bench.terms.setVariable("force");
   ASSERT_FALSE(at_terms->isHidden());
   EXPECT_EQ(at_terms->notes().value(0).sentences, said.mid(1));
@@ -181,7 +181,7 @@ TEST_F(NotePartsTest, TheyStandBesideTheHeadingAndAtTheNumberTheyBelongTo) {
   EXPECT_NE(headButton(QStringLiteral("Look at the data first: 1")), nullptr);
 }
 
-TEST_F(NotePartsTest, OneButtonStandsForAllWhereThereIsNoRoom) {
+TEST_F(NotesFeatureTest, OneButtonStandsForAllWhereThereIsNoRoom) {
   makeNurses(oneWordOfN2);
   ASSERT_TRUE(open());
   ASSERT_TRUE(build());
@@ -199,7 +199,7 @@ TEST_F(NotePartsTest, OneButtonStandsForAllWhereThereIsNoRoom) {
   EXPECT_NE(headButton(QStringLiteral("Look at the data first: 1")), nullptr);
 }
 
-TEST_F(NotePartsTest, DataThatCannotBeMeantAreRefusedAndListed) {
+TEST_F(NotesFeatureTest, DataThatCannotBeMeantAreRefusedAndListed) {
   makeNurses([](study::Study& nurses) {
     for (auto& judgement : nurses.judgements) judgement.force_n *= 1000;  // mN
   });
@@ -217,7 +217,7 @@ TEST_F(NotePartsTest, DataThatCannotBeMeantAreRefusedAndListed) {
   EXPECT_TRUE(anyContains(popupSays(), QStringLiteral("No model is built of this: ")));
 }
 
-TEST_F(NotePartsTest, AMissingJournalIsSaidAndStaysReadable) {
+TEST_F(NotesFeatureTest, AMissingJournalIsSaidAndStaysReadable) {
   tests::makeStudyFile(folder.path(QStringLiteral("open.tactus")), [&](store::StudyFile& file, study::RecordIds& ids) {
     tests::addVisit(file, ids, "calm-fox", true);
     ASSERT_TRUE(QFile::copy(QString::fromStdString(file.path()), path));  // as it lies there, without its journal
@@ -251,7 +251,7 @@ TEST_F(NotePartsTest, AMissingJournalIsSaidAndStaysReadable) {
   EXPECT_TRUE(anyContains(popupSays(), QStringLiteral("the journal of a study that was not closed was missing")));
 }
 
-TEST_F(NotePartsTest, AnInterruptedErasureIsFinishedWithAButton) {
+TEST_F(NotesFeatureTest, AnInterruptedErasureIsFinishedWithAButton) {
   study::RecordId person;
   tests::makeStudyFile(path, [&](store::StudyFile& file, study::RecordIds& ids) {
     person = ids.next();

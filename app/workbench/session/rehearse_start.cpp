@@ -1,4 +1,4 @@
-#include "app/workbench/rehearse_start.h"
+#include "app/workbench/session/rehearse_start.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -6,8 +6,9 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
-#include "app/workbench/collect_parts.h"
+#include "app/workbench/features/features.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -20,7 +21,7 @@ using tests::comesTrue;
 
 constexpr int kReportMs = 120'000;  // a second or two on a quiet machine
 
-class LabPartsTest : public testing::Test {
+class LabsFeatureTest : public testing::Test {
  protected:
   void SetUp() override {
     bench.window.resize(1280, 720);
@@ -35,15 +36,14 @@ class LabPartsTest : public testing::Test {
   Workbench bench{settings, folder.filePath(QStringLiteral("autosave"))};
 };
 
-TEST_F(LabPartsTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
-  LabParts& labs = bench.lab_parts;
+TEST_F(LabsFeatureTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
   bench.window.enter(Stage::kAgree);
-  auto wanted = labs.data().settings();
+  auto wanted = bench.labs.data.settings();
   wanted.force_terms = elicitation::ForceTermsFrom::kThresholds;
-  labs.data().setSettings(wanted);
-  auto* const experts = labs.screen().findChild<ExpertsLabView*>();
+  bench.labs.data.setSettings(wanted);
+  auto* const experts = bench.views.labs->findChild<ExpertsLabView*>();
   ASSERT_NE(experts, nullptr);
-  labs.screen().reveal(experts);
+  bench.views.labs->reveal(experts);
   emit experts->benchAsked();
   ASSERT_TRUE(comesTrue([this] { return bench.window.stage() == Stage::kTune; }));
   // elicitation.md 3, Table 2's split: the mean limits are .2 .325 .55 .775 N, with ramps of .05 N to both sides.
@@ -57,16 +57,16 @@ TEST_F(LabPartsTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
 }
 
 // By the paper's numbers, in the words that people type.
-TEST_F(LabPartsTest, TheSearchLeadsToTheTablesAndFiguresOfThePaper) {
+TEST_F(LabsFeatureTest, TheSearchLeadsToTheTablesAndFiguresOfThePaper) {
   const auto first = [this](const QString& typed) {
     QList<SearchEntry> all;
-    for (const SearchSource& source : bench.search_parts.sources()) all << source();
+    for (const SearchSource& source : bench.search->sources()) all << source();
     const auto found = foundEntries(all, typed);
     if (!found.isEmpty()) found.front().run();
     return found.isEmpty() ? QString() : found.front().text;
   };
   const auto inFront = [this](const char* name) {
-    auto* const widget = bench.lab_parts.screen().findChild<QWidget*>(QLatin1String(name));
+    auto* const widget = bench.views.labs->findChild<QWidget*>(QLatin1String(name));
     return widget != nullptr && widget->isVisible();
   };
   EXPECT_TRUE(first(QStringLiteral("table 3")).startsWith(QStringLiteral("Table 3")));
@@ -82,19 +82,19 @@ TEST_F(LabPartsTest, TheSearchLeadsToTheTablesAndFiguresOfThePaper) {
   }
 }
 
-TEST_F(LabPartsTest, TheReportOfTheStudyIsWrittenWhole) {
+TEST_F(LabsFeatureTest, TheReportOfTheStudyIsWrittenWhole) {
   const QString report = folder.filePath(QStringLiteral("report.html"));
-  QSignalSpy written(&bench.report_parts, &ReportParts::written);
-  bench.report_parts.write(report);
-  EXPECT_TRUE(bench.report_parts.isBusy());
+  QSignalSpy written(bench.report, &ReportFeature::written);
+  bench.report->write(report);
+  EXPECT_TRUE(bench.report->isBusy());
   ASSERT_TRUE(QTest::qWaitFor([&] { return written.size() == 1; }, kReportMs));
   QFile file(report);
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
   const QByteArray page = file.readAll();
   EXPECT_TRUE(page.startsWith("<!"));
   EXPECT_TRUE(page.contains("</html>"));
-  QSignalSpy failed(&bench.report_parts, &ReportParts::failed);
-  bench.report_parts.write(folder.filePath(QStringLiteral("no/such/folder.html")));
+  QSignalSpy failed(bench.report, &ReportFeature::failed);
+  bench.report->write(folder.filePath(QStringLiteral("no/such/folder.html")));
   ASSERT_TRUE(QTest::qWaitFor([&] { return failed.size() == 1; }, kReportMs));
 }
 

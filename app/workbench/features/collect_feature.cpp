@@ -1,0 +1,214 @@
+#include <QCoreApplication>
+#include <memory>
+#include <utility>
+
+#include "app/workbench/collect/collect_view.h"
+#include "app/workbench/collect/study_home.h"
+#include "app/workbench/features/bench.h"
+#include "app/workbench/features/features.h"
+#include "app/workbench/kit/notes.h"
+#include "app/workbench/labs/depth/depth_lab_view.h"
+#include "app/workbench/labs/experts/experts_lab_view.h"
+#include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/method/method_lab_view.h"
+#include "app/workbench/labs/rules/rules_lab_view.h"
+#include "app/workbench/labs/speed/speed_lab_view.h"
+#include "app/workbench/shell/frame_clock.h"
+#include "app/workbench/shell/operating_strip.h"
+
+namespace tactus::workbench {
+namespace {
+
+struct CollectFeature {
+  Q_DECLARE_TR_FUNCTIONS(CollectFeature)
+
+ public:
+  static void connectRun(Bench& bench);
+  static void connectProtocol(Bench& bench);
+  static void connectPersons(Bench& bench);
+};
+
+void showProtocol(Bench& bench) {
+  bench.window.enter(Stage::kCollect);
+  bench.views.collect->showProtocol();
+}
+
+void CollectFeature::connectRun(Bench& bench) {
+  SessionRun& run = bench.run;
+  QObject* const context = &bench.features;
+  QObject::connect(&bench.views.collect->home(), &StudyHome::startAsked, &run, &SessionRun::start);
+  QObject::connect(&bench.views.collect->home(), &StudyHome::usabilityAsked, &run, &SessionRun::startUsability);
+  QObject::connect(&run, &SessionRun::changed, context,
+                   [&bench] { bench.collect.setSessionRunning(bench.run.isRunning()); });
+  QObject::connect(&run, &SessionRun::failed, context, [&bench](const QString& sentence) {
+    bench.window.banner().showRemedy(tr("The session did not begin. %1").arg(sentence),
+                                     {tr("Try again"), [&bench] { bench.run.startAgain(); }});
+  });
+  QObject::connect(&run, &SessionRun::refused, context, [&bench](const QString& sentence) {
+    bench.window.banner().showRemedy(tr("The session did not begin. %1").arg(sentence),
+                                     {tr("Edit the protocol"), [&bench] { showProtocol(bench); }});
+  });
+}
+
+void CollectFeature::connectProtocol(Bench& bench) {
+  ProtocolController& protocol = bench.protocol;
+  MainWindow& window = bench.window;
+  QObject* const context = &bench.features;
+  QObject::connect(&protocol, &ProtocolController::refused, context, [&bench](const QString& sentence) {
+    bench.window.banner().showRemedy(sentence, {tr("Edit the protocol"), [&bench] { showProtocol(bench); }});
+  });
+  QObject::connect(&protocol, &ProtocolController::notRead, context, [&bench](const QString& sentence) {
+    bench.window.banner().showRemedy(sentence, {tr("Read it again"), [&bench] { bench.protocol.read(); }});
+  });
+  QObject::connect(&protocol, &ProtocolController::keyRefused, context, [&bench](const QString& sentence) {
+    bench.window.banner().showRemedy(sentence, {tr("Enter the key again"), [&bench] {
+                                                  bench.window.enter(Stage::kCollect);
+                                                  bench.views.collect->showKey();
+                                                }});
+  });
+  QObject::connect(&protocol, &ProtocolController::stored, context, [&bench](int version) {
+    bench.window.say(tr("Version %1 of the protocol is stored in %2.").arg(version).arg(bench.study.fileName()));
+  });
+  QObject::connect(&protocol, &ProtocolController::keyStored, context, [&window](bool is_set) {
+    window.say(is_set ? tr("The research key is set.") : tr("The research key is removed."));
+  });
+}
+
+void CollectFeature::connectPersons(Bench& bench) {
+  CollectController& collect = bench.collect;
+  QObject* const context = &bench.features;
+  QObject::connect(&collect, &CollectController::refused, context,
+                   [&window = bench.window](const QString& sentence, const MessageAct& act) {
+                     window.banner().showRemedy(sentence, act);
+                   });
+  QObject::connect(&collect, &CollectController::withdrawalRefused, context,
+                   [&bench](const study::RecordId& person, const QString& sentence) {
+                     bench.window.banner().showRemedy(sentence, {tr("Withdraw again…"), [&bench, person] {
+                                                                   bench.views.collect->askWithdrawal(person);
+                                                                 }});
+                   });
+  QObject::connect(&collect, &CollectController::withdrawn, context, [&bench](const QString& code) {
+    bench.window.banner().showNote(
+        tr("Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.")
+            .arg(code, bench.study.fileName()));
+  });
+}
+
+}  // namespace
+
+void addCollect(Bench& bench) {
+  auto* const view = new CollectView(bench.collect, bench.protocol, [&author = bench.author] { return author.name(); });
+  bench.views.collect = view;
+  MainWindow& window = bench.window;
+  window.addScreen(Stage::kCollect, view, MainWindow::Needs::kStudy);
+  // A study without a model has nothing else to show, unless an open model is recorded into it.
+  QObject::connect(&bench.study, &StudyConnection::opened, &bench.features, [&bench] {
+    bench.window.setStudyOpen(true);
+    if (!bench.study_models.hasModel() && !bench.study_feature->isToRecord()) bench.window.enter(Stage::kCollect);
+  });
+  QObject::connect(&bench.study, &StudyConnection::closed, &bench.features, [&window] {
+    // A window that was closed leads nowhere any more.
+    if (window.isVisible()) window.setStudyOpen(false);
+  });
+  QObject::connect(&bench.study_models, &StudyModels::notesChanged, &bench.features,
+                   [view, &models = bench.study_models] { view->home().showData(models.notes()); });
+  CollectFeature::connectRun(bench);
+  CollectFeature::connectProtocol(bench);
+  CollectFeature::connectPersons(bench);
+}
+
+namespace {
+
+struct LabsFeature {
+  Q_DECLARE_TR_FUNCTIONS(LabsFeature)
+
+ public:
+  static void addExperts(Bench& bench);
+  static void addMethod(Bench& bench);
+};
+
+void LabsFeature::addExperts(Bench& bench) {
+  LabScreen& screen = *bench.views.labs;
+  auto* const experts = new ExpertsLab(bench.labs.data, bench.labs.model, &screen);
+  auto* const view = new ExpertsLabView(*experts);
+  screen.addLab(tr("Experts"), view, nullptr);
+  screen.watch(experts->work(), tr("Comparing the weights"));
+  screen.watch(experts->bands().work(), tr("Drawing participants again"));
+  // While a model is being built for tuning: it leads there.
+  const auto leads = std::make_shared<bool>(false);
+  QObject* const context = &bench.features;
+  QObject::connect(view, &ExpertsLabView::benchAsked, context, [&bench, leads] {
+    if (!bench.files.mayLoseChanges()) return;
+    *leads = true;
+    bench.study_models.buildModelWith(bench.labs.data.settings());
+  });
+  const auto lead = [&window = bench.window, leads] {
+    if (std::exchange(*leads, false)) window.enter(Stage::kTune);
+  };
+  QObject::connect(&bench.models, &ModelController::opened, context, lead);
+  QObject::connect(&bench.study_models, &StudyModels::backOffered, context, lead);
+  QObject::connect(&bench.study_models, &StudyModels::failed, context, [leads] { *leads = false; });
+}
+
+void LabsFeature::addMethod(Bench& bench) {
+  LabScreen& screen = *bench.views.labs;
+  auto* const method = new MethodLab(bench.labs.data, &screen);
+  screen.addLab(tr("Method"), new MethodLabView(*method), nullptr);
+  screen.watch(method->work(), tr("Comparing the choices of the method"));
+  screen.watch([method] { return method->isDrawing(); });
+}
+
+// From a setting of the speed lab until every plot in sight is painted with it.
+void timeSpeedLab(Bench& bench) {
+  auto* const clock = new FrameClock(*bench.views.labs, bench.views.labs);
+  auto* const shown_time = new FrameStatus(*clock);
+  bench.window.strip().setFrameTime(shown_time);
+  QObject::connect(&bench.labs.data, &LabData::settingsChanged, clock, [clock, view = bench.views.speed] {
+    if (view->isVisible()) clock->begin();
+  });
+  QObject::connect(&bench.labs.speed, &SpeedLab::resultChanged, clock, [clock, &speed = bench.labs.speed] {
+    if (speed.isCurrent()) clock->sent();
+  });
+  QObject::connect(&bench.window, &MainWindow::entered, shown_time, [shown_time](Stage stage) {
+    if (stage != Stage::kAgree) shown_time->hide();
+  });
+}
+
+}  // namespace
+
+void addLabs(Bench& bench) {
+  Labs& labs = bench.labs;
+  BenchViews& views = bench.views;
+  views.labs = new LabScreen(labs.data);
+  views.depth = new DepthLabView(labs.depth);
+  views.speed = new SpeedLabView(labs.speed, labs.model, labs.corrections);
+  views.force = new ForceLabView(labs.force);
+  views.rules = new RulesLabView(labs.rules);
+  LabScreen& screen = *views.labs;
+  screen.addLab(LabsFeature::tr("Depth"), views.depth, &labs.depth);
+  screen.addLab(LabsFeature::tr("Speed"), views.speed, &labs.corrections);
+  screen.watch(labs.speed.work(), LabsFeature::tr("Clustering the speeds"));
+  screen.watch(labs.model, LabsFeature::tr("Building the model"));
+  screen.addLab(LabsFeature::tr("Force"), views.force, &labs.corrections);
+  screen.watch(labs.force.work(), LabsFeature::tr("Counting the votes"));
+  screen.addLab(LabsFeature::tr("Rules"), views.rules, &labs.corrections);
+  screen.watch(labs.rules.work(), LabsFeature::tr("Comparing the experts"));
+  screen.watch([&rules = labs.rules] { return rules.isComparing(); });
+  LabsFeature::addExperts(bench);
+  LabsFeature::addMethod(bench);
+  bench.window.addScreen(Stage::kAgree, views.labs, MainWindow::Needs::kStudy);
+  timeSpeedLab(bench);
+  QObject::connect(&bench.run, &SessionRun::changed, &bench.features,
+                   [&bench] { bench.labs.data.setSessionRunning(bench.run.isRunning()); });
+  QObject::connect(&labs.corrections, &Corrections::stored, &bench.features,
+                   [&window = bench.window](const QString& what) {
+                     window.say(LabsFeature::tr("Stored as a new record; the old one stays: %1").arg(what));
+                   });
+  QObject::connect(&labs.corrections, &Corrections::refused, &bench.features,
+                   [&window = bench.window](const QString& sentence, const MessageAct& act) {
+                     window.banner().showRemedy(sentence, act);
+                   });
+}
+
+}  // namespace tactus::workbench

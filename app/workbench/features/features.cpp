@@ -1,0 +1,37 @@
+#include "app/workbench/features/features.h"
+
+#include "app/workbench/features/bench.h"
+#include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/view_menu.h"
+
+namespace tactus::workbench {
+
+void addFeatures(Bench& bench) {
+  addHere(bench);
+  addCurves(bench);
+  addMap(bench);
+  addFeel(bench);
+  addLink(bench);
+  addRules(bench);
+  addEditing(bench);
+  addFindings(bench);
+  addStudy(bench);
+  addCollect(bench);
+  addStart(bench);
+  addLabs(bench);
+  addOrigins(bench);
+  addReport(bench);
+  addNotes(bench);
+  addHistory(bench);
+  addSelection(bench);
+  addDeliver(bench);
+  addRecovery(bench);
+  addPictures(bench);
+  addScreens(bench);
+  (new ViewMenu(bench.window, bench.models, bench.settings))->setParent(&bench.features);
+  addHelp(bench);
+  addSearch(bench);
+  addHelpMenu(bench.window);
+}
+
+}  // namespace tactus::workbench
