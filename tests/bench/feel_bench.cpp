@@ -5,9 +5,7 @@
 
 #include "core/base/files/file.h"
 
-#include "tests/bench/feel_economy.h"
 #include "tests/bench/feel_edits.h"
-#include "tests/bench/feel_integrator.h"
 #include "tests/bench/feel_results.h"
 #include "tests/bench/feel_ticks.h"
 #include "tests/bench/fuzzylite_peer.h"
@@ -29,8 +27,7 @@ int run(const Options& options) {
   results.circumstances.push_back(
       "Model: S4's 45 rules with five depth terms, and synthetic variations of it as further experts; every motion is "
       "simulated");
-  results.parts = {measureTicks(options.rounds), measureEconomy(options.rounds), measureIntegrator(options.rounds),
-                   measureEdits(options.live_edits)};
+  results.parts = {measureTicks(options.rounds), measureEdits(options.live_edits)};
   const std::string tables = feelTables(results);
   std::cout << tables;
 

@@ -180,9 +180,9 @@ namespace {
 
 constexpr auto kGeometryKey = "window_geometry";
 constexpr auto kStageKey = "stage";
-constexpr int kRoomyWidth = 1500;  // px: below it the rail takes less room
-constexpr int kRoomyHeight = 800;  // px: below it the line of the model stands beside the menus
-constexpr int kTightHeight = 600;  // px at 100 %: below it panels share their places
+// px: a window that is smaller either way has the compact rail, and the line of the model beside the menus.
+constexpr QSize kRoomyWindow(1500, 800);
+constexpr int kTightHeight = 600;  // px at 100 %: below it panels share their places, for large text
 
 /// A size that fits the screen with the frame around the window.
 QSize firstSize(const QWidget& window) {
@@ -408,8 +408,9 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
-  rail_->setCompact(width() < kRoomyWidth);
-  header_place_->setLow(height() < kRoomyHeight);
+  const bool compact = width() < kRoomyWindow.width() || height() < kRoomyWindow.height();
+  rail_->setCompact(compact);
+  header_place_->setLow(compact);
   fitPanels();
 }
 
