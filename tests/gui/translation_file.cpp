@@ -48,7 +48,7 @@ TranslationFile textsOfTheSources(QString* warnings) {
   const QString path = folder.filePath(QStringLiteral("found.ts"));
   QProcess lupdate;
   lupdate.start(QStringLiteral(TACTUS_LUPDATE), {QStringLiteral("@" TACTUS_LUPDATE_LIST), QStringLiteral("-ts"), path});
-  TACTUS_CHECK(lupdate.waitForFinished() && lupdate.exitCode() == 0);
+  TACTUS_CHECK(lupdate.waitForFinished(-1) && lupdate.exitCode() == 0);
   if (warnings != nullptr) *warnings = QString::fromUtf8(lupdate.readAllStandardError());
   return readTranslations(path);
 }

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/gui/feel/feel_test.h"
+#include "tests/gui/patience.h"
 
 namespace tactus::workbench {
 namespace {
@@ -298,7 +299,7 @@ TEST(FeelThread, RunsBesideTheProgram) {
     ASSERT_TRUE(models.edit(std::move(model)));
     QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
-  EXPECT_TRUE(QTest::qWaitFor([&] { return feel.editLatency() && feel.latest().tick > 100; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return feel.editLatency() && feel.latest().tick > 100; }, tests::kPatience));
   feel.stop();
   EXPECT_EQ(feel.latest().force_n, 0);
   EXPECT_FALSE(feel.isRunning());

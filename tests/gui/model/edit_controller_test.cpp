@@ -7,6 +7,7 @@
 
 #include "app/editing/membership_edits.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"
 #include "tests/gui/sample_models.h"
 
@@ -79,7 +80,7 @@ TEST_F(EditControllerTest, AFastHandSendsOneModelForEachRefresh) {
   for (int i = 0; i < kMoves; ++i) edits.update(editing::moveVertex(edits.base(), kNearShoulder, 4 - i * 0.01));
   // The first goes at once, the others wait for the end of the frame, which needs the event loop.
   EXPECT_EQ(edited.count(), 1);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return tests::isQuiet(edits); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tests::isQuiet(edits); }, tests::kPatience));
   EXPECT_EQ(edited.count(), 2);
   EXPECT_EQ(shown().inputs[1].terms[0].points[2], 4 - (kMoves - 1) * 0.01);
   edits.commit();

@@ -12,6 +12,7 @@
 #include "app/workbench/tune/history/compare_controller.h"
 #include "core/base/random.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 
 namespace tactus::workbench {
@@ -63,7 +64,7 @@ TEST_F(GhostControllerTest, InAGestureItIsTheBeginningOfIt) {
   edits.begin();
   ASSERT_TRUE(edits.update(farSays(edits.base(), "high")));
   // A gesture is shown at the next frame of the screen.
-  EXPECT_TRUE(QTest::qWaitFor([&] { return ghost.before()->model == first; }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return ghost.before()->model == first; }, tests::kPatience));
   edits.cancel();
   EXPECT_EQ(ghost.before()->model, tests::twoExperts());
 }

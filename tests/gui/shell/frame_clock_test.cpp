@@ -9,6 +9,8 @@
 
 #include "app/workbench/base/refresh.h"
 
+#include "tests/gui/patience.h"
+
 namespace tactus::workbench {
 namespace {
 
@@ -27,7 +29,7 @@ class FrameClockTest : public testing::Test {
   void SetUp() override {
     for (Canvas* canvas : {first, second}) canvas->setFixedSize(40, 40);
     window.show();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return first->painted > 0 && second->painted > 0; }));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return first->painted > 0 && second->painted > 0; }, tests::kPatience));
     first->painted = second->painted = 0;
   }
 
@@ -54,7 +56,7 @@ TEST_F(FrameClockTest, ItEndsWhenTheLastPanelIsPainted) {
   of_first->request();
   of_second->request();
   clock.sent();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }, tests::kPatience));
   EXPECT_EQ(first_painted, 1);
   EXPECT_EQ(second_painted, 1);
   EXPECT_EQ(clock.painted()->edits, 1U);
@@ -65,7 +67,7 @@ TEST_F(FrameClockTest, WhatHappensMeanwhileIsCounted) {
   now_ns += 20'000'000;
   of_first->request();
   clock.sent();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }, tests::kPatience));
   EXPECT_EQ(clock.painted()->last_ms, 20);
 }
 
@@ -75,7 +77,7 @@ TEST_F(FrameClockTest, HiddenPanelsAreNotWaitedFor) {
   of_first->request();
   of_second->request();
   clock.sent();
-  EXPECT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }, tests::kPatience));
   EXPECT_EQ(second->painted, 0);
 }
 
@@ -84,12 +86,12 @@ TEST_F(FrameClockTest, ACoarsePictureAndTheFinestOneAreTwoTimes) {
   clock.begin();
   of_second->request();
   clock.sent();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return clock.painted().has_value(); }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return clock.painted().has_value(); }, tests::kPatience));
   EXPECT_FALSE(clock.finest().has_value());
   EXPECT_EQ(measured.count(), 0);
   now_ns += 5'000'000;
   of_first->setRefining(false);
-  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }, tests::kPatience));
   EXPECT_EQ(clock.painted()->last_ms, 0);
   EXPECT_EQ(clock.finest()->last_ms, 5);
 }
@@ -102,7 +104,7 @@ TEST_F(FrameClockTest, TheOlderOfTwoEditsInAFrameCounts) {
   clock.begin();
   of_first->request();
   clock.sent();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }, tests::kPatience));
   EXPECT_EQ(clock.painted()->edits, 1U);
   EXPECT_EQ(clock.painted()->last_ms, 20);
 }
@@ -123,7 +125,7 @@ TEST_F(FrameClockTest, MedianAndLargestAreOfAllEdits) {
     of_first->request();
     clock.sent();
     const auto before = measured.count();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return measured.count() > before; }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return measured.count() > before; }, tests::kPatience));
   }
   const auto times = clock.painted();
   EXPECT_EQ(times->edits, 3U);
@@ -143,7 +145,7 @@ TEST(RefreshTest, AThousandRequestsAreOnePieceOfWorkPerFrame) {
     refresh.request();
     QCoreApplication::processEvents();
   }
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !refresh.isDue(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !refresh.isDue(); }, tests::kPatience));
   EXPECT_GE(done, 2);
   EXPECT_LE(done, clock.elapsed() / Refresh::kFrameMs + 2);
 }
@@ -163,7 +165,7 @@ TEST_F(FrameClockTest, InADragEachEditCountsFromItsOwnBeginning) {
   clock.begin();
   panel->request();
   clock.sent();
-  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }));
+  ASSERT_TRUE(QTest::qWaitFor([this] { return measured.count() == 1; }, tests::kPatience));
   EXPECT_EQ(clock.painted()->edits, 5U);
   EXPECT_EQ(clock.painted()->largest_ms, 20);
 }

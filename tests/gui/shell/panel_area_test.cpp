@@ -7,6 +7,8 @@
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "tests/gui/patience.h"
+
 namespace tactus::workbench {
 namespace {
 
@@ -54,7 +56,7 @@ TEST_F(PanelAreaTest, PanelsOfOneTitleAreTwoPanels) {
   EXPECT_TRUE(seen(notes));
   EXPECT_FALSE(seen(others));
   others.reveal();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return seen(others) && !seen(notes); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return seen(others) && !seen(notes); }, tests::kPatience));
   // A double click on a tab takes its own panel out of the window.
   auto* tabs = area.findChild<QTabBar*>(QString(), Qt::FindDirectChildrenOnly);
   ASSERT_EQ(tabs->count(), 2);

@@ -12,6 +12,7 @@
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/stepped_feel.h"
 
@@ -154,7 +155,7 @@ TEST_F(CompareControllerTest, AnEditEndsTheComparisonAndIsFelt) {
   edits.begin();
   edits.update(editing::moveVertex(edits.base(), kNearShoulder, 3));
   // The models of a gesture are shown once per frame.
-  ASSERT_TRUE(QTest::qWaitFor([&] { return !compare.shown(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !compare.shown(); }, tests::kPatience));
   ASSERT_EQ(said.count(), 1);
   EXPECT_EQ(scene.model()->model.inputs[1].terms[0].points[2], 3);
   EXPECT_EQ(scene.model()->model.output, edits.model().output);

@@ -18,6 +18,7 @@
 #include "app/workbench/tune/history/compare_strip.h"
 #include "app/workbench/tune/history/history_model.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/sample_models.h"
 #include "tests/gui/shown_bench.h"
 
@@ -44,17 +45,17 @@ class HistoryPanelTest : public tests::ShownBench {
     auto* dock = bench.window.findChild<QDockWidget*>(QStringLiteral("history"));
     dock->show();
     dock->raise();
-    ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible() && rows() > 0; }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return view->isVisible() && rows() > 0; }, tests::kPatience));
   }
   /// The part with comparison, sign-off and author; a narrow panel shows it instead of the versions.
   void revealSide() {
     action(Qt::CTRL | Qt::SHIFT | Qt::Key_G)->trigger();
     auto* who = named<QComboBox>(QStringLiteral("Expert who signs off"));
-    ASSERT_TRUE(QTest::qWaitFor([&] { return who->isVisible(); }));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return who->isVisible(); }, tests::kPatience));
   }
   int rows() const { return view->model()->rowCount(); }
   bool waitForRows(int count) const {
-    return QTest::qWaitFor([&] { return rows() == count; });
+    return QTest::qWaitFor([&] { return rows() == count; }, tests::kPatience);
   }
   QString cell(int row, int role = Qt::DisplayRole) const { return view->model()->index(row, 0).data(role).toString(); }
   void click(int row) {
@@ -86,7 +87,7 @@ TEST_F(HistoryPanelTest, ShowsBranchesAndAClickReturnsToAnyState) {
   ASSERT_TRUE(waitForRows(4));
   click(2);  // the branch with 2
   EXPECT_EQ(shoulder(), 2);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return view->currentIndex().row() == 3; }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return view->currentIndex().row() == 3; }, tests::kPatience));
   click(0);
   EXPECT_EQ(bench.models.current()->model, tests::twoExperts());
   EXPECT_EQ(rows(), 4);
@@ -127,13 +128,15 @@ TEST_F(HistoryPanelTest, AStateIsNamedInPlace) {
   action(Qt::CTRL | Qt::SHIFT | Qt::Key_N)->trigger();
   ASSERT_TRUE(waitForRows(2));
   auto* field = named<QLineEdit>(QStringLiteral("Name of a snapshot"));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return field->hasFocus(); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return field->hasFocus(); }, tests::kPatience));
   QTest::keyClicks(field, QStringLiteral("steeper"));
   QTest::keyClick(field, Qt::Key_Return);
   EXPECT_EQ(field->text(), QString());
-  ASSERT_TRUE(QTest::qWaitFor([&] {
-    return view->model()->index(1, 0).data(HistoryModel::kSnapshotsRole).toStringList() == QStringList{"steeper"};
-  }));
+  ASSERT_TRUE(QTest::qWaitFor(
+      [&] {
+        return view->model()->index(1, 0).data(HistoryModel::kSnapshotsRole).toStringList() == QStringList{"steeper"};
+      },
+      tests::kPatience));
   EXPECT_EQ(bench.edits.history().events().back().kind, editing::EventKind::kSnapshot);
 }
 
@@ -162,10 +165,11 @@ TEST_F(HistoryPanelTest, TheStripSaysWhatIsShownAndTheKeySwitches) {
     const auto labels = strip->findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&](auto* label) { return label->text().contains(words); });
   };
-  EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("Shown is B: Before the last edit")); }));
+  EXPECT_TRUE(
+      QTest::qWaitFor([&] { return says(QStringLiteral("Shown is B: Before the last edit")); }, tests::kPatience));
   EXPECT_EQ(bench.scene.model()->model, tests::twoExperts());
   action(Qt::CTRL | Qt::Key_B)->trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("Shown is A")); }));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("Shown is A")); }, tests::kPatience));
   EXPECT_EQ(bench.scene.model()->model, bench.models.current()->model);
   action(Qt::CTRL | Qt::SHIFT | Qt::Key_B)->trigger();
   EXPECT_FALSE(strip->isVisible());
@@ -187,7 +191,7 @@ TEST_F(HistoryPanelTest, TheComparisonSetsTheOperatingPointToTheLargestDifferenc
   bench.compare.choose(CompareSide::kB, {CompareChoice::Kind::kExpert, 0, "B"});
   revealSide();
   auto* go = named<QPushButton>(QStringLiteral("Go there"));
-  ASSERT_TRUE(QTest::qWaitFor([&] { return bench.compare.result() && go->isVisible(); }));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bench.compare.result() && go->isVisible(); }, tests::kPatience));
   bench.scene.setValue(1, 0);
   QTest::mouseClick(go, Qt::LeftButton);
   // Only far from the entrance both have a force, and it is 0.25 N apart everywhere there.

@@ -11,6 +11,7 @@
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_ranges.h"
 
+#include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"
 #include "tests/gui/sample_models.h"
 
@@ -27,7 +28,7 @@ class ForceMapTest : public testing::Test {
 
   void finish() {
     map.update();
-    ASSERT_TRUE(QTest::qWaitFor([this] { return map.isFinest(); }));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return map.isFinest(); }, tests::kPatience));
   }
 
   tests::ModelFolder folder;
