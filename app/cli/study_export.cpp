@@ -13,6 +13,7 @@
 #include "app/session/export_folder.h"
 #include "app/session/study_import.h"
 #include "app/session/study_source.h"
+#include "app/session/trials.h"
 #include "app/version.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
@@ -133,7 +134,9 @@ std::uint64_t secretSeed() {
 base::Result<Output> dataSet(const StudyExportOptions& options) {
   TACTUS_TRY(auto tables, session::readStudy(options.file, elicitation::ngtInputIds()));
   const auto layout = options.layout == "bids" ? dataset::Layout::kBids : dataset::Layout::kPsychDs;
-  TACTUS_TRY(const auto done, dataset::writeDataSet(tables.study, layout, options.folder, secretSeed(), kGenerator));
+  TACTUS_TRY(auto trials, session::trialsAt(options.file));
+  TACTUS_TRY(const auto done,
+             dataset::writeDataSet(tables.study, layout, options.folder, secretSeed(), kGenerator, std::move(trials)));
   std::vector<std::string> notes = std::move(tables.notes);
   notes.insert(notes.end(), done.notes.begin(), done.notes.end());
   if (options.json) {

@@ -12,7 +12,8 @@ constexpr std::string_view kDescription = "dataset_description.json";
 constexpr std::string_view kGeneratedBy = R"("Name": "tactus")";
 constexpr std::string_view kLayout =
     "The layout is BIDS 1.10. Each folder sub-... holds a participant: strokes below motion (acq is the speed that was "
-    "asked for, run the number of the stroke), judged forces and given rules below beh; a table of judgements without "
+    "asked for, run the number of the stroke), judged forces, given rules and the events of each session (run) below "
+    "beh; a table of judgements without "
     "rows belongs to a participant who judged nothing. Answers to forms are below phenotype, one column for each item. "
     "The JSON file beside a table says what each column holds.";
 
@@ -87,6 +88,7 @@ std::vector<std::string> writeBids(const PublishedStudy& published, FileSet& fil
   writeParticipants(published, files);
   auto notes = writeMotion(published, files);
   writeBehavior(published, files);
+  writeEvents(published, files);
   writePhenotype(published, files);
   return notes;
 }

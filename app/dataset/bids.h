@@ -24,6 +24,9 @@ std::vector<std::string> writeMotion(const PublishedStudy& published, FileSet& f
 /// the given rules.
 void writeBehavior(const PublishedStudy& published, FileSet& files);
 
+/// `sub-P1/beh/sub-P1_task-session_run-1_events.tsv`: the trials of each of the participant's sessions, in their order.
+void writeEvents(const PublishedStudy& published, FileSet& files);
+
 /// `phenotype/…`: of each form a table with a row for each participant, also without answers, and a column for each
 /// item.
 void writePhenotype(const PublishedStudy& published, FileSet& files);

@@ -235,6 +235,39 @@ void writeBehavior(const PublishedStudy& published, FileSet& files) {
   }
 }
 
+void writeEvents(const PublishedStudy& published, FileSet& files) {
+  const auto described = session::trialsTable(true);
+  std::vector<std::string> columns = {"onset", "duration", "trial_type"};
+  Sidecar sidecar;
+  sidecar.column("onset", "When the answer or the stroke was stored, since the session began", "s");
+  sidecar.column("duration", "Not known of a stroke; otherwise the column response_s tells it", "s");
+  sidecar.column("trial_type", "stroke, judgement or answer");
+  for (const auto& column : described.columns) {
+    columns.emplace_back(column.name);
+    column.unit.empty() ? sidecar.column(column.name, column.meaning)
+                        : sidecar.column(column.name, column.meaning, column.unit);
+  }
+  const std::string description = sidecar.text();
+  const auto rows = session::trialRows(published.trials, true);
+  for (std::size_t first = 0; first < rows.size();) {
+    const session::Trial& begin = published.trials[first];
+    TsvWriter table(columns);
+    std::size_t end = first;
+    for (; end < rows.size(); ++end) {
+      const session::Trial& trial = published.trials[end];
+      if (trial.participant != begin.participant || trial.session != begin.session) break;
+      std::vector<std::string> cells = {base::formatNumber(trial.time_s), "", std::string(session::name(trial.kind))};
+      cells.insert(cells.end(), rows[end].begin(), rows[end].end());
+      table.row(cells);
+    }
+    const std::string name = subject(begin.participant);
+    const std::string path = name + "/beh/" + name + "_task-session_run-" + std::to_string(begin.session) + "_events";
+    files.add(path + ".tsv", table.text());
+    files.add(path + ".json", description);
+    first = end;
+  }
+}
+
 void writePhenotype(const PublishedStudy& published, FileSet& files) {
   std::map<std::string, FormAnswers> forms;
   std::map<std::string, std::map<std::string, std::string>> wordings;  // of a form, by participant

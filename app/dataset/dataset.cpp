@@ -66,11 +66,13 @@ std::string PublishedStudy::readme(std::string_view layout) const {
   return text;
 }
 
-PublishedStudy publishedStudy(const study::Study& study, std::uint64_t seed, std::string_view version) {
+PublishedStudy publishedStudy(const study::Study& study, std::uint64_t seed, std::string_view version,
+                              std::vector<session::Trial> trials) {
   session::ShareableStudy shared = session::shareable(study, seed);
+  auto shared_trials = session::shareable(std::move(trials), shared.codes);
   std::string without_force = session::virtualNote(shared.study);
-  return {std::move(shared), session::inputsOf(study), session::simulatedNote(study), std::move(without_force),
-          std::string(version)};
+  return {std::move(shared),        session::inputsOf(study), session::simulatedNote(study),
+          std::move(without_force), std::string(version),     std::move(shared_trials)};
 }
 
 void FileSet::add(std::string_view below, std::string_view text) {
@@ -116,6 +118,7 @@ constexpr std::string_view kAboutFolder =
 bool isOfPsychDs(const fs::path& below) {
   const std::string path = below.generic_string();
   if (path == kAbout || path == "README.md" || path == "codebook.json" || path == "codebook.md") return true;
+  if (path == study::publishedTable(session::kTrialsTable)) return true;
   return std::any_of(kTables.begin(), kTables.end(),
                      [&](std::string_view table) { return path == study::publishedTable(table); });
 }
@@ -192,6 +195,12 @@ Result<void> writePsychDs(const PublishedStudy& published, const std::string& fo
   }
   std::error_code error;
   fs::remove_all(work, error);
+  const auto trials = session::trialsTable(true);
+  if (!published.trials.empty()) {
+    const std::string path = study::publishedTable(session::kTrialsTable);
+    files.add(path, session::trialsText(published.trials, true));
+    codebook.tables.push_back({path, &trials});
+  }
   files.add(kAbout, descriptionOf(published, codebook));
   files.add("README.md", "# " + published.readme(kAboutFolder));
   files.add("codebook.json", session::asJson(codebook));
@@ -200,14 +209,14 @@ Result<void> writePsychDs(const PublishedStudy& published, const std::string& fo
 }
 
 base::Result<DataSet> writeDataSet(const study::Study& study, Layout layout, const std::string& folder,
-                                   std::uint64_t seed, std::string_view version) {
+                                   std::uint64_t seed, std::string_view version, std::vector<session::Trial> trials) {
   if (study.participants.empty()) {
     return tl::unexpected(base::Error{base::ErrorCode::kData, study.name, {}, "no participant", "at least one"});
   }
   TACTUS_TRY(auto place,
              session::ExportFolder::beside(folder, layout == Layout::kBids ? bidsExport() : psychDsExport()));
   const auto removed = session::removeOurs(session::leftoversOfExport(folder));
-  const PublishedStudy published = publishedStudy(study, seed, version);
+  const PublishedStudy published = publishedStudy(study, seed, version, std::move(trials));
   FileSet files(place.path());
   DataSet done;
   done.participants = study.participants.size();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/session/shareable.h"
+#include "app/session/trials.h"
 #include "core/base/error.h"
 #include "core/study/records.h"
 
@@ -15,10 +16,11 @@ namespace tactus::dataset {
 /// What the writers of both layouts share: the study without identifying details, its words, and a folder for files.
 struct PublishedStudy {
   session::ShareableStudy shared;
-  std::vector<std::string> inputs;  ///< of the rules
-  std::string simulated;            ///< a sentence; empty without simulated participants
-  std::string without_force;        ///< the note on devices that give no force, or nothing
-  std::string version;              ///< of this program
+  std::vector<std::string> inputs;          ///< of the rules
+  std::string simulated;                    ///< a sentence; empty without simulated participants
+  std::string without_force;                ///< the note on devices that give no force, or nothing
+  std::string version;                      ///< of this program
+  std::vector<session::Trial> trials = {};  ///< as they are shared; none for a study of tables
 
   const study::Study& study() const { return shared.study; }
   /// The name of the data set: no study's own name, which may tell the place.
@@ -30,7 +32,9 @@ struct PublishedStudy {
   std::string readme(std::string_view layout) const;
 };
 
-PublishedStudy publishedStudy(const study::Study& study, std::uint64_t seed, std::string_view version);
+/// `trials`: those of the study as it is (session::trials).
+PublishedStudy publishedStudy(const study::Study& study, std::uint64_t seed, std::string_view version,
+                              std::vector<session::Trial> trials = {});
 
 /// Files below one folder, with their number. After an error the later files are not written. They are on the disk when
 /// `finish` returns: all at once, because a study has thousands of them.
@@ -62,10 +66,12 @@ struct DataSet {
 };
 
 /// Writes `study` into `folder` as session::shareable leaves it: without codes, exact years, dates, places and notes.
-/// `seed` draws the order of the participants; the receivers must not know it. `version` is that of this program. The
-/// folder appears completely or not at all. It must be new, empty, or an earlier data set of the same layout, which is
-/// replaced. Refused too: a study without participants.
+/// `trials`: those of the study file (session::trials); none for a study of tables. `seed` draws the order of the
+/// participants; the receivers must not know it. `version` is that of this program. The folder appears completely or
+/// not at all. It must be new, empty, or an earlier data set of the same layout, which is replaced. Refused too: a
+/// study without participants.
 base::Result<DataSet> writeDataSet(const study::Study& study, Layout layout, const std::string& folder,
-                                   std::uint64_t seed, std::string_view version);
+                                   std::uint64_t seed, std::string_view version,
+                                   std::vector<session::Trial> trials = {});
 
 }  // namespace tactus::dataset

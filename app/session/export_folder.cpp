@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/session/study_export.h"
+#include "app/session/trials.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
 #include "core/store/fresh_file.h"
@@ -151,7 +152,7 @@ using base::Result;
 /// What an export puts into its folder, besides recordings and models.
 const std::set<std::string>& knownFiles() {
   static const std::set<std::string> files = [] {
-    std::set<std::string> names = {"codebook.json", "codebook.md"};
+    std::set<std::string> names = {"codebook.json", "codebook.md", std::string(kTrialsTable)};
     for (const auto table : {study::kParticipantsTable, study::kSpeedsTable, study::kJudgementsTable,
                              study::kAnswersTable, study::kRulesTable}) {
       names.emplace(table);

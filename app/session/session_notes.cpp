@@ -89,6 +89,15 @@ Note textSizeChosen(int percent) {
   return note("text_size_chosen", json);
 }
 
+Note circumstancesNoted(const Circumstances& circumstances) {
+  auto json = object();
+  json.key("language").value(circumstances.language).key("text_percent").value(circumstances.text_percent);
+  json.key("device").value(circumstances.device);
+  if (!circumstances.calibrated_utc.empty()) json.key("calibrated_utc").value(circumstances.calibrated_utc);
+  if (circumstances.friction_in_n) json.key("friction_in_n").value(*circumstances.friction_in_n);
+  return note("circumstances", json);
+}
+
 Note deviceLost(const std::string& reason) { return {"device_lost", detail("reason", reason)}; }
 Note researcherNote(const std::string& text) { return {"researcher_note", detail("text", text)}; }
 
@@ -135,6 +144,20 @@ Note responseMarked(const study::RecordId& record, ResponseMark mark) {
   auto json = object();
   json.key("record").value(toText(record)).key("mark").value(name(mark));
   return note(kResponseTime, json);
+}
+
+Result<std::optional<Circumstances>> circumstancesIn(const study::EventRecord& event) {
+  if (event.kind != "circumstances") return std::nullopt;
+  Circumstances read;
+  const auto ok = readDetail(event, [&](JsonMembers& members) {
+    members.text(required("language"), read.language);
+    members.integer("text_percent", read.text_percent);
+    members.text("device", read.device);
+    members.text("calibrated_utc", read.calibrated_utc);
+    members.number("friction_in_n", read.friction_in_n);
+  });
+  if (!ok) return tl::unexpected(ok.error());
+  return read;
 }
 
 Result<std::optional<ResponseMarkLine>> responseMarkIn(const study::EventRecord& event) {

@@ -29,6 +29,19 @@ Note consentGiven(const std::string& version, const std::string& language, const
 Note languageChosen(const std::string& language);
 /// `percent`: of the usual size.
 Note textSizeChosen(int percent);
+/// Under what a participant answers. It is noted when a session begins, when it is resumed and when any of it changes,
+/// so the latest such line before an answer, a judgement or a stroke holds for it.
+struct Circumstances {
+  std::string language;  ///< of the screens
+  int text_percent = 100;
+  std::string device;          ///< as in study::SessionRecord
+  std::string calibrated_utc;  ///< when the device was calibrated with Tactus; empty: never, or its driver does it
+  std::optional<double> friction_in_n;  ///< dry friction of the device against insertion, if measured
+
+  bool operator==(const Circumstances&) const = default;
+};
+Note circumstancesNoted(const Circumstances& circumstances);
+
 /// `reason`: what the device said; may be empty.
 Note deviceLost(const std::string& reason);
 /// The researcher's own words.
@@ -111,6 +124,7 @@ struct ResponseMarkLine {
   study::RecordId record;
   ResponseMark mark = ResponseMark::kSoon;
 };
+base::Result<std::optional<Circumstances>> circumstancesIn(const study::EventRecord& event);
 base::Result<std::optional<ResponseMarkLine>> responseMarkIn(const study::EventRecord& event);
 base::Result<std::optional<AnswerInputLine>> answerInputIn(const study::EventRecord& event);
 base::Result<std::optional<OwnModelLine>> ownModelIn(const study::EventRecord& event);

@@ -118,7 +118,7 @@ ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto& from = study.participants[i];
     auto& to = out.study.participants[places[i]];
-    to.code = Renamer::code(places[i]);
+    to.code = out.codes[from.code] = Renamer::code(places[i]);
     to.category = oneOf(kCategories, from.category);
     to.handedness = oneOf(kHands, from.handedness);
     to.simulated = from.simulated;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,7 @@ std::string virtualNote(const study::Study& study);
 struct ShareableStudy {
   study::Study study;              ///< codes P1, P2, … in an order drawn with the seed; no name
   std::vector<std::string> bands;  ///< experience band of each participant
+  std::map<std::string, std::string> codes;  ///< the new code of each participant by the old one
 };
 
 /// Leaves out exact years of experience, the weights of participants (they may follow from the years), unusual words

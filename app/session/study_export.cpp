@@ -7,6 +7,7 @@
 #include "app/session/export_folder.h"
 #include "app/session/shareable.h"
 #include "app/session/study_view.h"
+#include "app/session/trials.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
@@ -219,9 +220,11 @@ class Exporter {
     done_.notes = std::move(view.notes);
     done_.participants = view.study.participants.size();
     if (auto note = simulatedNote(view.study); !note.empty()) codebook_.notes.push_back(std::move(note));
+    TACTUS_TRY(auto all_trials, trials(file_, view));
     std::vector<std::string> bands;
     if (options_.shareable) {
       auto anonymous = shareable(view.study, options_.seed);
+      all_trials = shareable(std::move(all_trials), anonymous.codes);
       view.study = std::move(anonymous.study);
       bands = std::move(anonymous.bands);
     }
@@ -231,7 +234,10 @@ class Exporter {
     if (options_.shareable) {
       if (auto ok = addBands(path(study::kParticipantsTable), bands); !ok) return ok;
     }
+    if (auto ok = base::writeFileAtomically(path(kTrialsTable), trialsText(all_trials, options_.shareable)); !ok)
+      return ok;
     view_tables_ = viewTables(inputs_, options_.shareable);
+    view_tables_.push_back(trialsTable(options_.shareable));
     for (const auto& table : view_tables_) {
       codebook_.tables.push_back({std::string(table.file), &table});
       if (options_.mark == store::ByteOrderMark::kNone) continue;
@@ -241,6 +247,9 @@ class Exporter {
         "The tables at the top hold what counts now: no corrected records, no practice, no strokes that were not "
         "accepted, no judgements that are not scored; of a block that was done again, the session that counts (the "
         "latest complete one).");
+    codebook_.notes.emplace_back(
+        "trials.csv holds in one table what every participant did, practice and repeats too, with what it was done "
+        "under; `counts` tells what the other tables hold.");
     return {};
   }
 

@@ -313,6 +313,7 @@ class StudyReader {
       TACTUS_TRY(auto recording, store::recordingOf(file_, stroke.entry.id));
       stroke.recording = std::move(recording);
       TACTUS_TRY(const auto samples, speedSamples(stroke, codeOf(stroke.entry)));
+      view_.stroke_ids.push_back(stroke.entry.id);
       view_.study.speeds.insert(view_.study.speeds.end(), samples.begin(), samples.end());
     }
     return {};

@@ -14,7 +14,8 @@ namespace tactus::session {
 
 struct StudyView {
   study::Study study;
-  /// The records behind the judgements, answers and rules of `study`, in their order.
+  /// The records behind the strokes, judgements, answers and rules of `study`, in their order.
+  std::vector<study::RecordId> stroke_ids;
   std::vector<study::RecordId> judgement_ids;
   std::vector<study::RecordId> answer_ids;
   std::vector<study::RecordId> rule_ids;

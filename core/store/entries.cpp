@@ -305,6 +305,21 @@ Result<std::vector<study::RuleRecord>> rules(const StudyFile& file, const Select
   return readEntries<study::RuleRecord>(file, selection);
 }
 
+Result<std::map<RecordId, std::int64_t>> sequences(const StudyFile& file) {
+  Connection& connection = file.connection();
+  return guarded(connection, [&] {
+    std::map<RecordId, std::int64_t> found;
+    for (const std::string_view table : kEntryTables) {
+      Query query(connection, "SELECT id, sequence FROM " + std::string(table));
+      while (query.next()) {
+        const RecordId id = query.id();
+        found[id] = query.integer();
+      }
+    }
+    return found;
+  });
+}
+
 Result<study::Recording> recordingOf(const StudyFile& file, const RecordId& stroke) {
   Connection& connection = file.connection();
   return guarded(connection, [&] {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -101,6 +103,9 @@ base::Result<std::vector<study::JudgementRecord>> judgements(const StudyFile& fi
 base::Result<std::vector<study::AnswerRecord>> answers(const StudyFile& file, const Selection& selection = {});
 base::Result<std::vector<study::RatingRecord>> ratings(const StudyFile& file, const Selection& selection = {});
 base::Result<std::vector<study::RuleRecord>> rules(const StudyFile& file, const Selection& selection = {});
+
+/// The place of each record in its session: 1, 2, 3, … over all kinds, corrected records included.
+base::Result<std::map<study::RecordId, std::int64_t>> sequences(const StudyFile& file);
 
 /// The recording of one stroke. Returns an error if its checksum does not match.
 base::Result<study::Recording> recordingOf(const StudyFile& file, const study::RecordId& stroke);

@@ -1,4 +1,4 @@
-// The words for enumerators in the study file. Private to core/store.
+// The words for enumerators in the study file and in the tables that are made of it.
 #pragma once
 
 #include <array>

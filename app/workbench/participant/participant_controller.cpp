@@ -163,6 +163,7 @@ void ParticipantController::look() {
   state_.can_go_on = true;
   state_.can_go_back = false;
   step().show(state_);
+  noteCircumstances();
   // While an answer is being stored nothing else is answered.
   if (proxy_.isMovingOn() || state_.paused) state_.can_go_on = state_.can_go_back = false;
   emit changed();

@@ -226,6 +226,7 @@ class ParticipantController : public QObject {
   void startDevice();
   void stopDevice();
   void meetSession();
+  void noteCircumstances();
   void goOnByItself();
   std::vector<experiments::ForceAnswerOption> forceAnswers() const;
   std::optional<experiments::ForceAnswerOption> answerOf(const QString& id) const;
@@ -260,10 +261,11 @@ class ParticipantController : public QObject {
   bool paused_by_her_ = false;  ///< through the overlay; the researcher has a pause of their own
 
   CheckIn check_in_;
-  QString consent_language_;  ///< of the text that she agreed to, until that is noted
-  QString consent_text_;      ///< likewise
-  bool resumes_ = false;      ///< an earlier session is being continued
-  bool met_ = false;          ///< the session was seen
+  QString consent_language_;                     ///< of the text that she agreed to, until that is noted
+  QString consent_text_;                         ///< likewise
+  bool resumes_ = false;                         ///< an earlier session is being continued
+  bool met_ = false;                             ///< the session was seen
+  std::optional<session::Circumstances> noted_;  ///< since she sat down
   DeviceCheck check_;
   bool device_lost_ = false;
   bool restarts_ = false;      ///< the device is started again as soon as it has stopped

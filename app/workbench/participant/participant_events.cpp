@@ -60,6 +60,24 @@ void ParticipantController::meetSession() {
   }
 }
 
+// When she sits down, and when any of it changes.
+void ParticipantController::noteCircumstances() {
+  if (at() == nullptr || leaving_ || resumes_ || at()->part == session::SessionPart::kAborted) return;
+  session::Circumstances now{
+      state_.language.toStdString(), state_.text_percent, plan_.device.toStdString(), {}, plan_.device_friction_n};
+  if (noted_) {  // what is known of the device stays known between its runs
+    now.calibrated_utc = noted_->calibrated_utc;
+    now.friction_in_n = noted_->friction_in_n;
+  }
+  if (const auto& device = device_.device(); device && hasDevice()) {
+    now.calibrated_utc = device->calibrated_utc;
+    if (device->friction_in_n) now.friction_in_n = device->friction_in_n;
+  }
+  if (noted_ && *noted_ == now) return;
+  noted_ = now;
+  proxy_.note(session::circumstancesNoted(now));
+}
+
 // A teacher is asked nothing but the statements.
 void ParticipantController::goOnByItself() {
   if (!isUsability(*at()) || proxy_.isMovingOn() || at()->paused) return;
@@ -201,6 +219,7 @@ void ParticipantController::startAgain() {
   proxy_.leave();
   passed_ = {};
   met_ = correcting_ = false;
+  noted_.reset();
   replies_ = 0;
   form_.reset();
   own_ = std::make_unique<OwnModelTrial>(study_, device_);

@@ -81,6 +81,7 @@ struct DeviceInfo {
   double delay_s = 0.001;                    ///< between a position and the force that responds to it
   std::optional<double> friction_in_n;       ///< dry friction of the device against insertion, if measured
   std::optional<double> friction_out_n;
+  std::string calibrated_utc;  ///< when it was calibrated with Tactus, e.g. 2026-11-21T08:00:00Z; may be empty
   /// > 0: time for which the device holds a command. If the next command comes later, the device has dropped the force
   /// to 0 by itself, and the safety layer starts again from 0. If the time is unknown, use a short one: that is the
   /// safe side.

@@ -196,6 +196,7 @@ void HidPidDevice::describe(const HidIdentity& identity, const std::optional<Dev
   info_.quiet_after_s = PidSession::kQuietAfterS;
   if (!calibration) return;
   info_.count_mm = calibration->mm_per_count;
+  info_.calibrated_utc = calibration->measured_at;
   info_.friction_in_n = calibration->friction_in_n;
   info_.friction_out_n = calibration->friction_out_n;
 }

@@ -247,7 +247,7 @@ TEST_F(ExportedStudy, ShareableTellsNothingOfPersonsAndPlaces) {
   const auto done = exportStudy(*file, path("out"), options);
   ASSERT_TRUE(done) << done.error().message();
   const auto files = bytesBelow(path("out"));
-  EXPECT_EQ(files.size(), 7U);
+  EXPECT_EQ(files.size(), 8U);
   for (const auto& [name, bytes] : files) {
     for (const auto& text : identifying) {
       if (name.starts_with("codebook") && (text == "records" || text == "consent")) continue;  // words of the codebook
