@@ -27,7 +27,7 @@ constexpr std::array kBands = {ExperienceBand{"years_1", 2.5}, ExperienceBand{"y
                                ExperienceBand{"years_3", 12.5}, ExperienceBand{"years_4", 20}};
 constexpr std::array<std::string_view, 5> kMeans = {"mouse", "keyboard", "touch", "device_button", "pedal"};
 constexpr std::array<std::string_view, 2> kMarks = {"soon", "late"};
-constexpr std::array<std::string_view, 3> kVerdicts = {"lighter", "about_right", "heavier"};
+constexpr std::array<std::string_view, 4> kVerdicts = {"lighter", "about_right", "heavier", "cant_tell"};
 
 constexpr base::NumberRange kCount{0, std::numeric_limits<int>::max()};
 
@@ -48,6 +48,11 @@ void write(const OwnModelPlace& place, JsonWriter& json) {
   json.key("region").value(place.region);
   if (place.depth_mm) json.key("depth_mm").value(*place.depth_mm);
   if (place.force_n) json.key("force_n").value(*place.force_n);
+  if (place.pushed_mm) json.key("pushed_mm").value(*place.pushed_mm);
+  if (place.conditions.empty()) return;
+  json.key("conditions").beginObject(JsonWriter::Layout::kInline);
+  for (const auto& [input, value] : place.conditions) json.key(input).value(value);
+  json.endObject();
 }
 
 void readId(JsonMembers& members, base::JsonKey key, std::optional<study::RecordId>& id) {
@@ -217,6 +222,8 @@ Result<std::optional<OwnModelLine>> ownModelIn(const study::EventRecord& event) 
     members.text(required("region"), line.place.region);
     members.number("depth_mm", line.place.depth_mm);
     members.number("force_n", line.place.force_n);
+    members.number("pushed_mm", line.place.pushed_mm);
+    members.numbers("conditions", line.place.conditions, base::kAnyNumber);
     if (event.kind != kOwnModelVerdict) return;
     if (const auto word = members.word(required("verdict"), kVerdicts)) {
       line.verdict = static_cast<OwnModelVerdict>(*word);

@@ -1,6 +1,7 @@
 // What happens in a session beside its protocols: lines of its log that screens write and the researcher reads.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,9 @@ struct Note {
 // Kinds without a detail.
 inline constexpr const char* kForceOff = "force_off";                  ///< the participant switched the force off
 inline constexpr const char* kResearcherCalled = "researcher_called";  ///< the participant asked for help
+inline constexpr const char* kCallSeen = "call_seen";                  ///< the researcher answered it at the monitor
+inline constexpr const char* kPausedByHer = "paused_by_participant";   ///< a reason of a pause: where no force was
+inline constexpr const char* kDiscomfort = "discomfort";               ///< hand or arm do not feel well today
 inline constexpr const char* kRested = "rested";                       ///< the participant ended a rest
 inline constexpr const char* kAnswersSealed = "answers_sealed";        ///< the participant locked the answers
 
@@ -86,9 +90,9 @@ std::optional<ResponseMark> responseMark(double response_s) noexcept;
 Note responseMarked(const study::RecordId& record, ResponseMark mark);
 
 /// What the participant said of the own model in one region: in practice the force is …
-enum class OwnModelVerdict { kLighter, kAboutRight, kHeavier };
+enum class OwnModelVerdict { kLighter, kAboutRight, kHeavier, kCantTell };
 
-/// `lighter`, `about_right`, `heavier`.
+/// `lighter`, `about_right`, `heavier`, `cant_tell`.
 std::string_view name(OwnModelVerdict verdict) noexcept;
 
 /// The label of a version that is the model of one participant's own answers: it is kept for the records that name it,
@@ -101,6 +105,8 @@ struct OwnModelPlace {
   std::string region;                            ///< term id of the depth
   std::optional<double> depth_mm;
   std::optional<double> force_n;
+  std::optional<double> pushed_mm = {};           ///< of a verdict: the way that was pushed under the force before it
+  std::map<std::string, double> conditions = {};  ///< at which the model was felt, by id of its input
 
   bool operator==(const OwnModelPlace&) const = default;
 };

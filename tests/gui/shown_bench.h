@@ -14,16 +14,36 @@
 
 namespace tactus::tests {
 
+/// Where two pictures of a window differ.
+inline QRect differenceOf(const QImage& one, const QImage& other) {
+  if (one.size() != other.size()) return other.rect();
+  QRect found;
+  for (int y = 0; y < one.height(); ++y) {
+    for (int x = 0; x < one.width(); ++x) {
+      if (one.pixel(x, y) != other.pixel(x, y)) found |= QRect(x, y, 1, 1);
+    }
+  }
+  return found;
+}
+
 /// Until nothing in `window` is to be done any more and its picture stays the same.
 inline void settle(QWidget& window) {
   QImage last;
-  ASSERT_TRUE(QTest::qWaitFor(
+  QImage before_last;
+  bool quiet = false;
+  const bool settled = QTest::qWaitFor(
       [&] {
-        if (!isQuiet(window)) return false;
+        quiet = isQuiet(window);
+        if (!quiet) return false;
         const QImage now = window.grab().toImage();
-        return std::exchange(last, now) == now;
+        before_last = std::exchange(last, now);
+        return before_last == now;
       },
-      kPatience));
+      kPatience);
+  const QRect changing = differenceOf(before_last, last);
+  ASSERT_TRUE(settled) << (quiet ? std::string("the picture keeps changing in ")
+                                 : whatIsLeft(window) + "last change in ")
+                       << changing.x() << ' ' << changing.y() << ", " << changing.width() << " x " << changing.height();
 }
 
 class ShownBench : public testing::Test {

@@ -86,6 +86,13 @@ MonitorController::MonitorController(SessionProxy& session, StudyConnection& stu
   connect(&session_, &SessionProxy::changed, this, &MonitorController::onSession);
 }
 
+std::optional<int> MonitorController::minutes() const {
+  const auto at = session_.snapshot();
+  if (!at || !at->record) return std::nullopt;
+  constexpr std::int64_t kMinuteMs = 60'000;
+  return static_cast<int>((now_ms_() - at->record->started.utc_ms) / kMinuteMs);
+}
+
 Share MonitorController::share() const {
   const auto at = session_.snapshot();
   if (!at) return {};

@@ -8,6 +8,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,6 +56,10 @@ struct NurseView {
   bool called = false;     ///< the participant has called the researcher
   bool stopped = false;    ///< stopped, withdrawn, or no consent
   bool device_trouble = false;
+  bool call_seen = false;   ///< the researcher answered the call
+  bool stuck = false;       ///< the device has waited long for a hand: she does not know how to hold it
+  bool discomfort = false;  ///< she said that hand or arm do not feel well today
+  QString reading;          ///< language and size of the text: `English, 125 %`
 
   bool operator==(const NurseView&) const = default;
 };
@@ -84,6 +89,8 @@ class MonitorController : public QObject {
   const std::vector<MonitorLine>& lines() const { return lines_; }
   /// Things done of things planned in the present part; both 0 where there is nothing to count.
   session::Share share() const;
+  /// Since the session began; nothing without one.
+  std::optional<int> minutes() const;
   /// The researcher has paused the session.
   bool isPaused() const;
   bool canPause() const;
@@ -98,6 +105,8 @@ class MonitorController : public QObject {
  public slots:
   void pause();
   void goOn();
+  /// The researcher has seen the participant's call.
+  void answerCall() { emit callAnswered(); }
   /// Stores the researcher's words in the log of the session. Nothing for empty ones, or without a session.
   void note(const QString& words);
 
@@ -105,6 +114,7 @@ class MonitorController : public QObject {
   /// `nurse`, `share` or the pause changed.
   void changed();
   void lineAdded();
+  void callAnswered();
   /// New samples are in the trace. At most 60 times a second.
   void traced();
 

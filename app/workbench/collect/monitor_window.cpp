@@ -128,9 +128,11 @@ MonitorWindow::MonitorWindow(MonitorController& monitor, QWidget* parent)
       simulated_(new Card(this)),
       call_(new Card(this)),
       call_text_(new QLabel(call_)),
+      coming_(new QPushButton(tr("I have seen it and am &coming"), call_)),
       screen_(new QLabel(this)),
       now_(new QLabel(this)),
       device_(new QLabel(this)),
+      reading_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       share_(new QLabel(this)),
       pause_(new PrimaryButton({}, this)),
@@ -172,7 +174,10 @@ MonitorWindow::MonitorWindow(MonitorController& monitor, QWidget* parent)
   call_text_->setFont(theme::headingFont());
   call_text_->setWordWrap(true);
   setInk(*call_text_, theme::errorInk());
-  columnIn(*call_)->addWidget(call_text_);
+  QVBoxLayout* const call = columnIn(*call_);
+  call->addWidget(call_text_);
+  call->addWidget(coming_);
+  connect(coming_, &QPushButton::clicked, &monitor_, &MonitorController::answerCall);
 
   connect(&monitor_, &MonitorController::changed, this, &MonitorWindow::refreshState);
   connect(&monitor_, &MonitorController::lineAdded, this, &MonitorWindow::addLines);
@@ -224,6 +229,9 @@ QWidget* MonitorWindow::makeState() {
   column->addWidget(screen_);
   column->addWidget(now_);
   column->addLayout(progress);
+  setMuted(*reading_);
+  reading_->setWordWrap(true);
+  column->addWidget(reading_);
   column->addSpacing(theme::kGrid / 2);
   column->addWidget(heading(tr("Device"), card));
   column->addWidget(device_);
@@ -292,14 +300,21 @@ void MonitorWindow::refreshState() {
   code_->setText(nurse.code.isEmpty() ? tr("No participant yet") : harmless(nurse.code));
   simulated_->setVisible(nurse.simulated);
   const QString failure = monitor_.failure();
-  call_->setVisible(nurse.called || nurse.device_trouble || !failure.isEmpty());
-  call_text_->setText(nurse.called           ? tr("The participant calls you. The force is off.")
+  const bool calls = nurse.called && !nurse.call_seen;
+  call_->setVisible(calls || nurse.device_trouble || nurse.stuck || nurse.discomfort || !failure.isEmpty());
+  coming_->setVisible(calls);
+  call_text_->setText(calls                  ? tr("The participant calls you. The force is off.")
+                      : nurse.stuck          ? tr("The device has waited 20 s for a hand. Show her how to hold it.")
                       : nurse.device_trouble ? tr("The device has stopped. Nothing is lost.")
-                                             : tr("Not stored, and tried again every few seconds: %1").arg(failure));
+                      : nurse.discomfort ? tr("Her hand or arm does not feel well today. Ask whether she wants to go "
+                                              "on; the questions need no device.")
+                                         : tr("Not stored, and tried again every few seconds: %1").arg(failure));
   screen_->setText(paused ? tr("Paused: %1").arg(nurse.screen) : nurse.screen);
   now_->setText(nurse.force_off ? tr("The participant has switched the force off.") : nurse.now);
   now_->setVisible(!now_->text().isEmpty());
   device_->setText(nurse.device);
+  const auto minutes = monitor_.minutes();
+  reading_->setText(minutes ? tr("%1 · %n minute(s)", nullptr, *minutes).arg(nurse.reading) : nurse.reading);
   const session::Share share = monitor_.share();
   progress_->setVisible(share.wanted > 0);
   share_->setVisible(share.wanted > 0);

@@ -63,9 +63,11 @@ class MonitorWindow : public QWidget {
   Card* simulated_;
   Card* call_;
   QLabel* call_text_;
+  QPushButton* coming_;
   QLabel* screen_;
   QLabel* now_;
   QLabel* device_;
+  QLabel* reading_;
   QProgressBar* progress_;
   QLabel* share_;
   PrimaryButton* pause_;

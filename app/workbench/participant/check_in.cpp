@@ -17,6 +17,7 @@
 #include "core/store/study_file.h"
 #include "core/store/study_records.h"
 #include "core/study/session_records.h"
+#include "experiments/stroke.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::workbench {
@@ -52,6 +53,10 @@ struct KnownPerson {
   std::string meant;                       ///< a code that may have been meant; may be empty
   std::optional<study::RecordId> session;  ///< the latest on these screens that was not ended early
   int answers = 0;                         ///< scored judgements and replies to questions in it, corrected ones once
+  int strokes = 0;                         ///< accepted insertions in it
+  int all_strokes = 0;                     ///< that its protocol asks for; 0: not known
+  int forces = 0;                          ///< scored judgements in it
+  bool in_form = false;                    ///< questions were answered
 };
 
 using base::Result;
@@ -69,12 +74,23 @@ bool isOnScreens(const study::SessionRecord& session) {
   return !session.settings.empty() && settings && settings->blocks == wanted.blocks && settings->form == wanted.form;
 }
 
-Result<int> answersIn(const store::StudyFile& file, const study::RecordId& session) {
-  const store::Selection now{{}, session, false};
+/// What `session` holds.
+Result<void> count(const store::StudyFile& file, const study::SessionRecord& session, KnownPerson& out) {
+  const store::Selection now{{}, session.id, false};
+  TACTUS_TRY(const auto strokes, store::strokes(file, now, store::Recordings::kLeaveOut));
   TACTUS_TRY(const auto judgements, store::judgements(file, now));
   TACTUS_TRY(const auto answers, store::answers(file, now));
-  const auto scored = std::count_if(judgements.begin(), judgements.end(), [](const auto& one) { return one.scored; });
-  return static_cast<int>(scored) + static_cast<int>(answers.size());
+  out.strokes = static_cast<int>(std::count_if(strokes.begin(), strokes.end(), [](const auto& one) {
+    return !one.practice && one.verdict == name(experiments::StrokeVerdict::kAccepted);
+  }));
+  if (const auto settings = session::parseSessionSettings(session.settings); settings && !session.settings.empty()) {
+    out.all_strokes = static_cast<int>(settings->speed.levels.size()) * settings->speed.strokes;
+  }
+  out.forces =
+      static_cast<int>(std::count_if(judgements.begin(), judgements.end(), [](const auto& one) { return one.scored; }));
+  out.in_form = !answers.empty();
+  out.answers = out.forces + static_cast<int>(answers.size());
+  return {};
 }
 
 /// Thread: that of `file`.
@@ -88,11 +104,10 @@ Result<KnownPerson> knownPerson(const store::StudyFile& file, const std::string&
   for (auto session = sessions.rbegin(); session != sessions.rend() && !out.session; ++session) {
     if (!isOnScreens(*session)) continue;
     TACTUS_TRY(const auto ended, endedEarly(file, session->id));
-    if (!ended) out.session = session->id;
+    if (ended) continue;
+    out.session = session->id;
+    if (auto ok = count(file, *session, out); !ok) return tl::unexpected(ok.error());
   }
-  if (!out.session) return out;
-  TACTUS_TRY(const auto answers, answersIn(file, *out.session));
-  out.answers = answers;
   return out;
 }
 
@@ -125,10 +140,16 @@ void CheckIn::newHere(bool usability) {
       newcomer_ = true;
       usability_ = usability;
       session_.reset();
-      welcome_ = {WelcomeState::Step::kNewCode, 0, false, {}, 0};
+      welcome_ = {};
+      welcome_.step = WelcomeState::Step::kNewCode;
       emit changed();
     };
   });
+}
+
+void CheckIn::prepare(const QString& code) {
+  welcome_.prepared = true;
+  enterCode(code);
 }
 
 void CheckIn::enterCode(const QString& code) {
@@ -146,7 +167,16 @@ void CheckIn::enterCode(const QString& code) {
         session_ = found->session;
         // Without a session yet, she is shown the code to write it down.
         const auto step = session_ ? WelcomeState::Step::kWelcomeBack : WelcomeState::Step::kNewCode;
-        welcome_ = {step, found->answers, false, {}, 0};
+        const bool prepared = welcome_.prepared;
+        welcome_ = {};
+        welcome_.step = step;
+        welcome_.kept_answers = found->answers;
+        welcome_.prepared = prepared;
+        if (!found->in_form) {
+          welcome_.kept_strokes = found->strokes;
+          welcome_.all_strokes = found->all_strokes;
+          welcome_.kept_forces = found->forces;
+        }
       }
       emit changed();
     };

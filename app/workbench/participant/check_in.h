@@ -52,6 +52,9 @@ class CheckIn : public QObject {
   void newHere(bool usability);
   /// Looks for the participant with this code. Ends with `changed` or `refused`.
   void enterCode(const QString& code);
+  /// The same for the participant whom the researcher has chosen: nobody else can take part until `forget`.
+  void prepare(const QString& code);
+  bool isPrepared() const { return welcome_.prepared; }
   /// Back to the first question: no participant is known yet.
   void forget();
 

@@ -10,10 +10,14 @@ class ParticipantController::Steps::Check final : public Step {
  public:
   using Step::Step;
 
-  void ask() override { course_.check_.begin(); }
+  void ask() override {
+    course_.check_.begin();
+    clock_.begin();
+  }
   void show(ParticipantState& state) override {
     state.can_go_on =
         state.device == DeviceStep::kReady || state.device == DeviceStep::kWrong || state.device == DeviceStep::kLost;
+    state.waits = clock_.wait();
   }
   void next() override {
     if (course_.state_.device == DeviceStep::kReady) {
@@ -23,8 +27,12 @@ class ParticipantController::Steps::Check final : public Step {
     }
   }
   void sampled(std::span<const haptics::Sample> samples) override {
-    if (course_.check_.add(samples)) course_.look();
+    const bool waits = clock_.add(samples, course_.check_.step() == DeviceStep::kHold);
+    if (course_.check_.add(samples) || waits) course_.look();
   }
+
+ private:
+  HoldClock clock_;
 };
 
 class ParticipantController::Steps::Speed final : public Step {
@@ -36,22 +44,24 @@ class ParticipantController::Steps::Speed final : public Step {
   void show(ParticipantState& state) override {
     const experiments::SpeedPlan& plan = *course_.at()->speed;
     state.speed = {QString::fromStdString(plan.level), plan.number - 1, plan.count,
-                   !at_start_ && note_ == Note::kStart ? Note::kReturn : note_};
+                   note_ == Note::kStart && !at_start_ && !capture_.isOpen() ? Note::kReturn : note_};
     state.can_go_on = false;  // the hand does
+    state.waits = clock_.wait();
   }
   void sampled(std::span<const haptics::Sample> samples) override {
     const session::SessionSettings& settings = *course_.at()->settings;
+    if (clock_.add(samples, capture_.isOpen())) course_.look();
     const bool was_at_start = std::exchange(at_start_, samples.back().position_mm <= settings.force.start_zone_mm);
     if (!capture_.isOpen() && at_start_ && !course_.proxy_.isMovingOn() &&
         course_.gate_.isSettled(course_.now_().monotonic_ns)) {
-      capture_.open(settings.speed.stroke);
-      note_ = Note::kStart;
+      capture_.open(settings.speed.stroke);  // what was said of the last one stays until the hand moves
       course_.look();
     } else if (auto stroke = capture_.add(samples)) {
       note_ = noteOf(stroke->stroke.verdict);
       course_.proxy_.addStroke(course_.at()->step, std::move(*stroke));
       course_.look();
     } else if (at_start_ != was_at_start) {
+      if (!at_start_ && capture_.isOpen()) note_ = Note::kStart;
       course_.look();
     }
   }
@@ -60,6 +70,7 @@ class ParticipantController::Steps::Speed final : public Step {
   SpeedCapture capture_;
   Note note_ = Note::kStart;
   bool at_start_ = false;  ///< the handle is where an insertion begins
+  HoldClock clock_;
 };
 
 class ParticipantController::Steps::Force final : public Step {
@@ -94,6 +105,7 @@ class ParticipantController::Steps::Force final : public Step {
       case ForceTrial::Phase::kFelt: out.phase = Phase::kAnswer; break;
     }
     if (correcting) out.phase = Phase::kAnswer;
+    state.waits = out.phase == Phase::kFeel ? clock_.wait() : HoldWait::kNot;
     state.can_go_on = out.phase == Phase::kAnswer && (!out.asks || !out.chosen.isEmpty());
     state.can_go_back = correcting || (out.asks && course_.at()->judged);
     state.force = std::move(out);
@@ -105,11 +117,14 @@ class ParticipantController::Steps::Force final : public Step {
   void back() override { course_.correcting_ = !course_.correcting_; }
   void sampled(std::span<const haptics::Sample> samples) override {
     if (trial().phase() == ForceTrial::Phase::kNone || !course_.gate_.isSettled(course_.now_().monotonic_ns)) return;
-    if (trial().add(samples)) course_.look();
+    const bool waits = clock_.add(samples, trial().phase() == ForceTrial::Phase::kWait);
+    if (trial().add(samples) || waits) course_.look();
   }
   void pressed(ButtonPress press) override { press == ButtonPress::kTap ? course_.lightNext() : course_.answerLit(); }
 
  private:
+  HoldClock clock_;
+
   ForceTrial& trial() { return course_.trial_; }
   bool mayAnswer() { return course_.correcting_ || trial().phase() == ForceTrial::Phase::kFelt; }
 
@@ -144,14 +159,19 @@ class ParticipantController::Steps::Own final : public Step {
     state.can_go_on = !state.own.unavailable.isEmpty() || (state.own.ready && !course_.chosen_.isEmpty());
   }
   void choose(const QString& id) override {
-    if (id == QLatin1String("lighter") || id == QLatin1String("right") || id == QLatin1String("heavier"))
-      course_.chosen_ = id;
+    const bool compares =
+        id == QLatin1String("lighter") || id == QLatin1String("right") || id == QLatin1String("heavier");
+    if (id == QLatin1String("cant_tell") || (compares && own().wasFelt())) course_.chosen_ = id;
   }
   void next() override {
     if (own().isThere()) course_.proxy_.note(own().say(course_.chosen_));
     course_.passed_.own_model = !own().isThere() || own().isDone();
   }
-  void sampled(std::span<const haptics::Sample> samples) override { own().look(samples); }
+  void sampled(std::span<const haptics::Sample> samples) override {
+    const bool before = own().wasFelt();
+    own().look(samples);
+    if (own().wasFelt() != before) course_.look();
+  }
   void pressed(ButtonPress press) override {
     if (press == ButtonPress::kTap) course_.mark();
   }

@@ -152,7 +152,10 @@ void OwnModelTrial::feel() {
 
 void OwnModelTrial::look(std::span<const haptics::Sample> samples) {
   for (const haptics::Sample& sample : samples) {
-    if (sample.enabled && sample.source == haptics::ForceSource::kInsertion) felt_ = sample;
+    if (!sample.enabled || sample.source != haptics::ForceSource::kInsertion) continue;
+    felt_ = sample;
+    if (!pushed_from_mm_ || sample.depth_mm < *pushed_from_mm_) pushed_from_mm_ = sample.depth_mm;
+    pushed_mm_ = std::max(pushed_mm_, sample.depth_mm - *pushed_from_mm_);
   }
 }
 
@@ -168,12 +171,16 @@ session::Note OwnModelTrial::mark() {
 
 session::Note OwnModelTrial::say(const QString& comparison) {
   using session::OwnModelVerdict;
-  const auto verdict = comparison == QLatin1String("lighter")   ? OwnModelVerdict::kLighter
-                       : comparison == QLatin1String("heavier") ? OwnModelVerdict::kHeavier
-                                                                : OwnModelVerdict::kAboutRight;
-  const auto note = session::ownModelVerdict({model_->version.id, model_->regions[region_].id, {}, {}}, verdict);
+  const auto verdict = comparison == QLatin1String("lighter")     ? OwnModelVerdict::kLighter
+                       : comparison == QLatin1String("cant_tell") ? OwnModelVerdict::kCantTell
+                       : comparison == QLatin1String("heavier")   ? OwnModelVerdict::kHeavier
+                                                                  : OwnModelVerdict::kAboutRight;
+  const auto note = session::ownModelVerdict(
+      {model_->version.id, model_->regions[region_].id, {}, {}, pushed_mm_, model_->conditions}, verdict);
   marks_ = 0;
   felt_.reset();
+  pushed_from_mm_.reset();
+  pushed_mm_ = 0;
   if (region_ + 1 < model_->regions.size()) {
     ++region_;
   } else {
@@ -186,6 +193,7 @@ OwnModelState OwnModelTrial::state(bool runs) const {
   OwnModelState out;
   out.unavailable = refused_;
   out.marks = marks_;
+  out.felt = wasFelt();
   out.ready = model_ != nullptr && runs;
   if (model_ == nullptr) return out;
   const OwnRegion& region = model_->regions[region_];

@@ -108,6 +108,10 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       steps_(Steps::all(*this)) {
   connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
   connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);
+  // Her own model is stored beside the session.
+  connect(&study_, &StudyConnection::changed, this, [this] {
+    if (state_.screen == Screen::kOwnModel) look();
+  });
   connect(&check_in_, &CheckIn::changed, this, &ParticipantController::look);
   connect(&check_in_, &CheckIn::refused, this, &ParticipantController::refused);
   followOwnModel();
@@ -156,6 +160,10 @@ void ParticipantController::look() {
   state_.failed = own_waits || !proxy_.failure().isEmpty();
   state_.simulated = plan_.simulated || (device_.device() && device_.device()->simulated);
   state_.device = deviceStep();
+  state_.armed = device_.user() == this && device_.state() != DeviceSession::State::kStopped;
+  state_.virtual_device = device_.device() && device_.device()->simulated;
+  state_.hold = holdMeans();
+  state_.waits = HoldWait::kNot;
   if (at() != nullptr) {
     state_.part = static_cast<int>(at()->blocks_done) + 1;
     state_.parts = static_cast<int>(at()->settings->blocks.size());
@@ -176,6 +184,18 @@ std::string ParticipantController::asked() const {
   if (at() != nullptr) out += '/' + std::to_string(at()->step);
   if (correcting_) out += "/correcting";
   return out + '/' + step().question();
+}
+
+HoldMeans ParticipantController::holdMeans() const {
+  const auto device = device_.device();
+  if (!device || isHeldByKey(*device)) return HoldMeans::kMouse;
+  switch (enableOf(*device, device_.grip()).kind) {
+    case haptics::EnableKind::kPedal: return HoldMeans::kPedal;
+    case haptics::EnableKind::kKey: return HoldMeans::kMouse;
+    case haptics::EnableKind::kLatch: return HoldMeans::kLatch;
+    case haptics::EnableKind::kButton: break;
+  }
+  return HoldMeans::kButton;
 }
 
 DeviceStep ParticipantController::deviceStep() const {
@@ -239,7 +259,7 @@ void ParticipantController::enterCode(const QString& code) {
 }
 
 void ParticipantController::sitDown(const QString& code) {
-  if (state_.screen == Screen::kWelcome && !check_in_.isKnown()) check_in_.enterCode(code);
+  if (state_.screen == Screen::kWelcome && !check_in_.isKnown()) check_in_.prepare(code);
 }
 
 void ParticipantController::sitDownAsTeacher() {
@@ -302,11 +322,36 @@ void ParticipantController::mark() {
   look();
 }
 
+void ParticipantController::pause() {
+  if (state_.armed) return forceOff();
+  if (state_.overlay != ForceOffOverlay::kNone || state_.screen == Screen::kStopped) return;
+  state_.overlay = ForceOffOverlay::kForceOff;
+  state_.quiet_pause = true;
+  if (at() != nullptr && !at()->paused && at()->part != session::SessionPart::kAborted) {
+    paused_by_her_ = true;
+    proxy_.pause(session::kPausedByHer);
+  }
+  look();
+}
+
+void ParticipantController::setMonitored(bool monitored) {
+  state_.monitored = monitored;
+  look();
+}
+
+void ParticipantController::acknowledgeCall() {
+  if (state_.overlay != ForceOffOverlay::kCalled) return;
+  state_.call_seen = true;
+  if (at() != nullptr) proxy_.note({session::kCallSeen, {}});
+  look();
+}
+
 void ParticipantController::forceOff() {
   giveNoForce();
   step().close();
   if (state_.overlay != ForceOffOverlay::kNone || state_.screen == Screen::kStopped) return;
   state_.overlay = ForceOffOverlay::kForceOff;
+  state_.quiet_pause = false;
   if (at() != nullptr && !at()->paused && at()->part != session::SessionPart::kAborted) {
     paused_by_her_ = true;
     proxy_.pause(session::kForceOff);
@@ -325,6 +370,7 @@ void ParticipantController::resume() {
 void ParticipantController::callResearcher() {
   if (!takesOverlay()) return;
   state_.overlay = ForceOffOverlay::kCalled;
+  state_.call_seen = false;
   if (at() != nullptr) proxy_.note({session::kResearcherCalled, {}});
   look();
 }

@@ -192,6 +192,12 @@ class ParticipantController : public QObject {
   /// Esc, the red button, the device's second button: always, at once, whatever is asked. The force falls to zero, then
   /// the overlay opens.
   void forceOff();
+  /// The quiet way to the same choices; where a device is armed, it is `forceOff`.
+  void pause();
+  /// The researcher sees the monitor of this session.
+  void setMonitored(bool monitored);
+  /// The researcher answered her call at the monitor.
+  void acknowledgeCall();
   // On the overlay
   void resume();
   void callResearcher();
@@ -216,6 +222,7 @@ class ParticipantController : public QObject {
   void look();
   std::string asked() const;
   DeviceStep deviceStep() const;
+  HoldMeans holdMeans() const;
 
   // participant_events.cpp: what happens by itself, and what the steps share.
   void onAsked();

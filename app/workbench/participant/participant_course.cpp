@@ -54,6 +54,20 @@ void DeviceCheck::rest(const haptics::Sample& sample) {
   at_mm_ = sample.position_mm;
 }
 
+bool HoldClock::add(std::span<const haptics::Sample> samples, bool asks) {
+  const HoldWait before = wait_;
+  for (const haptics::Sample& sample : samples) {
+    if (!asks || sample.enabled) {
+      begin();
+      continue;
+    }
+    if (!since_ns_) since_ns_ = sample.time_ns;
+    const double waited_s = static_cast<double>(sample.time_ns - *since_ns_) * 1e-9;
+    wait_ = waited_s >= kStuckS ? HoldWait::kStuck : waited_s >= kHintS ? HoldWait::kHint : HoldWait::kNot;
+  }
+  return wait_ != before;
+}
+
 using haptics::StimulusPhase;
 
 void ForceTrial::begin(const experiments::ForcePlan& plan) {

@@ -79,7 +79,10 @@ class OwnModelTrial : public QObject {
   std::size_t region() const { return region_; }
   /// A mark at the last place in the hand.
   session::Note mark();
-  /// What she says of the region: `lighter`, `right`, `heavier`. Goes to the next region.
+  /// She pushed far enough under the force of this region to compare it.
+  bool wasFelt() const { return pushed_mm_ >= kFeltMm; }
+  static constexpr double kFeltMm = 20;
+  /// What she says of the region: `lighter`, `right`, `heavier`, `cant_tell`. Goes to the next region.
   session::Note say(const QString& comparison);
   /// All regions were felt.
   bool isDone() const { return done_; }
@@ -104,6 +107,8 @@ class OwnModelTrial : public QObject {
   bool done_ = false;
   int marks_ = 0;
   std::optional<haptics::Sample> felt_;  ///< the last one with the handle in the hand, in this region
+  std::optional<double> pushed_from_mm_;
+  double pushed_mm_ = 0;  ///< from the shallowest place of the hand in this region, forward
 };
 
 // The device check before the first insertion: hold the handle, keep still, push gently, let go. No force is given.
@@ -130,6 +135,23 @@ class DeviceCheck {
   bool seen_open_ = false;
   std::int64_t still_since_ns_ = 0;
   double at_mm_ = 0;  ///< where the hand began to be still, or the push began
+};
+
+// How long a device that asks to be held has waited for a hand.
+
+class HoldClock {
+ public:
+  static constexpr double kHintS = 8;
+  static constexpr double kStuckS = 20;
+
+  /// All samples, oldest first. `asks`: the device must be held now. Returns whether `wait` changed.
+  bool add(std::span<const haptics::Sample> samples, bool asks);
+  void begin() { *this = {}; }
+  HoldWait wait() const { return wait_; }
+
+ private:
+  std::optional<std::int64_t> since_ns_;
+  HoldWait wait_ = HoldWait::kNot;
 };
 
 // One step of the force part: the pause, the force in the hand, and what is measured of it until the answer.

@@ -48,6 +48,7 @@ void ParticipantController::onProxy() {
 // The first snapshot of a new or resumed session.
 void ParticipantController::meetSession() {
   passed_.blocks = at()->blocks_done;
+  noted_.reset();
   form_ = formWithConditions(at()->settings->form);
   if (const QString language = std::exchange(consent_language_, {}); !language.isEmpty()) {
     proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString(),
@@ -62,7 +63,8 @@ void ParticipantController::meetSession() {
 
 // When she sits down, and when any of it changes.
 void ParticipantController::noteCircumstances() {
-  if (at() == nullptr || leaving_ || resumes_ || at()->part == session::SessionPart::kAborted) return;
+  const bool may = at() != nullptr && !leaving_ && !resumes_ && !proxy_.isMovingOn();
+  if (!may || at()->part == session::SessionPart::kAborted) return;
   session::Circumstances now{
       state_.language.toStdString(), state_.text_percent, plan_.device.toStdString(), {}, plan_.device_friction_n};
   if (noted_) {  // what is known of the device stays known between its runs
@@ -219,7 +221,6 @@ void ParticipantController::startAgain() {
   proxy_.leave();
   passed_ = {};
   met_ = correcting_ = false;
-  noted_.reset();
   replies_ = 0;
   form_.reset();
   own_ = std::make_unique<OwnModelTrial>(study_, device_);
@@ -230,7 +231,11 @@ void ParticipantController::startAgain() {
   state_.languages = before.languages;
   state_.language = before.language;
   state_.text_percent = before.text_percent;
+  state_.monitored = before.monitored;
+  // Who was prepared by the researcher is the only one of this session.
+  const QString prepared = check_in_.isPrepared() ? check_in_.code() : QString();
   check_in_.forget();
+  if (!prepared.isEmpty()) check_in_.prepare(prepared);
 }
 
 }  // namespace tactus::workbench

@@ -12,7 +12,10 @@ class ParticipantController::Steps::Welcome final : public Step {
   using Step::Step;
 
   std::string question() const override { return std::to_string(static_cast<int>(course_.state_.welcome.step)); }
-  void show(ParticipantState& state) override { state.can_go_on = state.can_go_back = course_.check_in_.isKnown(); }
+  void show(ParticipantState& state) override {
+    state.can_go_on = course_.check_in_.isKnown();
+    state.can_go_back = state.can_go_on && !course_.check_in_.isPrepared();
+  }
   void next() override {
     if (course_.check_in_.hasSession()) {
       course_.resumes_ = true;
@@ -62,6 +65,7 @@ class ParticipantController::Steps::AboutHer final : public Step {
   void choose(const QString& id) override { about_.choose(id); }
   void next() override {
     if (about_.isLast()) {
+      if (about_.state().chosen == QLatin1String("no")) course_.proxy_.note({session::kDiscomfort, {}});
       course_.proxy_.tell(course_.at()->step, about_.profile(), about_.experience());
     } else {
       about_.next();

@@ -1,6 +1,6 @@
 #include "app/workbench/participant/participant_views.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QGuiApplication>
 #include <QInputDevice>
 #include <QKeyEvent>
@@ -70,6 +70,7 @@ void ParticipantViews::show() {
     window_.setScreen(shown_);
   }
   shown_->setState(state);
+  window_.setArmed(state.armed);
   showOverlay();
   if (state.serial != painted_) window_.update();
 }
@@ -153,14 +154,18 @@ void ParticipantViews::showOverlay() {
   if (cover.isEmpty()) {
     window_.uncover();
   } else if (cover == QLatin1String("off.done")) {
-    auto* panel = new nurse::ForceOffPanel(look_);
+    auto* panel = new nurse::ForceOffPanel(look_, course_.state().languages);
+    connect(panel, &nurse::ForceOffPanel::languagePicked, &course_, &ParticipantController::setLanguage);
+    connect(panel, &nurse::ForceOffPanel::textSizePicked, &course_, &ParticipantController::setTextPercent);
     connect(panel, &nurse::ForceOffPanel::goOn, &course_, &ParticipantController::resume);
-    connect(panel, &nurse::ForceOffPanel::callResearcher, &course_, &ParticipantController::callResearcher);
+    connect(panel, &nurse::ForceOffPanel::callResearcher, this, [this] {
+      course_.callResearcher();
+      QApplication::beep();
+    });
     connect(panel, &nurse::ForceOffPanel::stopForToday, &course_, &ParticipantController::stopForToday);
     connect(panel, &nurse::ForceOffPanel::withdraw, &course_, &ParticipantController::askWithdraw);
-    const auto call = [this, panel] { panel->setCalled(course_.state().overlay == ForceOffOverlay::kCalled); };
-    connect(&course_, &ParticipantController::changed, panel, call);
-    call();
+    connect(&course_, &ParticipantController::changed, panel, [this, panel] { panel->setState(course_.state()); });
+    panel->setState(course_.state());
     window_.cover(panel);
   } else if (cover == QLatin1String("off.withdraw")) {
     auto* panel = new nurse::WithdrawPanel(look_);

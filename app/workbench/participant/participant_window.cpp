@@ -168,12 +168,16 @@ ParticipantWindow::ParticipantWindow(nurse::Look& look, std::function<void()> fo
       keys_(new ForceOffKeys(this)),
       force_off_button_(
           new nurse::Button(look, nurse::ButtonKind::kForceOff, nurse::phrase(QStringLiteral("off.button")), this)),
+      pause_button_(
+          new nurse::Button(look, nurse::ButtonKind::kPlain, nurse::phrase(QStringLiteral("off.pause")), this)),
       leave_button_(
           new nurse::Button(look, nurse::ButtonKind::kPlain, nurse::phrase(QStringLiteral("leave.button")), this)) {
   setWindowTitle(QStringLiteral("Tactus"));
   setWindowFlag(Qt::FramelessWindowHint);
   // The force ends with the press; who presses does not wait for the release.
   connect(force_off_button_, &nurse::Button::pressed, this, [this] { takeForceAway(ForceOffCause::kButton); });
+  connect(pause_button_, &nurse::Button::clicked, this, &ParticipantWindow::pauseAsked);
+  pause_button_->keepOneLine();
   leave_button_->keepOneLine();
   leave_button_->hide();
   connect(leave_button_, &nurse::Button::clicked, this, &ParticipantWindow::leaveAsked);
@@ -271,6 +275,15 @@ void ParticipantWindow::arrange() {
   leave_button_->raise();
   force_off_button_->setGeometry(QRect(QPoint(width() - margin - corner.width(), margin), corner));
   force_off_button_->raise();
+  force_off_button_->setVisible(armed_);
+  const QSize pause = pause_button_->sizeHint();
+  pause_button_->setGeometry(QRect(QPoint(width() - margin - pause.width(), margin), pause));
+  pause_button_->setVisible(!armed_ && cover_ == nullptr && question_ == nullptr);
+  pause_button_->raise();
+}
+
+void ParticipantWindow::setArmed(bool armed) {
+  if (std::exchange(armed_, armed) != armed) arrange();
 }
 
 QWidget* ParticipantWindow::top() const {

@@ -101,10 +101,16 @@ class ParticipantWindow : public QWidget {
   void endQuestion();
 
   nurse::Button& forceOffButton() { return *force_off_button_; }
+  nurse::Button& pauseButton() { return *pause_button_; }
+  /// A device may give a force: the red button stands in the corner, else a quiet one for a pause. Esc takes the force
+  /// away in any case.
+  void setArmed(bool armed);
 
  signals:
   /// The force is off; time to ask what she wants.
   void forceOff(tactus::workbench::ForceOffCause cause);
+  /// She wants to pause where no device is armed.
+  void pauseAsked();
   /// The researcher wants to leave for the research mode; offered while the screen is covered.
   void leaveAsked();
 
@@ -125,10 +131,12 @@ class ParticipantWindow : public QWidget {
   const std::function<void()> force_off_;
   ForceOffKeys* keys_;
   nurse::Button* force_off_button_;
+  nurse::Button* pause_button_;
   nurse::Button* leave_button_;
   QWidget* screen_ = nullptr;
   QWidget* cover_ = nullptr;
   QWidget* question_ = nullptr;
+  bool armed_ = true;
   bool leaving_ = false;
 };
 

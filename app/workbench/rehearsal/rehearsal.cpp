@@ -93,6 +93,7 @@ QString comparisonOf(session::OwnModelVerdict verdict) {
   switch (verdict) {
     case session::OwnModelVerdict::kLighter: return QStringLiteral("lighter");
     case session::OwnModelVerdict::kHeavier: return QStringLiteral("heavier");
+    case session::OwnModelVerdict::kCantTell: return QStringLiteral("cant_tell");
     case session::OwnModelVerdict::kAboutRight: break;
   }
   return QStringLiteral("right");

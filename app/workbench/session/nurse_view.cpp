@@ -105,6 +105,11 @@ NurseView nurseView(const ParticipantState& state, const experiments::ForcePlan*
   view.simulated = state.simulated;
   view.force_off = state.overlay != ForceOffOverlay::kNone;
   view.called = state.overlay == ForceOffOverlay::kCalled;
+  view.call_seen = state.call_seen;
+  view.stuck = state.screen == Screen::kDeviceCheck && state.waits == HoldWait::kStuck;
+  view.discomfort = state.screen == Screen::kAboutYou && state.about.question == AboutYouState::Question::kComfort &&
+                    state.about.chosen == QLatin1String("no");
+  view.reading = NurseViewText::tr("%1, text %2 %").arg(languageName(state.language)).arg(state.text_percent);
   view.stopped = state.screen == Screen::kStopped;
   view.device_trouble = needs && (state.device == DeviceStep::kWrong || state.device == DeviceStep::kLost);
   return view;

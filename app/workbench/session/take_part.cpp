@@ -105,6 +105,7 @@ void SessionRun::watch(QScreen& nurse, QScreen& researcher) {
   monitor_window_ = std::make_unique<MonitorWindow>(*monitor_);
   connect(&course, &ParticipantController::changed, monitor_.get(), [this] { report(); });
   connect(&course, &ParticipantController::refused, monitor_.get(), &MonitorController::say);
+  connect(monitor_.get(), &MonitorController::callAnswered, &course, &ParticipantController::acknowledgeCall);
   report();
   if (&nurse == &researcher) return;
   const QRect room = researcher.availableGeometry();
@@ -112,6 +113,7 @@ void SessionRun::watch(QScreen& nurse, QScreen& researcher) {
   monitor_window_->resize(room.size() * 4 / 5);
   monitor_window_->move(room.center() - monitor_window_->rect().center());
   monitor_window_->show();
+  course.setMonitored(true);
 }
 
 void SessionRun::report() {
@@ -121,7 +123,9 @@ void SessionRun::report() {
 }
 
 void SessionRun::hideMonitor() {
-  if (monitor_window_) monitor_window_->hide();
+  if (!monitor_window_ || monitor_window_->isHidden()) return;
+  monitor_window_->hide();
+  take_part_->course().setMonitored(false);
 }
 
 void SessionRun::end() {
@@ -203,6 +207,7 @@ TakePart::TakePart(StudyConnection& study, DeviceSession& device, const Particip
     if (cause == ForceOffCause::kDeactivated && course_.state().paused) return;
     course_.forceOff();
   });
+  connect(&window_, &ParticipantWindow::pauseAsked, &course_, &ParticipantController::pause);
   connect(&window_, &ParticipantWindow::leaveAsked, this, &TakePart::askForPassphrase);
 }
 

@@ -502,6 +502,16 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::MonitorWindow</name>
+    <message numerus="yes">
+        <source>%1 · %n minute(s)</source>
+        <translation>
+            <numerusform>%1 · %n minute</numerusform>
+            <numerusform>%1 · %n minutes</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::NotesButton</name>
     <message numerus="yes">
         <source>%n note(s)</source>

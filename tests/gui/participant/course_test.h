@@ -125,6 +125,20 @@ class CourseTest : public testing::Test {
     advance(1000);  // the end of a stroke is known once the hand has rested
     ASSERT_TRUE(stored());
   }
+  /// Forward under the force of the own model, until its words may be chosen.
+  void pushOwnModel() {
+    ASSERT_TRUE(tests::comesTrue([this] { return at().own.ready; }));
+    look();
+    EXPECT_FALSE(at().own.felt);
+    steps->moveTo(*device, 0, 200);
+    device->setHeld(true);
+    advance(250);
+    steps->moveTo(*device, 40, 60);
+    EXPECT_TRUE(at().own.felt);
+    device->setHeld(false);
+    advance(20);
+    steps->moveTo(*device, 0, 200);
+  }
   void feel() {
     nurse->painted(at().serial);
     steps->moveTo(*device, 0, 200);

@@ -61,6 +61,9 @@ TEST_F(ParticipantControllerTest, AWholeSessionIsInTheFile) {
     look();
     if (region == 2) nurse->mark();
     if (region == 3) tapButton();
+    choose("lighter");
+    EXPECT_FALSE(at().can_go_on) << "before it was felt";
+    pushOwnModel();
     answer(region == 1 ? "lighter" : "right");
   }
   ASSERT_EQ(screen(), Screen::kThanks);

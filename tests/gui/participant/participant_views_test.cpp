@@ -88,7 +88,7 @@ class ParticipantViewsTest : public testing::Test {
     while (button(QStringLiteral("Next"))) click("Next");  // pages of the consent
     click("I have read this and want to take part");
     ASSERT_EQ(at().screen, Screen::kAboutYou);
-    for (const char* answer : {"10 to 15", "Left", "Yes", "Never", "I would rather not say"}) {
+    for (const char* answer : {"10 to 14", "Left", "Yes", "Never", "I would rather not say"}) {
       click(answer);
       click("Next");
     }

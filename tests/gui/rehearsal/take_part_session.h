@@ -106,6 +106,7 @@ class TakePartTest : public testing::Test {
       case ParticipantScreen::kOwnModel:
         // Her model is built by another thread, in real time.
         ASSERT_TRUE(tests::comesTrue([this] { return at().own.ready; }));
+        if (!at().own.felt) return push(false);
         return at().can_go_on ? goOn() : choose(say("own.right"), Qt::Key_2);
       default: return goOn();
     }

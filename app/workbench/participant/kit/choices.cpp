@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/kit/button.h"
 #include "app/workbench/participant/kit/look.h"
 
@@ -255,5 +256,28 @@ QSize Choices::sizeHint() const {
 int Choices::heightForWidth(int width) const { return arrange(width, false); }
 
 void Choices::resizeEvent(QResizeEvent* /*event*/) { arrange(width(), true); }
+
+namespace {
+
+constexpr int kTextPercents[] = {100, 125, 150};
+
+}  // namespace
+
+std::vector<Answer> languageAnswers(const std::vector<QString>& offered) {
+  std::vector<Answer> answers;
+  for (const QString& id : offered) {
+    if (const auto language = languageWithId(id)) answers.push_back({id, plain(languageName(id)), {}, false, language});
+  }
+  return answers;
+}
+
+std::vector<Answer> sizeAnswers() {
+  std::vector<Answer> answers;
+  for (const int percent : kTextPercents) {
+    const QString id = QString::number(percent);
+    answers.push_back({id, phrase(QStringLiteral("wel.size_") + id), textSizePicture(percent)});
+  }
+  return answers;
+}
 
 }  // namespace tactus::workbench::nurse

@@ -97,5 +97,9 @@ class Choices : public QWidget {
 std::vector<Answer> forceWords();
 /// The five words and "I can't tell".
 std::vector<Answer> questionWords();
+/// The languages with the ids `offered`, each in its own words.
+std::vector<Answer> languageAnswers(const std::vector<QString>& offered);
+/// The sizes of text, by their percent.
+std::vector<Answer> sizeAnswers();
 
 }  // namespace tactus::workbench::nurse

@@ -47,7 +47,11 @@ struct WelcomeState {
     kWelcomeBack,  ///< `code` is known
   };
   Step step = Step::kStart;
-  int kept_answers = 0;       ///< of earlier, with a known code
+  int kept_answers = 0;  ///< of earlier, with a known code
+  int kept_strokes = 0;  ///< likewise, of `all_strokes`
+  int all_strokes = 0;
+  int kept_forces = 0;
+  bool prepared = false;      ///< the researcher said who takes part: no other code is asked for or made
   bool code_unknown = false;  ///< what she typed is no code of this study
   QString meant;              ///< a code of this study that she may have meant; may be empty
   int minutes = 0;            ///< that a session takes, about
@@ -64,6 +68,21 @@ struct AboutYouState {
   Question question = Question::kYears;
   QString chosen;  ///< `years_1` … `years_4`; left, right, both; haptic_0 … haptic_2; yes, no; not_say; empty: none
   bool is_first = true;
+};
+
+/// How the tube is held on this device.
+enum class HoldMeans {
+  kButton,  ///< a button of the handle, kept pressed
+  kLatch,   ///< a button of the handle: a press holds, another one lets go
+  kPedal,   ///< a pedal, kept down
+  kMouse,   ///< the mouse or the space bar stands in
+};
+
+/// How long the device has waited for a hand.
+enum class HoldWait {
+  kNot,
+  kHint,   ///< long enough for a second sentence
+  kStuck,  ///< the researcher is needed
 };
 
 /// The device, as far as she must know.
@@ -128,12 +147,13 @@ struct ScaleState {
 
 struct OwnModelState {
   bool ready = false;   ///< the model is built, and in the device
+  bool felt = false;    ///< she pushed under the force: the words may be chosen
   QString unavailable;  ///< one sentence why there is none; empty: there is, or it is being built
   QString region;       ///< term id of the region that is felt
   int number = 1;       ///< of `count` regions
   int count = 0;
   double from_mm = 0;  ///< depth at which the region begins
-  QString chosen;      ///< lighter, right, heavier; empty: none
+  QString chosen;      ///< lighter, right, heavier, cant_tell; empty: none
   int marks = 0;       ///< moments that she marked in this region
 };
 
@@ -155,8 +175,9 @@ struct ParticipantState {
   int text_percent = 100;                   ///< 100, 125, 150
   QString code;                             ///< of the participant; empty: not known yet
   bool left_handed = false;
-  bool simulated = false;  ///< no device is connected, or a program is the participant
-  int part = 1;            ///< of `parts`, in the order of the study's protocol
+  bool simulated = false;       ///< no device is connected, or a program is the participant
+  bool virtual_device = false;  ///< no device is connected: mouse and keyboard stand in
+  int part = 1;                 ///< of `parts`, in the order of the study's protocol
   int parts = 3;
 
   bool can_go_on = false;  ///< the primary button acts
@@ -169,6 +190,12 @@ struct ParticipantState {
   ConsentState consent;
   AboutYouState about;
   DeviceStep device = DeviceStep::kWait;
+  bool armed = false;  ///< a device runs for her: it may give a force
+  HoldMeans hold = HoldMeans::kButton;
+  HoldWait waits = HoldWait::kNot;
+  bool quiet_pause = false;  ///< of kForceOff: she paused where no device was armed
+  bool monitored = false;    ///< the researcher sees the monitor
+  bool call_seen = false;    ///< the researcher answered her call there
   SpeedState speed;          ///< of kSpeed, and of kPractice without `feels_force`
   ForceState force;          ///< of kForce, and of kPractice with `feels_force`
   bool feels_force = false;  ///< the practice is one of the force part

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -266,6 +267,76 @@ Picture pushPicture() {
     painter.setPen(QPen(colors::kAccent, u * 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawLine(o + QPointF(22, 7.6) * u, o + QPointF(37, 7.6) * u);
     painter.drawPolyline(QPolygonF({o + QPointF(32, 2.8) * u, o + QPointF(37.5, 7.6) * u, o + QPointF(32, 12.4) * u}));
+  };
+}
+
+namespace {
+
+const QPen kOutline(colors::kInk, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+
+/// An arrow onto what is pressed; its tip is `at`.
+void drawPress(QPainter& painter, const QPointF& at, double length) {
+  painter.setPen(QPen(colors::kInk, 3, Qt::SolidLine, Qt::RoundCap));
+  painter.drawLine(at - QPointF(0, length), at);
+  painter.drawLine(at, at + QPointF(-length / 4, -length / 4));
+  painter.drawLine(at, at + QPointF(length / 4, -length / 4));
+}
+
+// In a box of 60 x 40.
+void drawStylus(QPainter& painter) {
+  painter.save();
+  painter.translate(30, 26);
+  painter.rotate(-20);
+  painter.setPen(kOutline);
+  painter.setBrush(colors::kCard);
+  painter.drawRoundedRect(QRectF(-24, -5, 48, 10), 5, 5);
+  painter.drawLine(QPointF(24, 0), QPointF(29, 0));
+  painter.setBrush(kReadyColor);
+  painter.drawEllipse(QPointF(8, -4), 4, 2.5);
+  painter.restore();
+  drawPress(painter, QPointF(35.5, 16), 12);
+}
+
+void drawPedal(QPainter& painter) {
+  painter.setPen(kOutline);
+  painter.setBrush(colors::kCard);
+  painter.drawRect(QRectF(10, 33, 40, 4));
+  painter.setBrush(kReadyColor);
+  painter.drawPolygon(QPolygonF{{12, 30}, {48, 24}, {48, 29}, {12, 33}});
+  drawPress(painter, QPointF(36, 22), 14);
+}
+
+void drawMouse(QPainter& painter) {
+  painter.setPen(kOutline);
+  painter.setBrush(colors::kCard);
+  painter.drawRoundedRect(QRectF(8, 10, 18, 27), 9, 9);
+  QPainterPath body;
+  body.addRoundedRect(QRectF(8, 10, 18, 27), 9, 9);
+  QPainterPath left;
+  left.addRect(QRectF(8, 10, 9, 12));
+  painter.setBrush(kReadyColor);
+  painter.drawPath(body.intersected(left));
+  drawPress(painter, QPointF(12, 9), 8);
+  painter.setBrush(kReadyColor);
+  painter.drawRoundedRect(QRectF(34, 26, 22, 8), 2, 2);
+  drawPress(painter, QPointF(45, 24), 12);
+}
+
+}  // namespace
+
+Picture holdPicture(HoldMeans hold) {
+  return [hold](QPainter& painter, const QRectF& box) {
+    painter.save();
+    const double scale = std::min(box.width() / 60, box.height() / 40);
+    painter.translate(box.center() - QPointF(30, 20) * scale);
+    painter.scale(scale, scale);
+    switch (hold) {
+      case HoldMeans::kButton:
+      case HoldMeans::kLatch: drawStylus(painter); break;
+      case HoldMeans::kPedal: drawPedal(painter); break;
+      case HoldMeans::kMouse: drawMouse(painter); break;
+    }
+    painter.restore();
   };
 }
 

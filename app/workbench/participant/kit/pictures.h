@@ -9,6 +9,10 @@
 
 class QPainter;
 
+namespace tactus::workbench {
+enum class HoldMeans;
+}
+
 namespace tactus::workbench::nurse {
 
 /// A traffic light that also those read who see no colors: each lamp has its place and its sign.
@@ -73,6 +77,9 @@ Picture speedPicture(int level);
 Picture textSizePicture(int percent);
 /// A handle with an arrow away from the hand.
 Picture pushPicture();
+/// The switch that holds the tube on this device, pressed: a stylus with its button, a pedal, or a mouse with the space
+/// bar.
+Picture holdPicture(HoldMeans hold);
 /// A tick in a disk.
 Picture tickPicture();
 /// A cup of tea.

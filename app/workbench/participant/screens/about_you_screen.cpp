@@ -47,6 +47,7 @@ AboutYouScreen::AboutYouScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
       lead_(texts_->add(TextRole::kLead, phrase(QStringLiteral("you.years")))),
+      unwell_(texts_->add(TextRole::kBody, phrase(QStringLiteral("you.comfort_no")))),
       choices_(new Choices(look, this)) {
   setTitle(phrase(QStringLiteral("you.title")));
   setMain(texts_);
@@ -58,6 +59,7 @@ AboutYouScreen::AboutYouScreen(const Look& look, QWidget* parent)
 void AboutYouScreen::setState(const ParticipantState& state) {
   const AboutYouState& asked = state.about;
   lead_->setPhrase(phrase(questionId(asked.question)));
+  unwell_->setVisible(asked.question == AboutQuestion::kComfort && asked.chosen == QLatin1String("no"));
   choices_->setAnswers(answersTo(asked.question));
   choices_->choose(asked.chosen);
   primaryButton().waitFor(asked.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.answer"))) : std::nullopt);

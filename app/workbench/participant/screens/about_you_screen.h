@@ -22,6 +22,7 @@ class AboutYouScreen : public ScreenFrame {
  private:
   TextBlock* texts_;
   Label* lead_;
+  Label* unwell_;
   Choices* choices_;
 };
 

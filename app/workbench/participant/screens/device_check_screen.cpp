@@ -6,21 +6,40 @@
 #include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
+
+QString holdSentence(HoldMeans hold) {
+  switch (hold) {
+    case HoldMeans::kButton: break;
+    case HoldMeans::kLatch: return QStringLiteral("dev.hold_latch");
+    case HoldMeans::kPedal: return QStringLiteral("dev.hold_pedal");
+    case HoldMeans::kMouse: return QStringLiteral("dev.hold_mouse");
+  }
+  return QStringLiteral("dev.hold");
+}
+
 namespace {
 
-QString sentenceOf(DeviceStep step) {
-  switch (step) {
+QString deviceSentence(const ParticipantState& state) {
+  const bool mouse = state.hold == HoldMeans::kMouse;
+  switch (state.device) {
     case DeviceStep::kWait: return QStringLiteral("dev.wait");
-    case DeviceStep::kHold: return QStringLiteral("dev.hold");
+    case DeviceStep::kHold: return holdSentence(state.hold);
     case DeviceStep::kStill: return QStringLiteral("dev.still");
     case DeviceStep::kPush: return QStringLiteral("dev.push");
-    case DeviceStep::kRelease: return QStringLiteral("dev.release");
+    case DeviceStep::kRelease: return mouse ? QStringLiteral("dev.release_mouse") : QStringLiteral("dev.release");
     case DeviceStep::kReady: return QStringLiteral("dev.ready");
     case DeviceStep::kWrong: return QStringLiteral("dev.wrong");
     case DeviceStep::kLost: break;
   }
   return QStringLiteral("dev.lost");
 }
+
+QString hintSentence(HoldMeans hold) {
+  return hold == HoldMeans::kMouse ? QStringLiteral("dev.hint_mouse") : QStringLiteral("dev.hint");
+}
+
+constexpr double kHoldWidthMm = 60;
+constexpr double kHoldHeightMm = 40;
 
 Light lightOf(DeviceStep step) {
   if (step == DeviceStep::kReady) return Light::kReady;
@@ -32,6 +51,9 @@ Light lightOf(DeviceStep step) {
 DeviceCheckScreen::DeviceCheckScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent), texts_(new TextBlock(look)), light_(new TrafficLight(look)) {
   lead_ = texts_->add(TextRole::kLead, phrase(QStringLiteral("dev.wait")));
+  hint_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("dev.hint")));
+  picture_ = new PictureBox(look, kHoldWidthMm, kHoldHeightMm, texts_);
+  texts_->add(picture_);
   virtual_ = texts_->add(TextRole::kMuted, phrase(QStringLiteral("dev.virtual")));
   texts_->center();
   auto* main = new QWidget(this);
@@ -46,9 +68,14 @@ DeviceCheckScreen::DeviceCheckScreen(const Look& look, QWidget* parent)
 
 void DeviceCheckScreen::setState(const ParticipantState& state) {
   const bool ready = state.device == DeviceStep::kReady;
-  lead_->setPhrase(phrase(sentenceOf(state.device)));
+  lead_->setPhrase(phrase(deviceSentence(state)));
+  const bool holds = state.device == DeviceStep::kHold;
+  hint_->setVisible(holds && state.waits != HoldWait::kNot);
+  hint_->setPhrase(phrase(state.waits == HoldWait::kStuck ? QStringLiteral("dev.stuck") : hintSentence(state.hold)));
+  picture_->setVisible(holds);
+  picture_->setPicture(holdPicture(state.hold));
   // Its forces are drawn, not felt.
-  virtual_->setVisible(state.simulated);
+  virtual_->setVisible(state.simulated && state.virtual_device);
   light_->setLight(lightOf(state.device));
   light_->setAccessibleName(lead_->text());
   primaryButton().setVisible(ready || state.can_go_on);

@@ -7,6 +7,9 @@
 
 namespace tactus::workbench::nurse {
 
+/// The id of the sentence that says how the tube is held on the device.
+QString holdSentence(HoldMeans hold);
+
 class DeviceCheckScreen : public ScreenFrame {
   Q_OBJECT
 
@@ -18,6 +21,8 @@ class DeviceCheckScreen : public ScreenFrame {
  private:
   TextBlock* texts_;
   Label* lead_;
+  Label* hint_;
+  PictureBox* picture_;
   Label* virtual_;
   TrafficLight* light_;
 };

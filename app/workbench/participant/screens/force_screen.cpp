@@ -2,6 +2,8 @@
 
 #include <QKeyEvent>
 
+#include "app/workbench/participant/screens/device_check_screen.h"
+
 namespace tactus::workbench::nurse {
 namespace {
 
@@ -51,8 +53,11 @@ void ForceScreen::setState(const ParticipantState& state) {
   if (feels) sentence = state_.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
   lead_->setPhrase(phrase(sentence));
   push_->setVisible(feels);
-  hint_->setPhrase(phrase(state_.before ? QStringLiteral("for.before") : QStringLiteral("for.nothing")));
-  hint_->setVisible((feels && practice) || (answering && state_.before));
+  const bool unheld = feels && state.waits != HoldWait::kNot;
+  hint_->setPhrase(phrase(unheld          ? holdSentence(state.hold)
+                          : state_.before ? QStringLiteral("for.before")
+                                          : QStringLiteral("for.nothing")));
+  hint_->setVisible(unheld || (feels && practice) || (answering && state_.before));
   choices_->setVisible(answering && state_.asks);
   choices_->choose(state_.chosen);
   choices_->light(state_.lit);

@@ -23,12 +23,15 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
   setMain(texts_, picture_, kOwnPictureShare);
   setAnswers(choices_);
   std::vector<Answer> answers;
-  for (const char* id : {"lighter", "right", "heavier"})
-    answers.push_back({QString::fromLatin1(id), phrase(QStringLiteral("own.") + QString::fromLatin1(id))});
+  for (const char* id : {"lighter", "right", "heavier", "cant_tell"})
+    answers.push_back({QString::fromLatin1(id),
+                       phrase(QStringLiteral("own.") + QString::fromLatin1(id)),
+                       {},
+                       qstrcmp(id, "cant_tell") == 0});
   choices_->setAnswers(std::move(answers));
   mark_ = new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("own.mark")), this);
   addExtra(mark_);
-  primaryButton().reserve(phrase(QStringLiteral("err.choose")));
+  primaryButton().reserve(phrase(QStringLiteral("own.push")));
   connect(mark_, &QAbstractButton::clicked, this, &OwnModelScreen::marked);
   connect(&look, &Look::changed, this, &OwnModelScreen::show);
 }
@@ -40,8 +43,8 @@ void OwnModelScreen::setState(const ParticipantState& state) {
   const bool feels = state_.ready && !unavailable;
   for (QWidget* widget : std::initializer_list<QWidget*>{do_, line_, choices_, mark_}) widget->setVisible(feels);
   primaryButton().setVisible(feels || unavailable);
-  primaryButton().waitFor(feels && state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
-                                                           : std::nullopt);
+  const QString missing = state_.felt ? QStringLiteral("err.choose") : QStringLiteral("own.push");
+  primaryButton().waitFor(feels && state_.chosen.isEmpty() ? std::optional(phrase(missing)) : std::nullopt);
   picture_->setMirrored(state.left_handed);
   setFreeHandLeft(!state.left_handed);
   show();
@@ -66,6 +69,7 @@ void OwnModelScreen::show() {
 }
 
 QString OwnModelScreen::idOfKey(int key) const {
+  if (key == Qt::Key_0) return QStringLiteral("cant_tell");
   return key >= Qt::Key_1 && key <= Qt::Key_3 ? choices_->onScale(key - Qt::Key_0) : QString();
 }
 

@@ -5,27 +5,58 @@
 #include <algorithm>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {
 
-ForceOffPanel::ForceOffPanel(const Look& look, QWidget* parent) : PanelCard(look, parent) {
-  addText(TextRole::kLead, phrase(QStringLiteral("off.done")));
+ForceOffPanel::ForceOffPanel(const Look& look, const std::vector<QString>& languages, QWidget* parent)
+    : PanelCard(look, parent), has_languages_(languages.size() > 1) {
+  lead_ = addText(TextRole::kLead, phrase(QStringLiteral("off.done")));
   called_ = addText(TextRole::kBody, phrase(QStringLiteral("off.called")));
   Button* go_on = addButton(ButtonKind::kPrimary, phrase(QStringLiteral("nav.continue")));
   call_ = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.call")));
+  Button* reading = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.reading")));
   Button* stop = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.stop")));
   Button* withdraw_button = addButton(ButtonKind::kPlain, phrase(QStringLiteral("off.withdraw")));
+  acts_ = {go_on, reading, stop, withdraw_button};
+  languages_ = new Choices(look);
+  languages_->setAnswers(languageAnswers(languages));
+  sizes_ = new Choices(look);
+  sizes_->setAnswers(sizeAnswers());
+  addWidget(languages_);
+  addWidget(sizes_);
+  back_ = addButton(ButtonKind::kPrimary, phrase(QStringLiteral("nav.back")));
+  connect(languages_, &Choices::picked, this, &ForceOffPanel::languagePicked);
+  connect(sizes_, &Choices::picked, this, [this](const QString& id) { emit textSizePicked(id.toInt()); });
+  connect(reading, &QAbstractButton::clicked, this, [this] { turnToReading(true); });
+  connect(back_, &QAbstractButton::clicked, this, [this] { turnToReading(false); });
   connect(go_on, &QAbstractButton::clicked, this, &ForceOffPanel::goOn);
   connect(call_, &QAbstractButton::clicked, this, &ForceOffPanel::callResearcher);
   connect(stop, &QAbstractButton::clicked, this, &ForceOffPanel::stopForToday);
   connect(withdraw_button, &QAbstractButton::clicked, this, &ForceOffPanel::withdraw);
-  setCalled(false);
+  setState({});
 }
 
-void ForceOffPanel::setCalled(bool called) {
-  called_->setVisible(called);
-  call_->setVisible(!called);
+void ForceOffPanel::setState(const ParticipantState& state) {
+  called_now_ = state.overlay == ForceOffOverlay::kCalled;
+  lead_->setPhrase(phrase(state.quiet_pause ? QStringLiteral("off.paused") : QStringLiteral("off.done")));
+  called_->setPhrase(phrase(!state.monitored  ? QStringLiteral("off.hand")
+                            : state.call_seen ? QStringLiteral("off.called")
+                                              : QStringLiteral("off.calling")));
+  languages_->choose(state.language);
+  sizes_->choose(QString::number(state.text_percent));
+  turnToReading(reading_);
+}
+
+void ForceOffPanel::turnToReading(bool reading) {
+  reading_ = reading;
+  for (Button* act : acts_) act->setVisible(!reading);
+  called_->setVisible(called_now_ && !reading);
+  call_->setVisible(!called_now_ && !reading);
+  languages_->setVisible(reading && has_languages_);  // with one alone nothing is to be chosen
+  sizes_->setVisible(reading);
+  back_->setVisible(reading);
 }
 
 WithdrawPanel::WithdrawPanel(const Look& look, QWidget* parent) : PanelCard(look, parent) {

@@ -3,9 +3,15 @@
 
 #include <QVBoxLayout>
 #include <QWidget>
+#include <vector>
 
 #include "app/workbench/participant/kit/button.h"
+#include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/label.h"
+
+namespace tactus::workbench {
+struct ParticipantState;
+}
 
 namespace tactus::workbench::nurse {
 
@@ -57,23 +63,37 @@ class WithdrawPanel : public PanelCard {
   void withdraw();
 };
 
-/// After "Force off": the force is zero, and she chooses what happens next. Nothing here needs the researcher.
+/// After "Force off" or "Pause": there is no force, and she chooses what happens next, also language and text size.
+/// Nothing here needs the researcher.
 class ForceOffPanel : public PanelCard {
   Q_OBJECT
 
  public:
-  explicit ForceOffPanel(const Look& look, QWidget* parent = nullptr);
+  /// `languages`: those that are offered.
+  ForceOffPanel(const Look& look, const std::vector<QString>& languages, QWidget* parent = nullptr);
 
-  /// The researcher has been called.
-  void setCalled(bool called);
+  void setState(const ParticipantState& state);
 
  signals:
+  void languagePicked(const QString& id);
+  void textSizePicked(int percent);
   void goOn();
   void callResearcher();
   void stopForToday();
   void withdraw();
 
  private:
+  /// Language and text size instead of what to do next, or back.
+  void turnToReading(bool reading);
+
+  Label* lead_;
+  std::vector<Button*> acts_;
+  Button* back_;
+  bool reading_ = false;
+  bool has_languages_;
+  bool called_now_ = false;
+  Choices* languages_;
+  Choices* sizes_;
   Label* called_;
   Button* call_;
 };

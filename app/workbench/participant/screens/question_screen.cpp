@@ -30,6 +30,7 @@ QuestionScreen::QuestionScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
       situation_(nullptr),
+      usual_(nullptr),
       choices_(new Choices(look, this)),
       picture_(new anatomy::AnatomyView(this)),
       condition_picture_(new PictureBox(look, 1.5 * kConditionMm, kConditionMm, picture_)),
@@ -38,6 +39,7 @@ QuestionScreen::QuestionScreen(const Look& look, QWidget* parent)
   corner_->addWidget(condition_picture_);
   situation_ = texts_->add(TextRole::kBody, plain(QStringLiteral(" ")));
   texts_->add(TextRole::kLead, phrase(QStringLiteral("q.question")));
+  usual_ = texts_->add(TextRole::kMuted, phrase(QStringLiteral("q.usual")));
   texts_->center();
   setMain(texts_, picture_, kPictureShare);
   setAnswers(choices_);
@@ -64,7 +66,19 @@ void QuestionScreen::setState(const ParticipantState& state) {
   ScreenFrame::setState(state);
 }
 
+// Said in the glossary too: with the largest text on a small screen there is no room for it here.
+void QuestionScreen::resizeEvent(QResizeEvent* event) {
+  ScreenFrame::resizeEvent(event);
+  showUsual();
+}
+
+void QuestionScreen::showUsual() {
+  constexpr int kRoomTexts = 24;  // heights of text
+  usual_->setVisible(height() >= kRoomTexts * look().textPx());
+}
+
 void QuestionScreen::show() {
+  showUsual();
   if (state_.region.isEmpty()) return;
   const QString condition = look().say(phrase(QStringLiteral("q.%1.%2").arg(state_.condition, state_.term)));
   const QString depth = look().say(phrase(QStringLiteral("q.depth.") + state_.region));

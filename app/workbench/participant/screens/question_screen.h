@@ -29,13 +29,16 @@ class QuestionScreen : public ScreenFrame {
  protected:
   /// 1 to 5 the words, 0 "I can't tell".
   QString idOfKey(int key) const override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show();
+  void showUsual();
 
   QuestionState state_;
   TextBlock* texts_;
   Label* situation_;
+  Label* usual_;
   Choices* choices_;
   anatomy::AnatomyView* picture_;
   PictureBox* condition_picture_;

@@ -43,7 +43,11 @@ QString code() { return QStringLiteral("thunderstorm marmalade"); }
 ParticipantState welcome(WelcomeState::Step step) {
   ParticipantState state = at(ParticipantScreen::kWelcome, step != WelcomeState::Step::kStart);
   state.code = code();
-  state.welcome = {step, 27, true, code(), 30};
+  state.welcome.step = step;
+  state.welcome.kept_answers = 27;
+  state.welcome.code_unknown = true;
+  state.welcome.meant = code();
+  state.welcome.minutes = 30;
   return state;
 }
 
@@ -107,6 +111,14 @@ SampleScreen panel(const QString& name) {
   return {name, [](const Look& look) { return std::make_unique<Panel>(look); }};
 }
 
+SampleScreen choiceAfterForceOff(const QString& name, const ParticipantState& state) {
+  return {name, [state](const Look& look) {
+            auto choice = std::make_unique<ForceOffPanel>(look, state.languages);
+            choice->setState(state);
+            return choice;
+          }};
+}
+
 ParticipantState force(ForceState::Phase phase, const char* chosen = "") {
   ParticipantState state = at(ParticipantScreen::kForce, false);
   state.part = 2;
@@ -147,6 +159,16 @@ SampleScreen notice(const QString& name, const QString& sentence) {
   return {name, [sentence](const Look& look) { return std::make_unique<NoticePanel>(look, phrase(sentence)); }};
 }
 
+ParticipantState prepared(WelcomeState::Step step) {
+  ParticipantState state = welcome(step);
+  state.welcome.prepared = true;
+  if (step == WelcomeState::Step::kWelcomeBack) {
+    state.welcome.kept_strokes = 11;
+    state.welcome.all_strokes = 12;
+  }
+  return state;
+}
+
 /// The statements `ids`, with a value where they have a place for one.
 ParticipantState consent(std::initializer_list<const char*> ids) {
   ParticipantState state = at(ParticipantScreen::kConsent);
@@ -174,6 +196,8 @@ std::vector<SampleScreen> sampleScreens() {
       sample<WelcomeScreen>("welcome_enter_code", welcome(Step::kStart),
                             [](WelcomeScreen& screen) { screen.enterCode(); }),
       sample<WelcomeScreen>("welcome_back", welcome(Step::kWelcomeBack)),
+      sample<WelcomeScreen>("welcome_prepared", prepared(Step::kNewCode)),
+      sample<WelcomeScreen>("welcome_back_prepared", prepared(Step::kWelcomeBack)),
       sample<ConsentScreen>("consent", consent({"con.purpose", "con.what", "con.minutes", "con.force", "con.voluntary",
                                                 "con.stop", "con.data", "con.withdraw", "con.contact"})),
       sample<ConsentScreen>("consent_questions",
@@ -189,9 +213,20 @@ std::vector<SampleScreen> sampleScreens() {
     ParticipantState state = at(ParticipantScreen::kAboutYou);
     state.about.question = each;
     if (number % 2 == 1) state.about.chosen = answersTo(each).front().id;
+    if (each == AboutYouState::Question::kComfort) state.about.chosen = QStringLiteral("no");
     all.push_back(sample<AboutYouScreen>(QStringLiteral("about_you_%1").arg(++number), state));
   }
-  all.push_back(sample<DeviceCheckScreen>("device_hold", device(DeviceStep::kHold, false, true)));
+  ParticipantState hold = device(DeviceStep::kHold, false, true);
+  hold.virtual_device = true;
+  hold.hold = HoldMeans::kMouse;
+  all.push_back(sample<DeviceCheckScreen>("device_hold", hold));
+  ParticipantState stylus = device(DeviceStep::kHold, false, false);
+  all.push_back(sample<DeviceCheckScreen>("device_hold_stylus", stylus));
+  stylus.waits = HoldWait::kHint;
+  all.push_back(sample<DeviceCheckScreen>("device_hold_hint", stylus));
+  stylus.waits = HoldWait::kStuck;
+  stylus.hold = HoldMeans::kPedal;
+  all.push_back(sample<DeviceCheckScreen>("device_hold_stuck", stylus));
   all.push_back(sample<DeviceCheckScreen>("device_ready", device(DeviceStep::kReady, true, false)));
   all.push_back(sample<DeviceCheckScreen>("device_wrong", device(DeviceStep::kWrong, true, false)));
   all.push_back(sample<DeviceCheckScreen>("device_lost", device(DeviceStep::kLost, true, false)));
@@ -245,6 +280,7 @@ std::vector<SampleScreen> sampleScreens() {
   ParticipantState own = at(ParticipantScreen::kOwnModel);
   own.own.ready = true;
   own.own.region = QStringLiteral("laryngopharynx");
+  own.own.felt = true;
   own.own.chosen = QStringLiteral("right");
   all.push_back(sample<OwnModelScreen>("own_model", own, [](OwnModelScreen& screen) { screen.setDepth(160); }));
   ParticipantState thanks = at(ParticipantScreen::kThanks, false);
@@ -263,12 +299,16 @@ std::vector<SampleScreen> sampleScreens() {
   all.push_back(sample<StoppedScreen>("withdrawn", stopped(StopReason::kWithdrawn)));
   all.push_back(notice("paused", QStringLiteral("err.paused")));
   all.push_back(notice("not_saved", QStringLiteral("err.save")));
-  all.push_back(panel<ForceOffPanel>("force_off"));
-  all.push_back({"force_off_called", [](const Look& look) {
-                   auto force_off = std::make_unique<ForceOffPanel>(look);
-                   force_off->setCalled(true);
-                   return force_off;
-                 }});
+  all.push_back(choiceAfterForceOff("force_off", {}));
+  ParticipantState pause;
+  pause.quiet_pause = true;
+  all.push_back(choiceAfterForceOff("pause", pause));
+  ParticipantState called;
+  called.overlay = ForceOffOverlay::kCalled;
+  all.push_back(choiceAfterForceOff("force_off_raise_hand", called));
+  called.monitored = true;
+  called.call_seen = true;
+  all.push_back(choiceAfterForceOff("force_off_called", called));
   all.push_back(panel<WithdrawPanel>("withdraw"));
   return all;
 }

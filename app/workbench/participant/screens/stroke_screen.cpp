@@ -4,6 +4,7 @@
 
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/participant_state.h"
+#include "app/workbench/participant/screens/device_check_screen.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -62,7 +63,8 @@ void StrokeScreen::setState(const ParticipantState& state) {
   lead_->setPhrase(phrase(QStringLiteral("spd.") + state.speed.level));
   dots_->setVisible(!practice);
   dots_->setCount(state.speed.recorded, state.speed.wanted);
-  note_->setPhrase(phrase(noteOf(state.speed.note)));
+  const bool asks = state.speed.note == SpeedState::Note::kStart && state.waits != HoldWait::kNot;
+  note_->setPhrase(phrase(asks ? holdSentence(state.hold) : noteOf(state.speed.note)));
   tick_->setVisible(state.speed.note == SpeedState::Note::kRecorded);
   primaryButton().setVisible(state.can_go_on);
   picture_->setMirrored(state.left_handed);

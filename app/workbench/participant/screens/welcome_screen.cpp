@@ -2,7 +2,6 @@
 
 #include <QPainter>
 
-#include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/kit/button.h"
 #include "app/workbench/participant/kit/look.h"
 
@@ -58,23 +57,15 @@ void CodeField::paintEvent(QPaintEvent* /*event*/) {
 
 namespace {
 
-constexpr int kTextPercents[] = {100, 125, 150};
-
-std::vector<Answer> languageAnswers(const std::vector<QString>& offered) {
-  std::vector<Answer> answers;
-  for (const QString& id : offered) {
-    if (const auto language = languageWithId(id)) answers.push_back({id, plain(languageName(id)), {}, false, language});
+/// What is kept of an earlier visit, in the words of the part in which it ended.
+Phrase keptOf(const WelcomeState& welcome) {
+  if (welcome.kept_forces > 0)
+    return phrase(QStringLiteral("code.back_forces"), {QString::number(welcome.kept_forces)});
+  if (welcome.kept_strokes > 0 && welcome.all_strokes > 0) {
+    return phrase(QStringLiteral("code.back_strokes"),
+                  {QString::number(welcome.kept_strokes), QString::number(welcome.all_strokes)});
   }
-  return answers;
-}
-
-std::vector<Answer> sizeAnswers() {
-  std::vector<Answer> answers;
-  for (const int percent : kTextPercents) {
-    const QString id = QString::number(percent);
-    answers.push_back({id, phrase(QStringLiteral("wel.size_") + id), textSizePicture(percent)});
-  }
-  return answers;
+  return counted(QStringLiteral("code.back"), welcome.kept_answers);
 }
 
 }  // namespace
@@ -137,23 +128,32 @@ void WelcomeScreen::show() {
   using Step = WelcomeState::Step;
   const WelcomeState& welcome = state_.welcome;
   const bool start = welcome.step == Step::kStart && !has_code_;
+  // Who is prepared by the researcher, or comes back, chooses here how she reads.
+  const bool reads = start || welcome.prepared || welcome.step == Step::kWelcomeBack;
   line_->setPhrase(phrase(QStringLiteral("wel.line"), {QString::number(welcome.minutes)}));
-  for (QWidget* widget : std::initializer_list<QWidget*>{line_, size_title_, sizes_, have_code_, teach_})
-    widget->setVisible(start);
+  line_->setVisible(start);
+  for (QWidget* widget : std::initializer_list<QWidget*>{size_title_, sizes_}) widget->setVisible(reads);
+  for (QWidget* widget : std::initializer_list<QWidget*>{have_code_, teach_})
+    widget->setVisible(start && !welcome.prepared);
   languages_->setAnswers(languageAnswers(state_.languages));
   // With one alone nothing is to be chosen.
   for (QWidget* widget : std::initializer_list<QWidget*>{language_title_, languages_})
-    widget->setVisible(start && state_.languages.size() > 1);
+    widget->setVisible(reads && state_.languages.size() > 1);
   showChoices();
   lead_->setVisible(!start);
   if (welcome.step == Step::kNewCode) lead_->setPhrase(phrase(QStringLiteral("code.yours"), {state_.code}));
   if (asksForCode()) lead_->setPhrase(phrase(QStringLiteral("code.enter")));
-  if (welcome.step == Step::kWelcomeBack) lead_->setPhrase(counted(QStringLiteral("code.back"), welcome.kept_answers));
+  if (welcome.step == Step::kNewCode && welcome.prepared)
+    lead_->setPhrase(phrase(QStringLiteral("code.part"), {state_.code}));
+  if (welcome.step == Step::kWelcomeBack) lead_->setPhrase(keptOf(welcome));
   field_->setVisible(asksForCode());
   unknown_->setVisible(asksForCode() && welcome.code_unknown);
   meant_->setPhrase(phrase(QStringLiteral("code.meant"), {welcome.meant}));
   meant_->setVisible(!welcome.meant.isEmpty() && !unknown_->isHidden());
-  primaryButton().setPhrase(phrase(start ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
+  primaryButton().setPhrase(
+      phrase(start && !welcome.prepared ? QStringLiteral("code.new") : QStringLiteral("nav.next")));
+  // The prepared participant is being looked up.
+  primaryButton().setVisible(!(start && welcome.prepared));
   showBack();
 }
 
