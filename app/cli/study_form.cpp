@@ -1,5 +1,5 @@
-// `tactus study form`: the questionnaire of a study for survey systems, and on paper; the way back:
-// study_form.cpp.
+// `tactus study form`: the questionnaire of a study as a web page, for survey systems and on paper; the way back from
+// survey systems.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -11,6 +11,8 @@
 #include "app/report/printed_form.h"
 #include "app/session/study_protocol.h"
 #include "app/session/study_source.h"
+#include "app/webform/form_content.h"
+#include "app/webform/web_page.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
@@ -209,30 +211,68 @@ NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
   return out;
 }
 
+/// Writes the files into the folder `--out`; their paths.
+Result<std::vector<std::string>> written(const StudyFormOptions& options, const NamedFiles& files) {
+  if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
+  std::vector<std::string> paths;
+  for (const auto& [name, text] : files) {
+    paths.push_back(options.out + "/" + name);
+    if (const auto done = base::writeFileAtomically(paths.back(), text); !done) return tl::unexpected(done.error());
+  }
+  return paths;
+}
+
+std::string linesOf(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths) text += base::oneLine(path) + '\n';
+  return text;
+}
+
+/// The form as a web page. Its answers come back into a study file, so a folder of tables has none.
+Result<Output> webForm(const StudyFormOptions& options) {
+  if (std::filesystem::is_directory(options.study)) {
+    return tl::unexpected(base::Error{base::ErrorCode::kReference,
+                                      options.study,
+                                      {},
+                                      "a folder of tables",
+                                      "a study file, whose id the answers name"});
+  }
+  TACTUS_TRY(const auto file, store::StudyFile::open(options.study, {store::Access::kReadOnly}));
+  const auto content = webform::currentForm(file, options.wording);
+  if (!content) return base::inFile(content.error(), options.study);
+  std::vector<std::string> warnings = noticesOf(file);
+  if (content->consent_version.empty()) {
+    warnings.emplace_back(
+        "the study has no protocol, so the form has no consent text and names no contact: for trying only; "
+        "tactus study protocol sets both");
+  }
+  TACTUS_TRY(const auto paths, written(options, {{"form.html", webform::webPage(*content)},
+                                                 {"README.txt", webform::webReadme(*content)}}));
+  if (!options.json) return Output{linesOf(paths), std::move(warnings)};
+  std::vector<std::string> languages;
+  for (const auto& language : content->languages) languages.push_back(language.id);
+  base::JsonWriter json;
+  json.beginObject().key("study").value(options.study).key("form").value(content->form);
+  json.key("wording").value(content->wording).key("form_sha256").value(content->sha256);
+  json.key("languages").values(languages).key("files").values(paths).key("warnings").values(warnings);
+  return Output{json.endObject().text(), std::move(warnings)};
+}
+
 }  // namespace
 
 base::Result<Output> studyForm(const StudyFormOptions& options) {
+  if (options.to == "web") return webForm(options);
   TACTUS_TRY(auto asked, askedForm(options.study));
   if (!options.responses.empty()) return studyResponses(options, asked.form, std::move(asked.notices));
   const auto surveys = surveysOf(asked, options.wording);
   if (!surveys) return base::inFile(surveys.error(), options.study);
   const NamedFiles files = filesFor(options.to, *surveys);
-  if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
-  std::vector<std::string> paths;
-  for (const auto& [name, text] : files) {
-    paths.push_back(options.out + "/" + name);
-    if (const auto written = base::writeFileAtomically(paths.back(), text); !written)
-      return tl::unexpected(written.error());
-  }
+  TACTUS_TRY(const auto paths, written(options, files));
   std::vector<std::string> warnings = std::move(asked.notices);
   if (options.to == "limesurvey") {
     warnings.push_back("this structure was never imported into a LimeSurvey server; look at it before it is used");
   }
-  if (!options.json) {
-    std::string text;
-    for (const std::string& path : paths) text += base::oneLine(path) + '\n';
-    return Output{std::move(text), std::move(warnings)};
-  }
+  if (!options.json) return Output{linesOf(paths), std::move(warnings)};
   base::JsonWriter json;
   json.beginObject().key("study").value(options.study).key("form").value(asked.form);
   json.key("wording").value(surveys->front().wording);
