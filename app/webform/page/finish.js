@@ -41,12 +41,10 @@ screens.review = () => {
 
 // What a teacher thinks of the simulator: seven points between two words.
 screens.scale = () => {
-  const points = Object.entries(language.points);
   const name = (number) => 'scale-' + number;
   const groups = Object.entries(language.scale).map(([number, sentence]) => {
     const known = run.scale[number];
-    const offers = points.map(([value, label]) => ({value, label: label || '', picture: el('span', {class: 'point'}, value)}));
-    return choices(name(number), sentence, offers, known ? known.term : null, 'scale', (value) =>
+    return choices(name(number), sentence, pointOffers(language.points), known ? known.term : null, 'scale', (value) =>
       reply(run.scale, number, value, 'answered', shown_ms));
   });
   shown_ms = Date.now();

@@ -20,9 +20,19 @@ function go(screen, item) {
 function choices(name, legend, offers, chosen, kind, onchange) {
   const cards = offers.map((offer) => el('label', {class: 'card' + (offer.quiet ? ' quiet' : '')},
       el('input', {type: 'radio', name, value: offer.value, checked: offer.value === chosen,
-                   onchange: () => onchange && onchange(offer.value)}),
-      offer.picture, el('span', {class: 'word'}, offer.label)));
-  return el('fieldset', {class: 'choices ' + kind}, el('legend', {}, legend), el('div', {class: 'cards'}, cards));
+                   'aria-label': offer.name, onchange: () => onchange && onchange(offer.value)}),
+      offer.picture, offer.label ? el('span', {class: 'word'}, offer.label) : null));
+  const ends = offers.ends ? el('p', {class: 'ends', 'aria-hidden': 'true'}, offers.ends.map((end) => el('span', {}, end))) : null;
+  return el('fieldset', {class: 'choices ' + kind}, el('legend', {}, legend), el('div', {class: 'cards'}, cards), ends);
+}
+
+// The points of a scale, of which the first and the last have words.
+function pointOffers(points) {
+  const offers = Object.entries(points).map(([value, label]) => (
+      {value, name: label ? value + ' ' + label : value, picture: el('span', {class: 'point'}, value)}));
+  const words = Object.values(points);
+  offers.ends = [words[0], words[words.length - 1]];
+  return offers;
 }
 
 const chosenIn = (name) => {
@@ -145,8 +155,8 @@ const situationOf = (item) => language.items[item.number];
 function termOffers() {
   const terms = Object.entries(language.terms);
   const forces = terms.length === 5 && !Object.keys(language.scale).every((n) => language.items[n] === language.scale[n]);
-  const offers = terms.map(([value, label], i) => ({
-    value, label: label || value, picture: forces ? bar(i + 1) : el('span', {class: 'point'}, label ? value : '')}));
+  const words = (value, label, i) => ({value, label: label || value, picture: bar(i + 1)});
+  const offers = forces ? terms.map(([value, label], i) => words(value, label, i)) : pointOffers(language.terms);
   return {offers, forces};
 }
 
