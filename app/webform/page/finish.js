@@ -89,7 +89,6 @@ screens.finish = () => {
     deleteRun();
     go('deleted');
   };
-  const can_rate = content.form !== 'usability-v1';
   const body = [
     el('p', {class: 'lead'}, say('web.save_line')),
     content.contact ? el('p', {}, say('con.contact', content.contact)) : null,
@@ -100,7 +99,7 @@ screens.finish = () => {
        el('details', {}, el('summary', {id: 'copy-line'}, say('web.copy_line')), area,
           el('button', {type: 'button', class: 'secondary', onclick: copy}, say('web.copy')), copied)),
     el('div', {class: 'more'},
-       can_rate ? el('button', {type: 'button', class: 'secondary', id: 'teach', onclick: () => go('scale')}, say('u.begin')) : null,
+       !is_scale ? el('button', {type: 'button', class: 'secondary', id: 'teach', onclick: () => go('scale')}, say('u.begin')) : null,
        el('button', {type: 'button', class: 'secondary', onclick: () => window.print()}, say('thx.print')),
        el('button', {type: 'button', class: 'secondary', id: 'delete', onclick: remove}, say('web.delete'))),
   ];

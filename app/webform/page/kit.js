@@ -1,6 +1,8 @@
 // Small tools of the page: elements, texts in the chosen language, SHA-256.
 const content = JSON.parse(document.getElementById('content').textContent);
 const app = document.getElementById('app');
+// The study asks about the simulator alone.
+const is_scale = content.form === 'usability-v1';
 const paper = document.getElementById('paper');
 
 // el('p', {class: 'lead'}, 'text', child): a listener is an attribute whose name begins with `on`.

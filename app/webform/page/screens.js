@@ -154,7 +154,7 @@ const situationOf = (item) => language.items[item.number];
 
 function termOffers() {
   const terms = Object.entries(language.terms);
-  const forces = terms.length === 5 && !Object.keys(language.scale).every((n) => language.items[n] === language.scale[n]);
+  const forces = !is_scale;
   const words = (value, label, i) => ({value, label: label || value, picture: bar(i + 1)});
   const offers = forces ? terms.map(([value, label], i) => words(value, label, i)) : pointOffers(language.terms);
   return {offers, forces};

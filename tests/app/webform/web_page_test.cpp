@@ -1,6 +1,7 @@
 // The form as a web page: what it holds, and that it needs nothing else.
 #include "app/webform/web_page.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -63,7 +64,7 @@ TEST(WebPage, AsksTheSameAsTheOtherMediaInEachLanguage) {
       EXPECT_TRUE(question.text == situation + ' ' + end || question.text == situation + end) << question.text;
     }
     for (const auto& choice : asked->choices) EXPECT_EQ(language["terms"][choice.value], choice.label);
-    EXPECT_EQ(language["scale"].size(), 5U);
+    EXPECT_EQ(language["scale"].size(), 6U);
     EXPECT_FALSE(language["words"]["you.hand"].get<std::string>().empty());
     EXPECT_NE(language["consent"].dump().find("The study </script><b> of"), std::string::npos);
   }
@@ -97,7 +98,7 @@ TEST(WebPage, TheFormOfTheSimulatorAloneHasNoRegions) {
   session::StudyProtocol protocol = protocolInThree();
   protocol.settings = session::usabilitySession();
   const PageJson data = dataOf(webPage(contentOf(protocol)));
-  EXPECT_EQ(data["items"].size(), 5U);
+  EXPECT_EQ(data["items"].size(), 6U);
   EXPECT_FALSE(data["items"][0].contains("region"));
   EXPECT_EQ(data["languages"][0]["terms"].size(), 7U);
 }
@@ -119,7 +120,8 @@ TEST(WebPage, TheTipLiesInTheMiddleOfItsRegion) {
       inside = inside || (a.x == 0 && a.y == 0);  // the nostril
       if (inside) way_mm += std::hypot(b.x - a.x, b.y - a.y);
       for (const PictureRegion& region : upright.regions) {
-        if (region.id == id && region.end + 1 == i) EXPECT_NEAR(way_mm, middle_mm, 8) << id;
+        if (region.id != id || region.end + 1 != i) continue;
+        EXPECT_NEAR(way_mm, middle_mm, 8) << id;
       }
     }
   }
