@@ -47,7 +47,7 @@ struct SurveyOpening {
   };
 
   std::string consent_title;
-  std::vector<std::string> consent;  ///< paragraphs
+  std::vector<std::string> consent;  ///< paragraphs; none: the study has no consent yet, and nothing asks for it
   std::string consent_version;
   std::string agree;
   std::string decline;

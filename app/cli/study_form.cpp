@@ -12,6 +12,7 @@
 #include "app/session/study_protocol.h"
 #include "app/session/study_source.h"
 #include "app/webform/form_content.h"
+#include "app/webform/pictures.h"
 #include "app/webform/web_page.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -145,6 +146,7 @@ namespace {
 using questionnaires::Survey;
 
 struct AskedForm {
+  session::StudyProtocol protocol;
   std::string form;
   std::vector<std::string> languages;
   std::vector<std::string> notices;
@@ -161,7 +163,7 @@ base::Result<AskedForm> askedForm(const std::string& path) {
     if (*current) protocol = std::move(**current);
     notices = noticesOf(file);
   }
-  return AskedForm{protocol.settings.form, protocol.languages, std::move(notices)};
+  return AskedForm{protocol, protocol.settings.form, protocol.languages, std::move(notices)};
 }
 
 /// The form in the languages of the study in which it has these words. Says which it has not.
@@ -186,11 +188,24 @@ base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string&
     asked.notices.push_back("not written in " + base::joined(without, ", ") + ": the wording " + base::quoted(wording) +
                             " is there in " + base::joined(known, ", ") + " only");
   asked.languages.clear();
-  for (const Survey& survey : out) asked.languages.push_back(survey.language);
+  // Consent, profile and words, as on the screens and on the web page.
+  TACTUS_TRY(const auto content, webform::formContent({}, {}, asked.protocol, wording));
+  for (Survey& survey : out) {
+    asked.languages.push_back(survey.language);
+    if (const auto* const language = content.language(survey.language))
+      survey.opening = webform::openingOf(content, *language);
+  }
   return out;
 }
 
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// The head from the side with the five regions of the tip.
+std::string regionsPicture() {
+  return webform::pictureFile(
+      webform::pictures().front(),
+      {{"nasal_cavity", "1"}, {"nasopharynx", "2"}, {"oropharynx", "3"}, {"laryngopharynx", "4"}, {"esophagus", "5"}});
+}
 
 NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
   NamedFiles out;
@@ -201,7 +216,7 @@ NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
     for (const Survey& survey : surveys) {
       const std::string file = name + "." + survey.language;
       if (to == "redcap") out.emplace_back(file + ".csv", questionnaires::redcapDictionary(survey));
-      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey));
+      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey, regionsPicture()));
     }
   }
   if (to != "print") {
@@ -268,15 +283,20 @@ base::Result<Output> studyForm(const StudyFormOptions& options) {
   if (!surveys) return base::inFile(surveys.error(), options.study);
   const NamedFiles files = filesFor(options.to, *surveys);
   TACTUS_TRY(const auto paths, written(options, files));
+  std::vector<std::string> pictures;
+  if (options.to != "print") {
+    TACTUS_TRY(pictures, written(options, {{surveys->front().name + ".picture.svg", regionsPicture()}}));
+  }
   std::vector<std::string> warnings = std::move(asked.notices);
   if (options.to == "limesurvey") {
     warnings.push_back("this structure was never imported into a LimeSurvey server; look at it before it is used");
   }
-  if (!options.json) return Output{linesOf(paths), std::move(warnings)};
+  if (!options.json) return Output{linesOf(paths) + linesOf(pictures), std::move(warnings)};
   base::JsonWriter json;
   json.beginObject().key("study").value(options.study).key("form").value(asked.form);
   json.key("wording").value(surveys->front().wording);
-  json.key("languages").values(asked.languages).key("files").values(paths).key("warnings").values(warnings);
+  json.key("languages").values(asked.languages).key("files").values(paths).key("pictures").values(pictures);
+  json.key("warnings").values(warnings);
   return Output{json.endObject().text(), std::move(warnings)};
 }
 

@@ -66,7 +66,7 @@ void addLines(const std::string& text, std::vector<std::string>& out) {
   }
 }
 
-/// As on the consent screen, of a page without a device.
+/// As on the consent screen, of a form without a device. What only the page does is left to it.
 std::vector<std::string> consentOf(const FormContent& content, const session::StudyProtocol& protocol,
                                    const FormLanguage& language) {
   std::vector<std::string> out;
@@ -188,7 +188,9 @@ Result<std::vector<FormContent>> formsOf(const store::StudyFile& file) {
 questionnaires::SurveyOpening openingOf(const FormContent& content, const FormLanguage& language) {
   questionnaires::SurveyOpening out;
   out.consent_title = language.words.at("con.title");
-  out.consent = language.consent;
+  // Without a protocol nobody has said to what participants agree.
+  if (!content.consent_version.empty()) out.consent = language.consent;
+  std::erase(out.consent, language.words.at("web.sends"));
   out.consent_version = content.consent_version;
   out.agree = language.words.at("con.agree");
   out.decline = language.words.at("con.decline");
