@@ -4,7 +4,7 @@
 
 #include "app/cli/commands.h"
 #include "app/cli/study_text.h"
-#include "app/webform/answer_import.h"
+#include "app/webform/answers.h"
 #include "core/base/json/json_writer.h"
 
 namespace tactus::cli {

@@ -9,11 +9,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/study_text.h"
 #include "app/report/printed_form.h"
+#include "app/session/session_notes.h"
 #include "app/session/study_protocol.h"
 #include "app/session/study_source.h"
-#include "app/webform/form_content.h"
 #include "app/webform/pictures.h"
-#include "app/webform/web_page.h"
+#include "app/webform/web_form.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
@@ -53,11 +53,17 @@ Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const std::
   TACTUS_TRY(auto participants, participantsOf(options.participants));
   settings.participants = std::move(participants);
   settings.missing = options.missing;
+  session::StudyProtocol every;
+  every.settings.form = form;
+  every.languages.assign(session::kScreenLanguages.begin(), session::kScreenLanguages.end());
   std::vector<questionnaires::Survey> languages;
   for (const std::string& wording : questionnaires::wordingsOf(form)) {
     if (!options.wording.empty() && wording != options.wording) continue;
     for (const std::string& language : questionnaires::languagesOf(form, wording)) {
       TACTUS_TRY(auto one, questionnaires::survey(form, language, wording));
+      const auto content = webform::formContent({}, {}, every, wording);
+      const auto* const words = content ? content->language(language) : nullptr;
+      if (words != nullptr) one.opening = webform::openingOf(*content, *words);
       languages.push_back(std::move(one));
     }
   }
@@ -82,6 +88,11 @@ study::Study tablesOf(SurveyResponses responses, const std::vector<study::Partic
     const auto it = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.code == code; });
     study::Participant fresh;
     fresh.code = code;
+    const auto& said = responses.profiles[code];
+    if (const auto years = said.find("years"); years != said.end()) {
+      if (const auto band = session::experienceBandCalled(years->second)) fresh.years_experience = band->middle_years;
+    }
+    if (const auto hand = said.find("handedness"); hand != said.end()) fresh.handedness = hand->second;
     out.participants.push_back(it == known.end() ? std::move(fresh) : *it);
   }
   out.answers = std::move(responses.answers);

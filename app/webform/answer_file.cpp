@@ -1,5 +1,3 @@
-#include "app/webform/answer_file.h"
-
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -9,6 +7,7 @@
 #include <utility>
 
 #include "app/session/profile_questions.h"
+#include "app/webform/answers.h"
 #include "core/base/files/checksums.h"
 #include "core/base/json/json_members.h"
 #include "core/base/tables/csv.h"

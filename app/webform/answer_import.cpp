@@ -1,5 +1,3 @@
-#include "app/webform/answer_import.h"
-
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -9,7 +7,7 @@
 #include "app/session/session_notes.h"
 #include "app/session/session_settings.h"
 #include "app/session/session_state.h"
-#include "app/webform/answer_file.h"
+#include "app/webform/answers.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"

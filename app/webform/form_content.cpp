@@ -1,11 +1,10 @@
-#include "app/webform/form_content.h"
-
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>
 
 #include "app/session/profile_questions.h"
+#include "app/webform/web_form.h"
 #include "core/base/check.h"
 #include "core/base/files/checksums.h"
 #include "core/base/json/json_writer.h"

@@ -1,11 +1,10 @@
-#include "app/webform/web_page.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "app/session/profile_questions.h"
 #include "app/webform/pictures.h"
+#include "app/webform/web_form.h"
 #include "core/base/check.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/person_codes.h"

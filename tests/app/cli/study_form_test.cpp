@@ -123,6 +123,29 @@ TEST_F(StudyFormTest, EachMediumHasConsentProfileAndPicture) {
   EXPECT_NE(unwrapped(tables.err).find("a study file, whose id the answers name"), std::string::npos) << tables.err;
 }
 
+TEST_F(StudyFormTest, TheProfileOfASurveySystemComesBack) {
+  std::string head = "record_id,years,handedness";
+  std::string codes = "velvet-otter,years_2,left";
+  std::string labels = "amber-fox,Over 15,2";
+  for (int item = 1; item <= 45; ++item) {
+    head += (item < 10 ? ",q0" : ",q") + std::to_string(item);
+    codes += ",3";
+    labels += ",4";
+  }
+  writeText(folder_.file("responses.csv"), head + '\n' + codes + '\n' + labels + '\n');
+  const std::string answers = folder_.file("answers");
+  const ProgramRun run({"study", "form", study_, "--responses", folder_.file("responses.csv"), "--out", answers});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto table = base::CsvTable::read(answers + "/participants.csv");
+  ASSERT_TRUE(table.has_value());
+  const auto years = *table->find("years_experience");
+  const auto hand = *table->find("handedness");
+  EXPECT_EQ(table->cell(0, years), "7.5");  // the middle of 5 to 10
+  EXPECT_EQ(table->cell(0, hand), "left");
+  EXPECT_EQ(table->cell(1, years), "20");
+  EXPECT_EQ(table->cell(1, hand), "right");
+}
+
 TEST_F(StudyFormTest, AFormForTheWebWithoutAProtocolIsForTryingOnly) {
   const ProgramRun run({"study", "form", study_, "--to", "web", "--out", out_});
   ASSERT_EQ(run.status, 0) << run.err;

@@ -1,11 +1,9 @@
 // Answer files of the web page: read, checked, and brought into a study by the public command.
-#include "app/webform/answer_file.h"
-
 #include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/webform/form_content.h"
+#include "app/webform/answers.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"

@@ -1,12 +1,11 @@
 // The form as a web page: what it holds, and that it needs nothing else.
-#include "app/webform/web_page.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <regex>
 
 #include "app/webform/pictures.h"
+#include "app/webform/web_form.h"
 
 namespace tactus::webform {
 namespace {

@@ -1,4 +1,4 @@
-// What the form of a study says, for every medium: consent, profile, items and words in each language of the study.
+// What the form of a study says, for every medium, in each language of the study; and the form as a web page.
 #pragma once
 
 #include <cstdint>
@@ -59,5 +59,14 @@ base::Result<std::vector<FormContent>> formsOf(const store::StudyFile& file);
 /// The consent, profile and picture of the form in one language, as the parts that survey systems and paper show before
 /// the items.
 questionnaires::SurveyOpening openingOf(const FormContent& content, const FormLanguage& language);
+
+// The form as one web page: no network, no other file, every language of the study.
+
+/// The page, in HTML. It keeps progress in the browser under the form's hash, gives an answer file (answers.h) at
+/// the end and prints as a form on paper.
+std::string webPage(const FormContent& content);
+
+/// What to do with the page, for the researcher, in plain text.
+std::string webReadme(const FormContent& content);
 
 }  // namespace tactus::webform
