@@ -46,7 +46,9 @@ function complain(text, name) {
   place.textContent = text;
   place.hidden = false;
   const field = app.querySelector('[name="' + name + '"]');
-  if (field) field.focus();
+  if (!field) return;
+  field.closest('fieldset, .field').before(place);
+  field.focus();
 }
 
 function button(id, kind, onclick) {

@@ -1,4 +1,5 @@
 // Answer files of the web page: read, checked, and brought into a study by the public command.
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -173,8 +174,11 @@ TEST_F(AnswerFileTest, TheSimulatorHasASessionOfItsOwn) {
   const auto file = store::StudyFile::open(study_, {store::Access::kReadOnly});
   const auto sessions = store::sessions(*file);
   ASSERT_EQ(sessions->size(), 2U);
-  EXPECT_EQ(sessions->back().kind, study::SessionKind::kUsability);
-  EXPECT_EQ(store::answers(*file, {{}, sessions->back().id, false})->size(), 6U);
+  // Both began with the consent, so their order is that of their random ids.
+  const auto is_scale = [](const study::SessionRecord& one) { return one.kind == study::SessionKind::kUsability; };
+  const auto scale = std::find_if(sessions->begin(), sessions->end(), is_scale);
+  ASSERT_NE(scale, sessions->end());
+  EXPECT_EQ(store::answers(*file, {{}, scale->id, false})->size(), 6U);
 }
 
 TEST_F(AnswerFileTest, ACodeThatThePageDrewTwiceIsTwoPersons) {

@@ -218,6 +218,17 @@ def main():
             time.sleep(0.2)
             paper = base64.b64decode(browser.call("Page.printToPDF", preferCSSPageSize=True)["data"])
             same(paper.count(b"/Type /Page\n") + paper.count(b"/Type /Page "), 11, "pages on paper")
+            browser.js("setTimeout(() => document.querySelector('#delete').click())")  # a dialog stops what waits for it
+            time.sleep(0.3)
+            browser.call("Page.handleJavaScriptDialog", accept=True)
+            browser.wait_for("document.querySelector('.screen-deleted') !== null")
+            same(browser.js("localStorage.length === 1 && !localStorage.getItem(localStorage.key(0)).includes('answered')"),
+                 True, "nothing is kept of who deletes her answers")
+            browser.call("Page.addScriptToEvaluateOnNewDocument", source="""Object.defineProperty(window, 'localStorage',
+                {get() { throw new Error('refused'); }})""")
+            browser.reload()
+            same(browser.js("document.getElementById('storage').classList.contains('notice')"), True,
+                 "the page says that the browser keeps nothing")
             strangers = [url for url in browser.requests if not url.startswith(("file:", "data:", "blob:"))]
             same(strangers, [], "requests")
             same(browser.complaints, [], "errors of the page")
