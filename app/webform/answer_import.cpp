@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -104,7 +103,6 @@ class SessionOfFile {
   Result<void> addOrigin(const std::vector<FileAnswer>& answers) {
     base::JsonWriter json;
     json.beginObject(base::JsonWriter::Layout::kInline);
-    json.key("file").value(std::filesystem::path(read_.path).filename().string());
     json.key("sha256").value(read_.sha256).key("form_sha256").value(read_.answers.form_sha256);
     json.key("run").value(toText(read_.answers.run)).key("check_code").value(read_.answers.check_code);
     json.key("code_given").value(read_.answers.code_typed ? "typed" : "page").key("changes").beginObject();
@@ -188,8 +186,8 @@ class Importer {
     json.key("sessions").value(import.sessions).key("records").value(import.records);
     std::string detail = json.endObject().text();
     detail.pop_back();
-    const std::string source = std::filesystem::path(added_.front()).filename().string() +
-                               (added_.size() > 1 ? " and " + std::to_string(added_.size() - 1) + " more" : "");
+    // Files are called after the code of a participant, which a withdrawal must not leave here.
+    const std::string source = std::to_string(added_) + (added_ == 1 ? " answer file" : " answer files");
     return store::append(
         file_, store::ImportLogEntry{idOf("import " + all_), utc_ms, "tables", source, detail, base::sha256(hashes_)});
   }
@@ -218,7 +216,7 @@ class Importer {
       if (!done) return done;
       count(second, second_id);
     }
-    added_.push_back(read.path);
+    ++added_;
     hashes_ += read.sha256 + '\n';
     if (answers.consent_version.empty())
       import.notes.push_back(answers.code + " agreed to no consent text: the form was made before the study had one.");
@@ -272,8 +270,8 @@ class Importer {
 
   store::StudyFile& file_;
   std::vector<study::SessionRecord> sessions_;
-  std::vector<std::string> added_;  ///< paths
-  std::string all_;                 ///< ids of the new sessions
+  std::size_t added_ = 0;  ///< files
+  std::string all_;        ///< ids of the new sessions
   std::string hashes_;
 };
 

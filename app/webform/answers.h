@@ -78,9 +78,9 @@ struct AnswerImport {
 
 /// Adds the answers in `paths` to `file`, all or nothing. Each person gets a session of the kind `import` with consent,
 /// profile and answers at the times when they were given, and one of the kind `usability` for what was said of the
-/// simulator. The log names the file, its hash and the check code. All ids follow from the study and the file, so a
-/// file that is read twice changes nothing, also after a merge. Answers that were saved again after a change are a
-/// further session, which counts. Refused: what `formAnswered` refuses, a code that the page drew and another
+/// simulator. The log of the session has the hash of the file and the check code. All ids follow from the study and the
+/// file, so a file that is read twice changes nothing, also after a merge. Answers that were saved again after a change
+/// are a further session, which counts. Refused: what `formAnswered` refuses, a code that the page drew and another
 /// participant has, a participant who is simulated or withdrew.
 base::Result<AnswerImport> importAnswers(store::StudyFile& file, const std::vector<std::string>& paths,
                                          std::int64_t utc_ms);

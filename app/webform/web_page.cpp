@@ -148,7 +148,7 @@ std::string contentJson(const FormContent& content) {
   json.key("form").value(content.form).key("form_version").value(content.form_version);
   json.key("wording").value(content.wording).key("form_sha256").value(content.sha256);
   json.key("consent_version").value(content.consent_version).key("contact").value(content.contact);
-  json.key("minutes").value(content.minutes);
+  json.key("minutes").value(content.minutes).key("shuffled").value(content.shuffled);
   addItems(content, json);
   addProfile(json);
   json.key("languages").beginArray();

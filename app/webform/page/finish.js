@@ -26,7 +26,7 @@ screens.review = () => {
       const place = item.region ? say('a.' + item.region) : situationOf(item);
       return el('li', {}, el('button', {
         type: 'button', class: 'cell' + (isOpen(answer) ? ' open' : ''),
-        onclick: () => { run.returns = true; go('question', content.items.indexOf(item)); }},
+        onclick: () => { run.returns = true; go('question', itemsInOrder().indexOf(item)); }},
         el('span', {class: 'place'}, item.number + '. ' + place), el('strong', {}, wordOf(answer))));
     })));
   });
@@ -34,7 +34,7 @@ screens.review = () => {
   const finish = () => { run.finished_ms = Date.now(); go('finish'); };
   const first = open ? el('button', {type: 'button', class: 'secondary', onclick: () => {
     run.returns = true;
-    go('question', content.items.indexOf(openItems()[0]));
+    go('question', itemsInOrder().indexOf(openItems()[0]));
   }}, say('web.open') + ' (' + open + ')') : null;
   return screen(say('rev.title'), body, [first, button('web.finish', 'primary')], finish);
 };

@@ -30,11 +30,23 @@ function newCode() {
   return first[drawn(first.length)] + '-' + second[drawn(second.length)];
 }
 
+// The places of the items in the order in which one person is asked: the form's, or a random one (Fisher and Yates).
+function itemOrder() {
+  const order = content.items.map((item, place) => place);
+  for (let left = content.shuffled ? order.length : 0; left > 1; --left) {
+    const other = drawn(left);
+    [order[left - 1], order[other]] = [order[other], order[left - 1]];
+  }
+  return order;
+}
+
+const itemsInOrder = () => run.order.map((place) => content.items[place]);
+
 // Begins a run with a code of the page's own, or with one that the researcher gave.
 function beginRun(code) {
   run = {
     id: randomId(), code: code || newCode(), code_given: code ? 'typed' : 'page', consent: null,
-    profile: {}, answers: {}, scale: {}, screen: 'consent', item: 0, returns: false,
+    order: itemOrder(), profile: {}, answers: {}, scale: {}, screen: 'consent', item: 0, returns: false,
   };
   memory.runs[run.id] = run;
   memory.current = run.id;
@@ -58,7 +70,7 @@ function deleteRun() {
 }
 
 const isOpen = (reply) => !reply || reply.status === 'skipped' || reply.status === 'cleared';
-const openItems = () => content.items.filter((item) => isOpen(run.answers[item.number]));
+const openItems = () => itemsInOrder().filter((item) => isOpen(run.answers[item.number]));
 const answeredCount = (one) => content.items.filter((item) => !isOpen(one.answers[item.number])).length;
 
 // Keeps the reply to a question. A different one counts as a change.
@@ -117,7 +129,7 @@ function answerFile() {
     form_sha256: content.form_sha256, language: language.id,
     participant: {code: run.code, given: run.code_given, run: run.id},
     consent: run.consent, profile,
-    answers: answerList(content.items.map((item) => item.number), run.answers),
+    answers: answerList(itemsInOrder().map((item) => item.number), run.answers),
     usability: Object.keys(run.scale).length ? answerList(scale, run.scale) : [],
   };
   file.check_code = checkCode(file);

@@ -163,7 +163,7 @@ function termOffers() {
 }
 
 screens.question = () => {
-  const item = content.items[run.item];
+  const item = itemsInOrder()[run.item];
   const known = run.answers[item.number];
   const {offers, forces} = termOffers();
   if (forces) offers.push({value: 'cant_tell', label: say('w.cant_tell'), quiet: true});

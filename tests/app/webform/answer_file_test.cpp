@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/webform/answers.h"
+#include "core/base/files/checksums.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
@@ -119,7 +120,8 @@ TEST_F(AnswerFileTest, ComesInWithConsentProfileWordingLanguageAndTimes) {
   for (const auto& event : *events) {
     if (event.kind == "answer_file") origin = event.detail;
   }
-  EXPECT_NE(origin.find(R"("file": "a.tactus-answers.json")"), std::string::npos) << origin;
+  EXPECT_NE(origin.find(base::sha256(cli::readText(folder_.file("a.tactus-answers.json")))), std::string::npos)
+      << origin;
   EXPECT_NE(origin.find(R"("changes": { "7": 2 })"), std::string::npos) << origin;
 }
 
@@ -162,6 +164,17 @@ TEST_F(AnswerFileTest, SavedAgainAfterAChangeIsALaterSessionOfTheSamePerson) {
   const AnswersJson said = AnswersJson::parse(run.out);
   EXPECT_EQ(said["persons"], 0);
   EXPECT_EQ(said["sessions"], 1);
+}
+
+TEST_F(AnswerFileTest, AWithdrawalLeavesNothingOfThem) {
+  ASSERT_EQ(import({saved(answers(), "velvet-otter")}).status, 0);
+  const ProgramRun run({"study", "withdraw", study_, "velvet-otter", "--yes"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const std::string bytes = cli::readText(study_);
+  EXPECT_EQ(bytes.find("velvet-otter"), std::string::npos);
+  EXPECT_EQ(bytes.find(kRun), std::string::npos);
+  // The same file does not bring them back.
+  EXPECT_EQ(import({saved(answers(), "again")}).status, 1);
 }
 
 TEST_F(AnswerFileTest, TheSimulatorHasASessionOfItsOwn) {
