@@ -38,12 +38,46 @@ std::string line(const StructureRow& row) {
   return out + (row.question ? "\tN\tN" : "\t\t") + "\t\t\n";
 }
 
+std::string paragraphs(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const std::string& line : lines) out += (out.empty() ? "" : "\n") + line;
+  return out;
+}
+
+/// A name without what question codes of LimeSurvey may not have.
+std::string plainName(std::string name) {
+  std::erase_if(name, [](char c) { return c == '_'; });
+  return name;
+}
+
+/// Consent, profile and the words of the items, each a group; `group`: the number of the last one.
+std::string openingContents(const SurveyOpening& opening, const std::string& language, std::size_t& group) {
+  std::string out;
+  if (!opening.consent.empty()) {
+    out += line({"G", std::to_string(++group), opening.consent_title, "1", "", language});
+    out += line({"Q", "X", "consenttext", "1", paragraphs(opening.consent), language, true});
+    out += line({"Q", "L", "consent", "1", opening.consent_title, language, true});
+    out += line({"A", "0", "1", "", opening.agree, language});
+    out += line({"A", "0", "0", "", opening.decline, language});
+  }
+  out += line({"G", std::to_string(++group), opening.profile_title, "1", "", language});
+  for (const SurveyOpening::Question& question : opening.profile) {
+    out += line({"Q", "L", plainName(question.name), "1", question.text, language, true});
+    int code = 0;
+    for (const SurveyOpening::Offer& offer : question.offers)
+      out += line({"A", "0", std::to_string(++code), "", offer.label, language});
+  }
+  out += line({"G", std::to_string(++group), opening.picture, "1", "", language});
+  return out + line({"Q", "X", "words", "1", opening.picture + '\n' + paragraphs(opening.glossary), language, true});
+}
+
 /// Groups, questions and answers in one language.
 std::string contents(const Survey& survey) {
   const std::string language = limeSurveyLanguage(survey.language);
   std::string out = line({"G", "1", survey.code_label, "1", "", language});
   out += line({"Q", "S", "code", "1", survey.code_label, language, true});
   std::size_t group = 1;
+  if (survey.opening) out += openingContents(*survey.opening, language, group);
   for (const SurveyMatrix& matrix : survey.matrices) {
     const std::string range =
         std::to_string(matrix.fields.front().item) + " - " + std::to_string(matrix.fields.back().item);
@@ -128,6 +162,34 @@ std::string choicesText(const Survey& survey) {
   return text;
 }
 
+/// Consent and profile, as rows of the form that `row` names.
+std::vector<Row> openingRows(const SurveyOpening& opening, const std::string& form) {
+  std::vector<Row> out;
+  const auto add = [&](const std::string& name, const char* type, const std::string& label, std::string choices) {
+    Row row;
+    row[kForm] = form;
+    row[kName] = name;
+    row[kType] = type;
+    row[kLabel] = label;
+    row[kChoices] = std::move(choices);
+    out.push_back(std::move(row));
+  };
+  if (!opening.consent.empty()) {
+    add(form + "_consent_text", "descriptive", paragraphs(opening.consent), {});
+    out.back()[kHeader] = opening.consent_title;
+    add("consent", "radio", opening.consent_title + " (" + opening.consent_version + ")",
+        "1, " + safe(opening.agree) + " | 0, " + safe(opening.decline));
+  }
+  for (const SurveyOpening::Question& question : opening.profile) {
+    std::string choices;
+    for (const SurveyOpening::Offer& offer : question.offers)
+      choices += (choices.empty() ? "" : " | ") + offer.code + ", " + safe(offer.label);
+    add(question.name, "radio", question.text, std::move(choices));
+    if (&question == &opening.profile.front()) out.back()[kHeader] = opening.profile_title;
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string redcapDictionary(const Survey& survey) {
@@ -142,9 +204,13 @@ std::string redcapDictionary(const Survey& survey) {
   row[kType] = "text";
   row[kLabel] = survey.code_label;
   add(row);
+  if (survey.opening) {
+    for (const Row& opening : openingRows(*survey.opening, survey.name)) add(opening);
+  }
   row[kName] = survey.name + "_intro";
   row[kType] = "descriptive";
   row[kLabel] = survey.title + (survey.instructions.empty() ? "" : "\n" + survey.instructions);
+  if (survey.opening) row[kLabel] += '\n' + survey.opening->picture + '\n' + paragraphs(survey.opening->glossary);
   add(row);
   row[kType] = "radio";
   row[kChoices] = choicesText(survey);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,6 +34,29 @@ struct SurveyMatrix {
   std::vector<SurveyField> fields;
 };
 
+/// What is shown and asked before the items; the same words as on the participant's screens.
+struct SurveyOpening {
+  struct Offer {
+    std::string code;  ///< stored value: letters, digits and `_`
+    std::string label;
+  };
+  struct Question {
+    std::string name;  ///< of the field: `years`, `handedness`
+    std::string text;
+    std::vector<Offer> offers;
+  };
+
+  std::string consent_title;
+  std::vector<std::string> consent;  ///< paragraphs; none: the study has no consent yet, and nothing asks for it
+  std::string consent_version;
+  std::string agree;
+  std::string decline;
+  std::string profile_title;
+  std::vector<Question> profile;
+  std::string picture;                ///< what the picture of the form shows
+  std::vector<std::string> glossary;  ///< one sentence for each word that the items use
+};
+
 struct Survey {
   std::string form;  ///< form id
   int version = 1;
@@ -44,6 +68,7 @@ struct Survey {
   std::string code_label;    ///< `Participant code`
   std::vector<SurveyChoice> choices;
   std::vector<SurveyMatrix> matrices;
+  std::optional<SurveyOpening> opening = {};  ///< nothing: the items alone
 };
 
 /// The embedded form `form` in `language`; `wording` as for `questionnaire`. Returns an error for an unknown form,

@@ -102,7 +102,7 @@ class Choices {
 class Reader {
  public:
   Reader(const CsvTable& table, std::span<const Survey> languages, const ResponseSettings& settings)
-      : table_(table), survey_(languages.front()), settings_(settings), choices_(languages) {}
+      : table_(table), survey_(languages.front()), settings_(settings), choices_(languages), languages_(languages) {}
 
   Result<SurveyResponses> read(std::vector<ItemColumn> columns) {
     columns_ = std::move(columns);
@@ -133,6 +133,7 @@ class Reader {
                            "one row for each participant; export one event and no repeats");
     }
     out_.participants.push_back(participant);
+    if (auto ok = addProfile(row, participant); !ok) return ok;
     for (const ItemColumn& one : columns_) {
       study::Answer answer{participant, survey_.form, one.item, {}, study::Answer::Status::kSkipped, {}};
       if (!is_missing(one)) {
@@ -145,6 +146,38 @@ class Reader {
       out_.answers.push_back(std::move(answer));
     }
     noteCompletion(row);
+    return {};
+  }
+
+  /// The column of a field of the profile; LimeSurvey's names have no `_`.
+  std::optional<std::size_t> profileColumn(const std::string& name) const {
+    std::string plain = name;
+    std::erase(plain, '_');
+    const auto column = table_.find(name);
+    return column ? column : table_.find(plain);
+  }
+
+  /// Cells hold the stored value (REDCap), the number of the answer (LimeSurvey), or its label in any language.
+  Result<void> addProfile(std::size_t row, const std::string& participant) {
+    if (!survey_.opening) return {};
+    for (std::size_t asked = 0; asked < survey_.opening->profile.size(); ++asked) {
+      const SurveyOpening::Question& question = survey_.opening->profile[asked];
+      const auto column = profileColumn(question.name);
+      if (!column || isMissing(table_.cell(row, *column))) continue;
+      const std::string cell = comparable(table_.cell(row, *column));
+      const std::string* found = nullptr;
+      std::string wanted;
+      for (std::size_t offer = 0; offer < question.offers.size(); ++offer) {
+        bool fits = cell == comparable(question.offers[offer].code) || cell == std::to_string(offer + 1);
+        for (const Survey& language : languages_) {
+          fits = fits || (language.opening && cell == comparable(language.opening->profile[asked].offers[offer].label));
+        }
+        if (fits) found = &question.offers[offer].code;
+        wanted += (offer == 0 ? "" : ", ") + question.offers[offer].code;
+      }
+      if (found == nullptr) return table_.refuse(row, *column, ErrorCode::kValue, "one of " + wanted);
+      out_.profiles[participant][question.name] = *found;
+    }
     return {};
   }
 
@@ -172,6 +205,11 @@ class Reader {
   void noteWhatIsLeftOut() {
     std::set<std::size_t> used = {record_};
     for (const ItemColumn& one : columns_) used.insert(one.column);
+    if (survey_.opening) {
+      for (const auto& question : survey_.opening->profile) {
+        if (const auto column = profileColumn(question.name)) used.insert(*column);
+      }
+    }
     std::vector<std::string> ignored;
     for (std::size_t column = 0; column < table_.columns().size(); ++column) {
       if (!used.contains(column)) ignored.push_back(table_.columns()[column]);
@@ -187,6 +225,7 @@ class Reader {
   const Survey& survey_;
   const ResponseSettings& settings_;
   Choices choices_;
+  std::span<const Survey> languages_;
   std::vector<ItemColumn> columns_;
   std::size_t record_ = 0;
   std::set<std::string> seen_;

@@ -270,12 +270,16 @@ base::Result<Output> studyMerge(const StudyMergeOptions& options);
 
 struct StudyImportOptions {
   std::string file;  ///< created if it does not exist
-  std::string folder;
+  /// One folder, or answer files of the form as a web page (app/webform), any number.
+  std::vector<std::string> sources;
   std::vector<std::string> accept;  ///< kinds of findings that do not stop the import (study_build.h)
   bool json = false;
 };
-/// Imports the CSV tables of a folder, or a full export.
+/// Imports the CSV tables of a folder, a full export, or answer files.
 base::Result<Output> studyImport(const StudyImportOptions& options);
+
+/// The part of `studyImport` for answer files: adds them to a study file, all or none.
+base::Result<Output> studyAnswers(const StudyImportOptions& options);
 
 struct StudyExportOptions {
   std::string file;
@@ -290,7 +294,7 @@ base::Result<Output> studyExport(const StudyExportOptions& options);
 
 struct StudyFormOptions {
   std::string study;                 ///< a study file, or a folder with CSV tables, which has no protocol
-  std::string to;                    ///< `redcap`, `limesurvey`, `print`; empty: `responses` are read
+  std::string to;                    ///< `web`, `redcap`, `limesurvey`, `print`; empty: `responses` are read
   std::string out;                   ///< folder
   std::string wording;               ///< `plain` or `published`; empty: the form's usual one, of responses not known
   std::string responses;             ///< CSV table that a survey system exported

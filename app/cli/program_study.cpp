@@ -35,10 +35,14 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("OTHER", o.others, "Study files to read from")->required()->check(notEmpty());
                addJson(command, o.json);
              });
-  addCommand(study, chosen, "import", "Add the CSV tables of a folder, or a full export", studyImport,
+  addCommand(study, chosen, "import", "Add the CSV tables of a folder, a full export, or answer files", studyImport,
              [](CLI::App& command, StudyImportOptions& o) {
                addFile(command, o.file);
-               command.add_option("FOLDER", o.folder, "Folder with the CSV tables")->required()->check(notEmpty());
+               command
+                   .add_option("FOLDER", o.sources,
+                               "Folder with the CSV tables, or answer files of the form as a web page, any number")
+                   ->required()
+                   ->check(notEmpty());
                addAccept(command, o.accept, "import");
                addJson(command, o.json);
              });
@@ -68,13 +72,13 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                addBuildOptions(command, o, "compare");
                addJson(command, o.json);
              });
-  addCommand(study, chosen, "form", "The questionnaire for a survey system or on paper", studyForm,
+  addCommand(study, chosen, "form", "The questionnaire as a web page, for a survey system or on paper", studyForm,
              [](CLI::App& command, StudyFormOptions& o) {
                command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")
                    ->required()
                    ->check(notEmpty());
                auto* const to = command.add_option("--to", o.to, "What it is for; no default")
-                                    ->check(oneOf({"redcap", "limesurvey", "print"}));
+                                    ->check(oneOf({"web", "redcap", "limesurvey", "print"}));
                command.add_option("--out", o.out, "Folder for the files")->required()->check(outputFolder());
                command
                    .add_option("--wording", o.wording,

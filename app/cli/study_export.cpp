@@ -50,12 +50,13 @@ Result<Imported> intoStudy(const std::string& path, const study::Study& tables, 
 }
 
 Result<Output> importFolder(const StudyImportOptions& options) {
+  const std::string& folder = options.sources.front();
   TACTUS_TRY(const auto accepted, acceptedKinds(options.accept));
   // Everything that can be wrong with the tables is found before a file is made.
-  TACTUS_TRY(const auto tables, session::readTables(options.folder, elicitation::ngtInputIds()));
+  TACTUS_TRY(const auto tables, session::readTables(folder, elicitation::ngtInputIds()));
   const auto data = session::dataFindings(tables.study);
-  if (auto ok = study::refuseData(data, accepted); !ok) return study::inStudyFolder(ok.error(), options.folder);
-  TACTUS_TRY(const auto source, session::tablesSource(options.folder, tables.study.name, utcNowMs()));
+  if (auto ok = study::refuseData(data, accepted); !ok) return study::inStudyFolder(ok.error(), folder);
+  TACTUS_TRY(const auto source, session::tablesSource(folder, tables.study.name, utcNowMs()));
   TACTUS_TRY(auto done, intoStudy(options.file, tables.study, source));
   const auto* imported = &done.import;
 
@@ -65,7 +66,7 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   for (auto& note : acceptedNotes(data, accepted)) notes.push_back(std::move(note));
   if (options.json) {
     base::JsonWriter json;
-    json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+    json.beginObject().key("file").value(options.file).key("folder").value(folder);
     json.key("persons").value(imported->persons).key("sessions").value(imported->sessions);
     json.key("records").value(imported->records).key("notes").values(notes);
     json.key("notices").values(done.notices);
@@ -82,6 +83,7 @@ Result<Output> importFolder(const StudyImportOptions& options) {
 
 /// Makes the study that a full export was made of.
 Result<Output> restore(const StudyImportOptions& options, const std::string& records) {
+  const std::string& folder = options.sources.front();
   if (auto restored = store::restoreRecords(records, options.file); !restored) return tl::unexpected(restored.error());
   TACTUS_TRY(const auto file, store::StudyFile::open(options.file, {store::Access::kReadOnly}));
   TACTUS_TRY(auto info, store::studyInfo(file));
@@ -90,7 +92,7 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
   merge.added = std::move(info.counts);
   std::erase_if(merge.added, [](const store::TableCount& count) { return count.rows == 0; });
   base::JsonWriter json;
-  json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+  json.beginObject().key("file").value(options.file).key("folder").value(folder);
   writeMerge(merge, json);
   json.key("notices").values(std::vector<std::string>{}).endObject();  // a study that was made just now
   return Output{json.text(), {}};
@@ -98,15 +100,16 @@ Result<Output> restore(const StudyImportOptions& options, const std::string& rec
 
 /// Adds a full export to a study that is there.
 Result<Output> importRecords(const StudyImportOptions& options, const std::string& records) {
+  const std::string& folder = options.sources.front();
   std::vector<std::string> warnings;
   TACTUS_TRY(auto file, openToWrite(options.file, warnings));
   TACTUS_TRY(const auto merge, store::importRecords(file, records, study::RecordIds().next(), utcNowMs()));
   for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
   const auto notices = warnings;
   for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
-  if (!options.json) return Output{base::oneLine(options.folder) + ": " + mergeAsText(merge), std::move(warnings)};
+  if (!options.json) return Output{base::oneLine(folder) + ": " + mergeAsText(merge), std::move(warnings)};
   base::JsonWriter json;
-  json.beginObject().key("file").value(options.file).key("folder").value(options.folder);
+  json.beginObject().key("file").value(options.file).key("folder").value(folder);
   writeMerge(merge, json);
   json.key("notices").values(notices).endObject();
   return Output{json.text(), std::move(warnings)};
@@ -116,8 +119,11 @@ Result<Output> importRecords(const StudyImportOptions& options, const std::strin
 
 Result<Output> studyImport(const StudyImportOptions& options) {
   std::error_code ignored;
+  const bool are_files =
+      options.sources.size() > 1 || std::filesystem::is_regular_file(options.sources.front(), ignored);
+  if (are_files) return studyAnswers(options);
   session::removeOurs(session::leftoversOfStudy(options.file));  // of an import that was stopped
-  const std::string records = (std::filesystem::path(options.folder) / "records").string();
+  const std::string records = (std::filesystem::path(options.sources.front()) / "records").string();
   if (!std::filesystem::is_directory(records, ignored)) return importFolder(options);
   const bool is_there = std::filesystem::exists(options.file, ignored);
   return is_there ? importRecords(options, records) : restore(options, records);

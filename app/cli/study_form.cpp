@@ -1,5 +1,5 @@
-// `tactus study form`: the questionnaire of a study for survey systems, and on paper; the way back:
-// study_form.cpp.
+// `tactus study form`: the questionnaire of a study as a web page, for survey systems and on paper; the way back from
+// survey systems.
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -9,8 +9,11 @@
 #include "app/cli/commands.h"
 #include "app/cli/study_text.h"
 #include "app/report/printed_form.h"
+#include "app/session/session_notes.h"
 #include "app/session/study_protocol.h"
 #include "app/session/study_source.h"
+#include "app/webform/pictures.h"
+#include "app/webform/web_form.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
@@ -50,11 +53,17 @@ Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const std::
   TACTUS_TRY(auto participants, participantsOf(options.participants));
   settings.participants = std::move(participants);
   settings.missing = options.missing;
+  session::StudyProtocol every;
+  every.settings.form = form;
+  every.languages.assign(session::kScreenLanguages.begin(), session::kScreenLanguages.end());
   std::vector<questionnaires::Survey> languages;
   for (const std::string& wording : questionnaires::wordingsOf(form)) {
     if (!options.wording.empty() && wording != options.wording) continue;
     for (const std::string& language : questionnaires::languagesOf(form, wording)) {
       TACTUS_TRY(auto one, questionnaires::survey(form, language, wording));
+      const auto content = webform::formContent({}, {}, every, wording);
+      const auto* const words = content ? content->language(language) : nullptr;
+      if (words != nullptr) one.opening = webform::openingOf(*content, *words);
       languages.push_back(std::move(one));
     }
   }
@@ -79,6 +88,11 @@ study::Study tablesOf(SurveyResponses responses, const std::vector<study::Partic
     const auto it = std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.code == code; });
     study::Participant fresh;
     fresh.code = code;
+    const auto& said = responses.profiles[code];
+    if (const auto years = said.find("years"); years != said.end()) {
+      if (const auto band = session::experienceBandCalled(years->second)) fresh.years_experience = band->middle_years;
+    }
+    if (const auto hand = said.find("handedness"); hand != said.end()) fresh.handedness = hand->second;
     out.participants.push_back(it == known.end() ? std::move(fresh) : *it);
   }
   out.answers = std::move(responses.answers);
@@ -143,6 +157,7 @@ namespace {
 using questionnaires::Survey;
 
 struct AskedForm {
+  session::StudyProtocol protocol;
   std::string form;
   std::vector<std::string> languages;
   std::vector<std::string> notices;
@@ -159,7 +174,7 @@ base::Result<AskedForm> askedForm(const std::string& path) {
     if (*current) protocol = std::move(**current);
     notices = noticesOf(file);
   }
-  return AskedForm{protocol.settings.form, protocol.languages, std::move(notices)};
+  return AskedForm{protocol, protocol.settings.form, protocol.languages, std::move(notices)};
 }
 
 /// The form in the languages of the study in which it has these words. Says which it has not.
@@ -184,11 +199,24 @@ base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string&
     asked.notices.push_back("not written in " + base::joined(without, ", ") + ": the wording " + base::quoted(wording) +
                             " is there in " + base::joined(known, ", ") + " only");
   asked.languages.clear();
-  for (const Survey& survey : out) asked.languages.push_back(survey.language);
+  // Consent, profile and words, as on the screens and on the web page.
+  TACTUS_TRY(const auto content, webform::formContent({}, {}, asked.protocol, wording));
+  for (Survey& survey : out) {
+    asked.languages.push_back(survey.language);
+    if (const auto* const language = content.language(survey.language))
+      survey.opening = webform::openingOf(content, *language);
+  }
   return out;
 }
 
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
+
+/// The head from the side with the five regions of the tip.
+std::string regionsPicture() {
+  return webform::pictureFile(
+      webform::pictures().front(),
+      {{"nasal_cavity", "1"}, {"nasopharynx", "2"}, {"oropharynx", "3"}, {"laryngopharynx", "4"}, {"esophagus", "5"}});
+}
 
 NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
   NamedFiles out;
@@ -199,7 +227,7 @@ NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
     for (const Survey& survey : surveys) {
       const std::string file = name + "." + survey.language;
       if (to == "redcap") out.emplace_back(file + ".csv", questionnaires::redcapDictionary(survey));
-      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey));
+      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey, regionsPicture()));
     }
   }
   if (to != "print") {
@@ -209,34 +237,77 @@ NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
   return out;
 }
 
+/// Writes the files into the folder `--out`; their paths.
+Result<std::vector<std::string>> written(const StudyFormOptions& options, const NamedFiles& files) {
+  if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
+  std::vector<std::string> paths;
+  for (const auto& [name, text] : files) {
+    paths.push_back(options.out + "/" + name);
+    if (const auto done = base::writeFileAtomically(paths.back(), text); !done) return tl::unexpected(done.error());
+  }
+  return paths;
+}
+
+std::string linesOf(const std::vector<std::string>& paths) {
+  std::string text;
+  for (const std::string& path : paths) text += base::oneLine(path) + '\n';
+  return text;
+}
+
+/// The form as a web page. Its answers come back into a study file, so a folder of tables has none.
+Result<Output> webForm(const StudyFormOptions& options) {
+  if (std::filesystem::is_directory(options.study)) {
+    return tl::unexpected(base::Error{base::ErrorCode::kReference,
+                                      options.study,
+                                      {},
+                                      "a folder of tables",
+                                      "a study file, whose id the answers name"});
+  }
+  TACTUS_TRY(const auto file, store::StudyFile::open(options.study, {store::Access::kReadOnly}));
+  const auto content = webform::currentForm(file, options.wording);
+  if (!content) return base::inFile(content.error(), options.study);
+  std::vector<std::string> warnings = noticesOf(file);
+  if (content->consent_version.empty()) {
+    warnings.emplace_back(
+        "the study has no protocol, so the form has no consent text and names no contact: for trying only; "
+        "tactus study protocol sets both");
+  }
+  TACTUS_TRY(const auto paths, written(options, {{"form.html", webform::webPage(*content)},
+                                                 {"README.txt", webform::webReadme(*content)}}));
+  if (!options.json) return Output{linesOf(paths), std::move(warnings)};
+  std::vector<std::string> languages;
+  for (const auto& language : content->languages) languages.push_back(language.id);
+  base::JsonWriter json;
+  json.beginObject().key("study").value(options.study).key("form").value(content->form);
+  json.key("wording").value(content->wording).key("form_sha256").value(content->sha256);
+  json.key("languages").values(languages).key("files").values(paths).key("warnings").values(warnings);
+  return Output{json.endObject().text(), std::move(warnings)};
+}
+
 }  // namespace
 
 base::Result<Output> studyForm(const StudyFormOptions& options) {
+  if (options.to == "web") return webForm(options);
   TACTUS_TRY(auto asked, askedForm(options.study));
   if (!options.responses.empty()) return studyResponses(options, asked.form, std::move(asked.notices));
   const auto surveys = surveysOf(asked, options.wording);
   if (!surveys) return base::inFile(surveys.error(), options.study);
   const NamedFiles files = filesFor(options.to, *surveys);
-  if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
-  std::vector<std::string> paths;
-  for (const auto& [name, text] : files) {
-    paths.push_back(options.out + "/" + name);
-    if (const auto written = base::writeFileAtomically(paths.back(), text); !written)
-      return tl::unexpected(written.error());
+  TACTUS_TRY(const auto paths, written(options, files));
+  std::vector<std::string> pictures;
+  if (options.to != "print") {
+    TACTUS_TRY(pictures, written(options, {{surveys->front().name + ".picture.svg", regionsPicture()}}));
   }
   std::vector<std::string> warnings = std::move(asked.notices);
   if (options.to == "limesurvey") {
     warnings.push_back("this structure was never imported into a LimeSurvey server; look at it before it is used");
   }
-  if (!options.json) {
-    std::string text;
-    for (const std::string& path : paths) text += base::oneLine(path) + '\n';
-    return Output{std::move(text), std::move(warnings)};
-  }
+  if (!options.json) return Output{linesOf(paths) + linesOf(pictures), std::move(warnings)};
   base::JsonWriter json;
   json.beginObject().key("study").value(options.study).key("form").value(asked.form);
   json.key("wording").value(surveys->front().wording);
-  json.key("languages").values(asked.languages).key("files").values(paths).key("warnings").values(warnings);
+  json.key("languages").values(asked.languages).key("files").values(paths).key("pictures").values(pictures);
+  json.key("warnings").values(warnings);
   return Output{json.endObject().text(), std::move(warnings)};
 }
 

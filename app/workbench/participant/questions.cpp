@@ -1,10 +1,10 @@
 #include "app/workbench/participant/questions.h"
 
 #include <algorithm>
-#include <span>
 #include <string>
 #include <utility>
 
+#include "app/session/profile_questions.h"
 #include "app/session/study_source.h"
 
 namespace tactus::workbench {
@@ -60,36 +60,13 @@ using Question = AboutYouState::Question;
 
 constexpr auto kNotSay = "not_say";
 
-/// An answer, and what the profile holds of it.
-struct Offer {
-  const char* id;
-  const char* stored;
-};
-
-constexpr Offer kYears[] = {
-    {"years_1", ""}, {"years_2", ""}, {"years_3", ""}, {"years_4", ""}};  // the session knows them
-constexpr Offer kHands[] = {{"left", "left"}, {"right", "right"}, {"both", "both"}};
-constexpr Offer kGloves[] = {{"yes", "yes"}, {"no", "none"}};
-constexpr Offer kHaptic[] = {{"haptic_0", "none"}, {"haptic_1", "some"}, {"haptic_2", "regular"}};
-constexpr Offer kComfort[] = {{"yes", "good"}, {"no", "not_good"}};
-
-std::span<const Offer> offersOf(Question question) {
-  switch (question) {
-    case Question::kYears: return kYears;
-    case Question::kHand: return kHands;
-    case Question::kGloves: return kGloves;
-    case Question::kHaptic: return kHaptic;
-    case Question::kComfort: return kComfort;
-  }
-  return {};
+const session::ProfileQuestion& asked(Question question) {
+  return session::profileQuestions()[static_cast<std::size_t>(question)];
 }
 
 // Empty if she did not say.
 std::string stored(Question question, const QString& chosen) {
-  for (const Offer& offer : offersOf(question)) {
-    if (chosen == QLatin1String(offer.id)) return offer.stored;
-  }
-  return {};
+  return std::string(session::storedAnswer(asked(question), chosen.toStdString()));
 }
 
 }  // namespace
@@ -97,9 +74,8 @@ std::string stored(Question question, const QString& chosen) {
 AboutYouState AboutYou::state() const { return {static_cast<Question>(at_), chosen_[at_], isFirst()}; }
 
 void AboutYou::choose(const QString& id) {
-  const auto offers = offersOf(static_cast<Question>(at_));
-  const auto is_it = [&](const Offer& offer) { return id == QLatin1String(offer.id); };
-  if (id == QLatin1String(kNotSay) || std::any_of(offers.begin(), offers.end(), is_it)) chosen_[at_] = id;
+  const bool offered = !stored(static_cast<Question>(at_), id).empty();
+  if (id == QLatin1String(kNotSay) || offered) chosen_[at_] = id;
 }
 
 void AboutYou::next() {

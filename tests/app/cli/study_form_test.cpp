@@ -99,6 +99,60 @@ TEST_F(StudyFormTest, InTheLanguagesOfTheProtocol) {
   }
 }
 
+TEST_F(StudyFormTest, EachMediumHasConsentProfileAndPicture) {
+  const std::string consent = folder_.file("consent.txt");
+  writeText(consent, "The study of a test.");
+  const ProgramRun set({"study", "protocol", study_, "--set", "consent_version=4", "--set", "contact=Dr. Lee",
+                        "--consent", "en=" + consent, "--author", "Test"});
+  ASSERT_EQ(set.status, 0) << set.err;
+  for (const std::string to : {"redcap", "limesurvey", "print", "web"}) {
+    const FormJson said = FormJson::parse(form(to).out);
+    const std::string text = readText(said["files"][0]);
+    for (const char* const words : {"The study of a test.", "Dr. Lee", "I have read this and want to take part",
+                                    "For how many years have you placed nasogastric tubes?",
+                                    "Which hand guides the tube?", "Neck flexion: how far the chin is lowered"})
+      EXPECT_NE(text.find(words), std::string::npos) << to << ": " << words;
+    const std::string picture = to == "redcap" || to == "limesurvey" ? readText(said["pictures"][0]) : text;
+    EXPECT_NE(picture.find("<svg") == std::string::npos ? picture.find("\\u003csvg") : 0, std::string::npos) << to;
+    EXPECT_EQ(to == "print" ? support::markupFault(text) : "", "");
+  }
+  EXPECT_NE(readText(out_ + "/ngt_force.en.csv").find("\"years_1, Under 5 | years_2"), std::string::npos);
+  const ProgramRun tables(
+      {"study", "form", std::filesystem::path(study_).parent_path().string(), "--to", "web", "--out", out_});
+  EXPECT_EQ(tables.status, 1);
+  EXPECT_NE(unwrapped(tables.err).find("a study file, whose id the answers name"), std::string::npos) << tables.err;
+}
+
+TEST_F(StudyFormTest, TheProfileOfASurveySystemComesBack) {
+  std::string head = "record_id,years,handedness";
+  std::string codes = "velvet-otter,years_2,left";
+  std::string labels = "amber-fox,Over 15,2";
+  for (int item = 1; item <= 45; ++item) {
+    head += (item < 10 ? ",q0" : ",q") + std::to_string(item);
+    codes += ",3";
+    labels += ",4";
+  }
+  writeText(folder_.file("responses.csv"), head + '\n' + codes + '\n' + labels + '\n');
+  const std::string answers = folder_.file("answers");
+  const ProgramRun run({"study", "form", study_, "--responses", folder_.file("responses.csv"), "--out", answers});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto table = base::CsvTable::read(answers + "/participants.csv");
+  ASSERT_TRUE(table.has_value());
+  const auto years = *table->find("years_experience");
+  const auto hand = *table->find("handedness");
+  EXPECT_EQ(table->cell(0, years), "7.5");  // the middle of 5 to 10
+  EXPECT_EQ(table->cell(0, hand), "left");
+  EXPECT_EQ(table->cell(1, years), "20");
+  EXPECT_EQ(table->cell(1, hand), "right");
+}
+
+TEST_F(StudyFormTest, AFormForTheWebWithoutAProtocolIsForTryingOnly) {
+  const ProgramRun run({"study", "form", study_, "--to", "web", "--out", out_});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, out_ + "/form.html\n" + out_ + "/README.txt\n");
+  EXPECT_NE(run.err.find("for trying only"), std::string::npos);
+}
+
 TEST_F(StudyFormTest, WrongRequestsAreRefused) {
   const ProgramRun to({"study", "form", study_, "--to", "paper", "--out", out_});
   EXPECT_EQ(to.status, 2);
