@@ -136,6 +136,11 @@ MapViewPanel::MapViewPanel(const SceneController& scene, ForceMapController& map
   connect(&scene_.ranges(), &ShownRanges::changed, this, &MapViewPanel::onRange);
 }
 
+void MapViewPanel::showEvent(QShowEvent* event) {
+  Card::showEvent(event);
+  if (scene_.model() != nullptr) compute_->request();
+}
+
 void MapViewPanel::adoptModel() {
   const bool possible = scene_.model()->model.inputs.size() > 1;
   content_.plot->setVisible(possible);

@@ -91,6 +91,8 @@ class MapViewPanel : public Card {
   };
   MapViewPanel(const SceneController& scene, ForceMapController& map, const Content& content, QWidget* parent);
 
+  /// A map that was unfinished when the panel was hidden goes on.
+  void showEvent(QShowEvent* event) override;
   /// Updates a hidden plot.
   virtual void catchUp() { showMap(); }
 

@@ -10,6 +10,7 @@
 
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_ranges.h"
+#include "app/workbench/understand/map/map_panel.h"
 
 #include "tests/gui/patience.h"
 #include "tests/gui/quiet.h"
@@ -203,6 +204,23 @@ TEST_F(ForceMapTest, AFileGetsTheWholeMapAlsoWhileItIsComputed) {
   map.update();
   map.finish();
   EXPECT_TRUE(map.isFinest());
+  EXPECT_EQ(map.map()->side, ForceMapController::kSides.back());
+}
+
+// It was left as coarse as it was, and never rested.
+TEST_F(ForceMapTest, GoesOnWhereItsPanelWasHiddenMeanwhile) {
+  MapPanel panel(scene, map);
+  panel.resize(600, 400);
+  bool hidden = false;
+  QObject::connect(&map, &ForceMapController::mapChanged, &panel, [&] {
+    if (map.isFinest() || std::exchange(hidden, true)) return;
+    panel.hide();
+    panel.show();
+  });
+  panel.show();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return map.map() != nullptr; }, tests::kPatience));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return tests::isQuiet(panel); }, tests::kPatience));
+  EXPECT_TRUE(hidden) << "the first map is a coarse one";
   EXPECT_EQ(map.map()->side, ForceMapController::kSides.back());
 }
 
