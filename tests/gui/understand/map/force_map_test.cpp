@@ -209,6 +209,12 @@ TEST_F(ForceMapTest, AFileGetsTheWholeMapAlsoWhileItIsComputed) {
 
 // It was left as coarse as it was, and never rested.
 TEST_F(ForceMapTest, GoesOnWhereItsPanelWasHiddenMeanwhile) {
+  fuzzy::ForceModel many = tests::twoExperts();  // that the whole map is more than a slice of work
+  for (int i = 0; i < 200; ++i) {
+    many.experts.push_back(many.experts.front());
+    many.experts.back().id = "X" + std::to_string(i);
+  }
+  models.open(folder.write(many));
   MapPanel panel(scene, map);
   panel.resize(600, 400);
   bool hidden = false;
