@@ -335,11 +335,12 @@ struct StudyProtocolOptions {
   std::vector<std::string> set;      ///< `NAME=VALUE` (session/protocol_values.h)
   std::vector<std::string> consent;  ///< `LANGUAGE=FILE`, the text in that language
   std::string from;                  ///< a protocol as JSON to begin with; empty: the study's own
+  std::string preset;                ///< settings to begin with (session::protocolPresets); empty: none
   std::string reason;                ///< of an amendment
   std::string author;
   bool json = false;
 };
-/// Prints the protocol of the study. With `set`, `consent` or `from` stores another one first: a draft, or, once
+/// Prints the protocol of the study. With `set`, `consent`, `preset` or `from` stores another one first: a draft, or, once
 /// participants follow the present version, its amendment.
 base::Result<Output> studyProtocol(const StudyProtocolOptions& options);
 

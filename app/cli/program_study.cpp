@@ -134,6 +134,8 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                    ->expected(1)
                    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
                command.add_option("--from", o.from, "Begin with the protocol in this JSON file")->check(notEmpty());
+               command.add_option("--preset", o.preset, "Settings to begin with: published, recommended or short")
+                   ->check(CLI::IsMember({"published", "recommended", "short"}));
                command.add_option("--reason", o.reason, "Why it changes; needed once participants follow it");
                command.add_option("--author", o.author, "Who changes it");
                addJson(command, o.json);

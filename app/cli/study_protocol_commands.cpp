@@ -1,4 +1,5 @@
 // `tactus study protocol` and `tactus study key`: what the workbench sets in stage Collect, without a window.
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -38,6 +39,11 @@ Result<StudyProtocol> startOf(const StudyProtocolOptions& options, const store::
 }
 
 Result<StudyProtocol> changed(StudyProtocol protocol, const StudyProtocolOptions& options) {
+  if (!options.preset.empty()) {
+    auto next = session::withPreset(protocol, options.preset);
+    if (!next) return next;
+    protocol = std::move(*next);
+  }
   for (const std::string& set : options.set) {
     const auto equals = set.find('=');
     if (equals == std::string::npos) {
@@ -69,7 +75,15 @@ std::string asText(const std::string& file, const store::ProtocolState& state, c
   for (const auto& [name, value] : session::protocolValues(protocol)) {
     text += "  " + name + " = " + base::oneLine(value) + '\n';
   }
-  return text;
+  const auto load = session::loadOf(protocol);
+  text += "  about " + std::to_string(std::lround(load.minutes)) + " min: " + std::to_string(load.strokes) +
+          " insertions, " + std::to_string(load.judgements) + " forces, " + std::to_string(load.questions) +
+          " questions";
+  if (load.heat_share > 0) {
+    text +=
+        "; the motors at " + std::to_string(std::lround(100 * load.heat_share)) + " % of what they can hold for long";
+  }
+  return text + '\n';
 }
 
 std::string asJson(const std::string& file, const store::ProtocolState& state, const StudyProtocol& protocol,
@@ -77,6 +91,10 @@ std::string asJson(const std::string& file, const store::ProtocolState& state, c
   base::JsonWriter json;
   json.beginObject().key("file").value(file);
   json.key("version").value(state.current ? state.current->version : 0).key("locked").value(state.locked);
+  const auto load = session::loadOf(protocol);
+  json.key("load").beginObject(base::JsonWriter::Layout::kInline).key("minutes").value(load.minutes);
+  json.key("strokes").value(load.strokes).key("judgements").value(load.judgements);
+  json.key("questions").value(load.questions).key("heat_share").value(load.heat_share).endObject();
   json.key("protocol").raw(session::toJson(protocol)).key("records").beginArray();
   for (const study::ProtocolRecord& record : records) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("version").value(record.version);
@@ -116,7 +134,8 @@ Result<std::string> readKey(const StudyKeyOptions& options) {
 }  // namespace
 
 Result<Output> studyProtocol(const StudyProtocolOptions& options) {
-  const bool changes = !options.set.empty() || !options.consent.empty() || !options.from.empty();
+  const bool changes =
+      !options.set.empty() || !options.consent.empty() || !options.from.empty() || !options.preset.empty();
   std::vector<std::string> copying;
   TACTUS_TRY(auto file, changes ? openToWrite(options.file, copying)
                                 : store::StudyFile::open(options.file, {store::Access::kReadOnly, {}}));

@@ -1,10 +1,12 @@
 #include "app/session/protocol_values.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/base/close_match.h"
 #include "core/base/text.h"
+#include "questionnaires/questionnaire.h"
 
 namespace tactus::session {
 namespace {
@@ -148,6 +150,97 @@ Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::stri
                 "the name of a value, as 'tactus study protocol FILE' lists them");
   }
   return parseStudyProtocol(json.dump());
+}
+
+const std::vector<ProtocolPreset>& protocolPresets() {
+  static const std::vector<ProtocolPreset> all = {{"published",
+                                                   {{"speed.order", "as_given"},
+                                                    {"speed.strokes", "4"},
+                                                    {"force.familiarisation_n", "0.1,0.6,1.1"},
+                                                    {"force.ascending", "true"},
+                                                    {"force.descending", "false"},
+                                                    {"force.random", "false"},
+                                                    {"force.ladder.lowest_n", "0.1"},
+                                                    {"force.ladder.highest_n", "1.7"},
+                                                    {"force.ladder.step_n", "0.1"},
+                                                    {"force.rest_every", "20"},
+                                                    {"item_order", "fixed"}}},
+                                                  {"recommended",
+                                                   {{"speed.order", "shuffled"},
+                                                    {"speed.strokes", "4"},
+                                                    {"force.familiarisation_n", "0.5"},
+                                                    {"force.ascending", "true"},
+                                                    {"force.descending", "true"},
+                                                    {"force.random", "false"},
+                                                    {"force.ladder.lowest_n", "0.1"},
+                                                    {"force.ladder.highest_n", "1.7"},
+                                                    {"force.ladder.step_n", "0.1"},
+                                                    {"force.rest_every", "10"},
+                                                    {"item_order", "shuffled"}}},
+                                                  {"short",
+                                                   {{"speed.order", "shuffled"},
+                                                    {"speed.strokes", "3"},
+                                                    {"force.familiarisation_n", "0.5"},
+                                                    {"force.ascending", "true"},
+                                                    {"force.descending", "false"},
+                                                    {"force.random", "false"},
+                                                    {"force.ladder.lowest_n", "0.1"},
+                                                    {"force.ladder.highest_n", "1.3"},
+                                                    {"force.ladder.step_n", "0.1"},
+                                                    {"force.rest_every", "10"},
+                                                    {"item_order", "shuffled"}}}};
+  return all;
+}
+
+Result<StudyProtocol> withPreset(const StudyProtocol& protocol, std::string_view id) {
+  std::string known;
+  for (const ProtocolPreset& preset : protocolPresets()) {
+    known += (known.empty() ? "" : ", ") + std::string(preset.id);
+    if (preset.id != id) continue;
+    StudyProtocol out = protocol;
+    for (const auto& [name, value] : preset.values) {
+      TACTUS_TRY(auto next, withProtocolValue(out, name, value));
+      out = std::move(next);
+    }
+    return out;
+  }
+  return base::fail(base::ErrorCode::kReference, "preset", base::quoted(id), "one of " + known);
+}
+
+ProtocolLoad loadOf(const StudyProtocol& protocol) {
+  const SessionSettings& settings = protocol.settings;
+  ProtocolLoad load;
+  load.minutes = expectedMinutes(settings);
+  for (const Block block : settings.blocks) {
+    if (block == Block::kSpeed) load.strokes = static_cast<int>(settings.speed.levels.size()) * settings.speed.strokes;
+    if (block == Block::kForm) {
+      if (const auto form = questionnaires::questionnaire(settings.form, "en"))
+        load.questions = static_cast<int>(form->questions.size());
+    }
+    if (block != Block::kForce) continue;
+    const auto& force = settings.force;
+    const int ladders = (force.ascending ? 1 : 0) + (force.descending ? 1 : 0);
+    load.judgements = force.ladder.count() * ladders;
+    double squares = 0;
+    int stimuli = 0;
+    const auto add = [&](const auto& steps, int times) {
+      for (int i = 0; i < steps.count(); ++i) {
+        const double force_n = steps.at(i);
+        squares += times * force_n * force_n;
+      }
+      stimuli += times * steps.count();
+    };
+    add(force.ladder, ladders);
+    if (force.random) {
+      load.judgements += force.random_steps.count() * force.random_repeats;
+      add(force.random_steps, force.random_repeats);
+    }
+    if (stimuli == 0 || !(protocol.device.continuous_force_n > 0)) continue;
+    const double held_s = force.ramp_s + force.hold_limit_s;
+    const double duty = held_s / (held_s + force.pause_s);
+    load.heat_share = std::sqrt(squares / stimuli * duty) / protocol.device.continuous_force_n;
+  }
+  return load;
 }
 
 }  // namespace tactus::session

@@ -26,4 +26,27 @@ std::vector<ProtocolValue> protocolValues(const StudyProtocol& protocol);
 base::Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::string_view name,
                                               std::string_view value);
 
+/// Settings to begin with. `published`: as the paper describes its study. `recommended`: forces rise and fall, a rest
+/// after ten, speeds and questions in an order of each session's own, one middle force for practice. `short`: about 20
+/// minutes, for a trial or a busy ward.
+struct ProtocolPreset {
+  std::string_view id;
+  std::vector<ProtocolValue> values;
+};
+const std::vector<ProtocolPreset>& protocolPresets();
+/// `protocol` with the values of the preset; consent, contact, languages and device stay. Refused: an unknown id.
+base::Result<StudyProtocol> withPreset(const StudyProtocol& protocol, std::string_view id);
+
+/// What a protocol asks of a person and of the device.
+struct ProtocolLoad {
+  double minutes = 0;
+  int strokes = 0;     ///< without practice
+  int judgements = 0;  ///< without practice and repeats
+  int questions = 0;
+  /// The force that heats the motors as much as the ladder does on average, as a share of what the device can hold
+  /// for long; 0: no forces. Above 1 the device rests longer than the protocol asks.
+  double heat_share = 0;
+};
+ProtocolLoad loadOf(const StudyProtocol& protocol);
+
 }  // namespace tactus::session

@@ -109,6 +109,13 @@ QString ProtocolController::value(const std::string& name) const { return found(
 
 QString ProtocolController::storedValue(const std::string& name) const { return found(stored_values_, name); }
 
+void ProtocolController::usePreset(const std::string& id) {
+  if (!ready_) return;
+  unreadable_.reset();
+  if (auto next = session::withPreset(draft_, id)) draft_ = std::move(*next);
+  look();
+}
+
 void ProtocolController::set(const std::string& name, const QString& value) {
   if (!ready_) return;
   unreadable_.reset();

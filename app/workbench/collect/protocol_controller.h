@@ -47,6 +47,8 @@ class ProtocolController : public QObject {
   /// Changes a value. What is no value of its kind changes nothing and is the problem of its field until the next
   /// `set`.
   void set(const std::string& name, const QString& value);
+  /// Sets the values of a preset (session::protocolPresets); the others stay.
+  void usePreset(const std::string& id);
   /// Back to the stored value.
   void reset(const std::string& name);
   /// Back to the stored protocol.

@@ -12,8 +12,10 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "app/session/protocol_values.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"
@@ -49,6 +51,32 @@ void ProtocolView::addParts() {
   QVBoxLayout* const section =
       addSection(tr("Parts"), tr("What a session consists of, in this order. The practice before each part is not "
                                  "counted."));
+  auto* const presets = new QHBoxLayout;
+  presets->setSpacing(theme::kGrid);
+  presets->addWidget(new QLabel(tr("Begin with"), sections_.last()));
+  const struct {
+    const char* id;
+    QString name;
+    QString tip;
+  } kinds[] = {
+      {"published", tr("As published"),
+       tr("The study of the paper: one ascending series, questions in the form's order")},
+      {"recommended", tr("Recommended"),
+       tr("Forces rise and fall, a rest after ten, speeds and questions in another order for each participant")},
+      {"short", tr("20 minutes"), tr("For a trial or a busy ward")}};
+  for (const auto& kind : kinds) {
+    auto* const button = new QPushButton(kind.name, sections_.last());
+    button->setToolTip(kind.tip);
+    connect(button, &QPushButton::clicked, this, [this, id = std::string(kind.id)] { protocol_.usePreset(id); });
+    presets->addWidget(button);
+  }
+  presets->addStretch(1);
+  section->addLayout(presets);
+  load_ = new QLabel(sections_.last());
+  load_->setWordWrap(true);
+  load_->setTextFormat(Qt::PlainText);
+  setInk(*load_, theme::mutedInk());
+  section->addWidget(load_);
   section->addWidget(new PartList(protocol_, sections_.last()));
 }
 
@@ -384,9 +412,25 @@ void ProtocolView::showKey() { showSection(static_cast<int>(sections_.size()) - 
 
 void ProtocolView::store() { protocol_.store(reason_->text(), author_()); }
 
+void ProtocolView::followLoad() {
+  const session::ProtocolLoad load = session::loadOf(protocol_.draft());
+  QString text = tr("About %1 minutes: %2 insertions, %3 judged forces, %4 questions.")
+                     .arg(std::lround(load.minutes))
+                     .arg(load.strokes)
+                     .arg(load.judgements)
+                     .arg(load.questions);
+  if (load.heat_share > 0) {
+    text += QLatin1Char(' ') +
+            tr("The motors work at %1 % of what they can hold for long.").arg(std::lround(100 * load.heat_share));
+    if (load.heat_share > 1) text += QLatin1Char(' ') + tr("The device will rest longer than the protocol asks.");
+  }
+  load_->setText(text);
+}
+
 void ProtocolView::refreshState() {
   followLists();
   followForces();
+  followLoad();
   followFoot();
   state_->setText(protocol_.version() == 0 ? tr("none is stored yet")
                   : protocol_.isLocked()   ? tr("version %1, which participants follow").arg(protocol_.version())

@@ -126,6 +126,7 @@ class ProtocolView : public QWidget {
   void refreshState();
   void followLists();
   void followForces();
+  void followLoad();
   void followFoot();
   void store();
   void leave();
@@ -140,6 +141,7 @@ class ProtocolView : public QWidget {
   QHash<QString, QCheckBox*> languages_;
   QHash<QString, ProtocolField*> consents_;
   QHash<QString, ProtocolField*> statements_;  ///< by language, instead of the general ones
+  QLabel* load_ = nullptr;
   QLabel* ladder_ = nullptr;
   QLabel* key_state_ = nullptr;
   QLineEdit* key_ = nullptr;

@@ -1,6 +1,7 @@
 #include "app/session/protocol_values.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace tactus::session {
@@ -68,6 +69,38 @@ TEST(ProtocolValues, OfAnotherKindOrNameAreRefused) {
   EXPECT_NE(refusal("force.familiarisation_n", "0.1,much").find("numbers"), std::string::npos);
   EXPECT_NE(refusal("blocks", "speed,dance").find("dance"), std::string::npos);
   EXPECT_NE(refusal("item_order", "backwards").find("backwards"), std::string::npos);
+}
+
+TEST(ProtocolPresets, AreValidAndTouchNeitherConsentNorDevice) {
+  StudyProtocol own;
+  own.consent_version = "1";
+  own.consent["en"] = "Whose study it is.";
+  own.contact = "Ward 7";
+  own.device.force_cap_n = 1.9;
+  for (const ProtocolPreset& preset : protocolPresets()) {
+    const auto with = withPreset(own, preset.id);
+    ASSERT_TRUE(with) << with.error().message();
+    EXPECT_TRUE(validate(*with)) << preset.id;
+    EXPECT_EQ(with->consent, own.consent);
+    EXPECT_EQ(with->contact, own.contact);
+    EXPECT_EQ(with->device.force_cap_n, own.device.force_cap_n);
+  }
+  EXPECT_FALSE(withPreset(own, "quick"));
+}
+
+TEST(ProtocolPresets, AsPublishedIsTheDefaultAndHasThePapersNumbers) {
+  const auto published = *withPreset(StudyProtocol(), "published");
+  EXPECT_EQ(toJson(published), toJson(StudyProtocol()));
+  const ProtocolLoad load = loadOf(published);
+  EXPECT_EQ(load.strokes, 12);     // paper, Section 3.1.4: three speeds, four times
+  EXPECT_EQ(load.judgements, 17);  // 0.1 to 1.7 N by 0.1 N
+  EXPECT_EQ(load.questions, 45);
+  // By hand: mean square of 0.1 ... 1.7 N is 1.05; held 3.15 of 5.15 s; of 0.88 N.
+  EXPECT_NEAR(load.heat_share, std::sqrt(1.05 * 3.15 / 5.15) / 0.88, 1e-12);
+}
+
+TEST(ProtocolPresets, TheShortOneTakesAboutTwentyMinutes) {
+  EXPECT_NEAR(loadOf(*withPreset(StudyProtocol(), "short")).minutes, 20, 3);
 }
 
 }  // namespace
