@@ -14,12 +14,16 @@
 #include "app/session/session.h"
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_strokes.h"
+#include "app/session/study_protocol.h"
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
+#include "core/base/text.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"
+#include "core/store/person_codes.h"
 #include "core/store/persons.h"
+#include "core/store/study_records.h"
 #include "experiments/published_tables.h"
 #include "questionnaires/form_file.h"
 
@@ -240,6 +244,109 @@ Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, std::uin
     }
   }
   return file;
+}
+
+namespace {
+
+constexpr double kLargestSpread = 0.25;  // of the logarithms of speeds and thresholds: twice that of Table 1's nurses
+constexpr std::array<std::string_view, 3> kModels = {"S1", "S2", "S3"};  // those with answers
+
+NurseTraits likeOneOfThem(std::string_view model, double spread, std::uint64_t seed, std::uint64_t answers_seed) {
+  base::Random random(seed);
+  const double speeds = std::exp(spread * random.normal());
+  const double forces = std::exp(spread * random.normal());
+  NurseTraits nurse;
+  nurse.profile.category = "expert";
+  nurse.profile.handedness = "right";
+  std::uint64_t cell = 0;
+  for (auto target : experiments::publishedSpeeds()) {
+    ++cell;
+    if (target.participant != model) continue;
+    const double share = target.sd_mm_s / target.mean_mm_s;
+    target.mean_mm_s = std::clamp(target.mean_mm_s * speeds, 30.0, 300.0);
+    target.sd_mm_s = share * target.mean_mm_s;
+    nurse.levels[target.level] = simulatedLevel(target, seed + cell);
+  }
+  for (auto& responder : respondersOfTable2()) {
+    if (responder.code == model) nurse.responder = std::move(responder);
+  }
+  for (double& threshold : nurse.responder.threshold_n) threshold *= forces;
+  nurse.responder.beyond_from_n *= forces;
+  nurse.responder.noise = spread / kLargestSpread;
+  nurse.responder.lapse *= spread / kLargestSpread;
+  for (auto& answer : simulatedAnswers(questionnaires::ngtForceForm(), answers_seed)) {
+    if (answer.participant == model) nurse.answers.push_back(std::move(answer));
+  }
+  return nurse;
+}
+
+Result<void> canSimulate(const SessionSettings& settings) {
+  constexpr int kMostStrokes = 4;
+  if (settings.speed.strokes > kMostStrokes) {
+    return base::fail(base::ErrorCode::kValue, "protocol",
+                      std::to_string(settings.speed.strokes) + " strokes of a speed", "at most 4 for simulated nurses");
+  }
+  for (const std::string& level : settings.speed.levels) {
+    if (level != "slow" && level != "medium" && level != "fast")
+      return base::fail(base::ErrorCode::kValue, "protocol", "the speed " + base::quoted(level),
+                        "slow, medium and fast for simulated nurses");
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> addSimulatedNurses(store::StudyFile& file, const SimulatedGroup& group,
+                                                    std::int64_t now_utc_ms, const std::string& program,
+                                                    const std::function<bool()>& goes_on) {
+  using base::ErrorCode;
+  if (group.count < 1 || group.count > SimulatedGroup::kMost) {
+    return base::fail(ErrorCode::kValue, "simulated nurses", std::to_string(group.count), "1 to 50");
+  }
+  if (!(group.alike >= 0 && group.alike <= 1)) {
+    return base::fail(ErrorCode::kValue, "how alike", base::formatNumber(group.alike), "0 to 1");
+  }
+  if (group.seed < 1 || group.seed > kLargestSeed) {
+    return base::fail(ErrorCode::kValue, "seed", std::to_string(group.seed), "1 to 10^16");
+  }
+  TACTUS_TRY(const auto state, store::protocolState(file));
+  SessionStart start;
+  if (state.current) {
+    TACTUS_TRY(auto protocol, parseStudyProtocol(state.current->text));
+    start.settings = std::move(protocol.settings);
+    start.protocol = state.current->id;
+  }
+  if (auto ok = canSimulate(start.settings); !ok) return tl::unexpected(ok.error());
+  start.consent_version = "simulated";
+  start.station = "simulated";
+  start.program = program;
+  start.device = "simulated, steps of 0.055 mm";
+
+  constexpr std::int64_t kVisitMs = 45 * 60'000;
+  const double spread = kLargestSpread * (1 - group.alike);
+  store::PersonCodes codes;
+  std::vector<std::string> added;
+  for (int i = 0; i < group.count; ++i) {
+    if (goes_on && !goes_on()) break;
+    const std::uint64_t seed = (group.seed * SimulatedGroup::kMost + static_cast<std::uint64_t>(i)) * kSeedsOfOne;
+    const auto nurse = likeOneOfThem(kModels[static_cast<std::size_t>(i) % kModels.size()], spread, seed,
+                                     spread > 0 ? seed : group.seed);
+    TACTUS_TRY(auto batch, store::Batch::begin(file));
+    TACTUS_TRY(const auto code, store::unusedCode(file, codes));
+    study::RecordIds ids;
+    const study::Person person{ids.next(), code, true};
+    if (auto ok = store::append(file, person); !ok) return tl::unexpected(ok.error());
+    start.person = person.id;
+    start.seed = seed;
+    const SimulatedClock clock(now_utc_ms - (group.count - i) * kVisitMs);
+    SessionTools tools{[clock] { return clock.look(); }, study::RecordIds()};
+    TACTUS_TRY(auto session, Session::begin(file, start, std::move(tools)));
+    SimulatedNurse simulated(nurse, seed, [clock](double seconds) { clock.pass(seconds); });
+    if (auto ok = simulated.finish(session); !ok) return tl::unexpected(ok.error());
+    if (auto ok = batch.commit(); !ok) return tl::unexpected(ok.error());
+    added.push_back(code);
+  }
+  return added;
 }
 
 }  // namespace tactus::session

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -81,5 +82,24 @@ inline constexpr std::uint64_t kLargestSeed = 10'000'000'000'000'000;
 base::Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, std::uint64_t seed = kDefaultSeed,
                                                      std::string_view reading = questionnaires::kDefaultReading,
                                                      const std::string& program = {});
+
+/// Simulated nurses for a rehearsal of a study: not the paper's four, but others like them.
+struct SimulatedGroup {
+  static constexpr int kMost = 50;
+
+  int count = 4;           ///< 1 to kMost
+  double alike = 0.5;      ///< 0 to 1; 1: they differ as S1, S2 and S3 of the demo study do, and no more
+  std::uint64_t seed = 1;  ///< 1 to kLargestSeed; another one gives other nurses
+};
+
+/// Adds them to the study, each under a code of two words with a whole session under the study's protocol, or the
+/// defaults without one. All are marked as simulated. The last session begins 45 minutes before
+/// `now_utc_ms`, and each of the others as long before the next. `goes_on` is asked before
+/// each: false stops with those that are there. Returns the codes. Takes a second or more for each. Refused: numbers
+/// out of their range, and a protocol that a simulated nurse cannot do (more than four strokes of a speed, other
+/// speeds than slow, medium and fast).
+base::Result<std::vector<std::string>> addSimulatedNurses(store::StudyFile& file, const SimulatedGroup& group,
+                                                          std::int64_t now_utc_ms, const std::string& program,
+                                                          const std::function<bool()>& goes_on = {});
 
 }  // namespace tactus::session

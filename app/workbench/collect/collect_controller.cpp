@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/error.h"
 #include "core/store/person_codes.h"
@@ -17,7 +18,7 @@ CollectController::CollectController(StudyConnection& study, QObject* parent) : 
   connect(&study_, &StudyConnection::opened, this, &CollectController::refresh);
   connect(&study_, &StudyConnection::contentsChanged, this, &CollectController::refresh);
   connect(&study_, &StudyConnection::closed, this, [this] {
-    stale_ = false;
+    stale_ = filling_ = false;
     take({});
   });
 }
@@ -81,6 +82,31 @@ void CollectController::addParticipant() {
       },
       [this](const QString& sentence) {
         emit refused(tr("No participant was added. %1").arg(sentence), {tr("Try again"), [this] { addParticipant(); }});
+      });
+}
+
+void CollectController::fillWithSimulated(const session::SimulatedGroup& group) {
+  if (filling_ || runs_ || !study_.takesOrders()) return;
+  filling_ = true;
+  emit changed();
+  const auto added = std::make_shared<int>(0);
+  study_.order(
+      [added, group](store::StudyFile& file, study::RecordIds& /*ids*/) -> Result<void> {
+        TACTUS_TRY(const auto codes, session::addSimulatedNurses(file, group, utcNowMs(), std::string(kGenerator)));
+        *added = static_cast<int>(codes.size());
+        return {};
+      },
+      [this, added] {
+        filling_ = false;
+        study_.refresh();
+        emit filled(*added);
+        emit changed();
+      },
+      [this, group](const QString& sentence) {
+        filling_ = false;
+        emit changed();
+        emit refused(tr("No simulated nurses were added. %1").arg(sentence),
+                     {tr("Try again"), [this, group] { fillWithSimulated(group); }});
       });
 }
 

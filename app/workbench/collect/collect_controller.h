@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 
+#include "app/session/simulated_study.h"
 #include "app/workbench/base/messages.h"
 #include "app/workbench/collect/study_overview.h"
 #include "app/workbench/study/connection/study_connection.h"
@@ -36,6 +37,10 @@ class CollectController : public QObject {
   /// Stores a new participant under a code that no participant has or had. Ends with `added` or `refused`.
   void addParticipant();
 
+  /// Adds simulated nurses to the study, each with a whole session. Ends with `filled` or `refused`.
+  void fillWithSimulated(const session::SimulatedGroup& group);
+  bool isFilling() const { return filling_; }
+
   /// Counts what a withdrawal of `person` would delete. Ends with `previewed` or `refused`.
   void previewWithdrawal(const study::RecordId& person);
   /// Deletes everything of `person`. Ends with `withdrawn` or `refused`.
@@ -50,6 +55,8 @@ class CollectController : public QObject {
   /// `overview`, `isCurrent`, `isSessionRunning` or `isWithdrawing` changed.
   void changed();
   void added(const tactus::study::RecordId& person, const QString& code);
+  /// So many simulated nurses were added.
+  void filled(int count);
   void previewed(const tactus::study::RecordId& person, const tactus::store::WithdrawalPreview& preview);
   /// Everything of the participant who had `code` is deleted.
   void withdrawn(const QString& code);
@@ -67,6 +74,7 @@ class CollectController : public QObject {
   bool reading_ = false;
   bool runs_ = false;
   bool withdrawing_ = false;
+  bool filling_ = false;
 };
 
 }  // namespace tactus::workbench

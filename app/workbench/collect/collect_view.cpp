@@ -1,5 +1,14 @@
 #include "app/workbench/collect/collect_view.h"
 
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QRandomGenerator>
+#include <QSpinBox>
+#include <QVBoxLayout>
 #include <utility>
 
 #include "app/workbench/collect/protocol_controller.h"
@@ -20,6 +29,7 @@ CollectView::CollectView(CollectController& collect, ProtocolController& protoco
   connect(home_, &StudyHome::protocolAsked, this, &CollectView::showProtocol);
   connect(home_, &StudyHome::keyAsked, this, &CollectView::showKey);
   connect(protocol_, &ProtocolView::left, this, &CollectView::showHome);
+  connect(home_, &StudyHome::fillAsked, this, &CollectView::askFill);
   connect(home_, &StudyHome::withdrawAsked, this, &CollectView::askWithdrawal);
   connect(&collect_.study(), &StudyConnection::closed, this, &CollectView::showHome);
 }
@@ -34,6 +44,42 @@ void CollectView::showProtocol() {
 void CollectView::showKey() {
   showProtocol();
   protocol_->showKey();
+}
+
+void CollectView::askFill() {
+  QDialog dialog(this);
+  dialog.setWindowTitle(tr("Fill with simulated nurses"));
+  auto* const text = new QLabel(
+      tr("For a rehearsal: each does a whole session under the protocol of this study. They are marked as simulated in "
+         "the file, in this list and in every export, and count in a model until they are withdrawn."),
+      &dialog);
+  text->setWordWrap(true);
+  auto* const count = new QSpinBox(&dialog);
+  count->setRange(1, session::SimulatedGroup::kMost);
+  count->setValue(4);
+  auto* const alike = new QComboBox(&dialog);
+  alike->addItem(tr("as alike as the published nurses"), 1.0);
+  alike->addItem(tr("more different"), 0.5);
+  alike->addItem(tr("very different"), 0.0);
+  auto* const form = new QFormLayout;
+  form->addRow(tr("&How many"), count);
+  form->addRow(tr("How &alike"), alike);
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
+  buttons->button(QDialogButtonBox::Ok)->setText(tr("Add them"));
+  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
+  auto* const column = new QVBoxLayout(&dialog);
+  column->addWidget(text);
+  column->addLayout(form);
+  column->addWidget(buttons);
+  constexpr int kWidth = 440;
+  dialog.setMinimumWidth(kWidth);
+  if (dialog.exec() != QDialog::Accepted) return;
+  session::SimulatedGroup group;
+  group.count = count->value();
+  group.alike = alike->currentData().toDouble();
+  group.seed = 1 + QRandomGenerator::global()->generate();
+  collect_.fillWithSimulated(group);
 }
 
 void CollectView::askWithdrawal(const study::RecordId& person) {

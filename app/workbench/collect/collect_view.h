@@ -28,6 +28,8 @@ class CollectView : public QStackedWidget {
   void showProtocol();
   /// The part of the protocol's page with the research key.
   void showKey();
+  /// Asks how many simulated nurses are added to the study, and how alike they are.
+  void askFill();
   /// Asks in a dialog whether `person` is withdrawn.
   void askWithdrawal(const tactus::study::RecordId& person);
 

@@ -53,23 +53,19 @@ void ProtocolView::addParts() {
                                  "counted."));
   auto* const presets = new QHBoxLayout;
   presets->setSpacing(theme::kGrid);
-  presets->addWidget(new QLabel(tr("Begin with"), sections_.last()));
-  const struct {
-    const char* id;
-    QString name;
-    QString tip;
-  } kinds[] = {
-      {"published", tr("As published"),
-       tr("The study of the paper: one ascending series, questions in the form's order")},
-      {"recommended", tr("Recommended"),
-       tr("Forces rise and fall, a rest after ten, speeds and questions in another order for each participant")},
-      {"short", tr("20 minutes"), tr("For a trial or a busy ward")}};
-  for (const auto& kind : kinds) {
-    auto* const button = new QPushButton(kind.name, sections_.last());
-    button->setToolTip(kind.tip);
-    connect(button, &QPushButton::clicked, this, [this, id = std::string(kind.id)] { protocol_.usePreset(id); });
+  presets->addWidget(new QLabel(tr("To begin with"), sections_.last()));
+  const auto add_preset = [&](const char* id, const QString& name, const QString& tip) {
+    auto* const button = new QPushButton(name, sections_.last());
+    button->setToolTip(tip);
+    connect(button, &QPushButton::clicked, this, [this, preset = std::string(id)] { protocol_.usePreset(preset); });
     presets->addWidget(button);
-  }
+  };
+  add_preset("published", tr("Set as published"),
+             tr("Set what the paper did: one ascending series, questions in the form's order"));
+  add_preset("recommended", tr("Set as recommended"),
+             tr("Set what we recommend: forces rise and fall, a rest after ten, speeds and questions in another order "
+                "for each participant"));
+  add_preset("short", tr("Set for 20 minutes"), tr("Set a session for a trial or a busy ward"));
   presets->addStretch(1);
   section->addLayout(presets);
   load_ = new QLabel(sections_.last());

@@ -276,6 +276,8 @@ QWidget* StudyHome::makeInvitation() {
   setInk(*text, theme::mutedInk());
   auto* protocol = new QPushButton(tr("Set the protocol…"), box);
   auto* add = new QPushButton(tr("Add the first participant"), box);
+  auto* fill = new QPushButton(tr("Fill with simulated nurses…"), box);
+  connect(fill, &QPushButton::clicked, this, &StudyHome::fillAsked);
   connect(protocol, &QPushButton::clicked, this, &StudyHome::protocolAsked);
   connect(add, &QPushButton::clicked, &collect_, &CollectController::addParticipant);
   auto* buttons = new QHBoxLayout;
@@ -291,6 +293,7 @@ QWidget* StudyHome::makeInvitation() {
   column->addWidget(title);
   column->addWidget(text);
   column->addLayout(buttons);
+  column->addWidget(fill, 0, Qt::AlignHCenter);
   auto* layout = new QVBoxLayout(page);
   layout->addWidget(box, 0, Qt::AlignCenter);
   return page;

@@ -52,6 +52,7 @@ class StudyHome : public QWidget {
   void usabilityAsked();
   void protocolAsked();
   void keyAsked();
+  void fillAsked();
   void withdrawAsked(const tactus::study::RecordId& person);
 
  private:

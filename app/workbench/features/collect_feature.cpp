@@ -1,3 +1,4 @@
+#include <QAction>
 #include <QCoreApplication>
 #include <memory>
 #include <utility>
@@ -88,6 +89,23 @@ void CollectFeature::connectPersons(Bench& bench) {
                                                                    bench.views.collect->askWithdrawal(person);
                                                                  }});
                    });
+  QAction* const fill = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("&Fill with simulated nurses…"));
+  const auto may_fill = [&bench, fill] {
+    fill->setEnabled(bench.study.isOpen() && bench.study.takesOrders() && !bench.collect.isFilling() &&
+                     !bench.collect.isSessionRunning());
+    if (bench.collect.isFilling()) bench.window.say(tr("Simulated nurses are doing their sessions…"));
+  };
+  may_fill();
+  QObject::connect(&collect, &CollectController::changed, context, may_fill);
+  QObject::connect(&bench.study, &StudyConnection::changed, context, may_fill);
+  QObject::connect(fill, &QAction::triggered, context, [&bench] {
+    bench.window.enter(Stage::kCollect);
+    bench.views.collect->askFill();
+  });
+  QObject::connect(&collect, &CollectController::filled, context, [&bench](int count) {
+    bench.window.banner().showNote(
+        tr("%n simulated nurse(s) were added. They are marked as simulated.", nullptr, count));
+  });
   QObject::connect(&collect, &CollectController::withdrawn, context, [&bench](const QString& code) {
     bench.window.banner().showNote(
         tr("Everything of %1 is deleted from %2. Backups and exports made before can still hold the data.")

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>CollectFeature</name>
+    <message numerus="yes">
+        <source>%n simulated nurse(s) were added. They are marked as simulated.</source>
+        <translation>
+            <numerusform>%n simulated nurse was added. It is marked as simulated.</numerusform>
+            <numerusform>%n simulated nurses were added. They are marked as simulated.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>CurveItems</name>
     <message numerus="yes">
         <source>%n expert(s)</source>

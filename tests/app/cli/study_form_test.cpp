@@ -126,7 +126,7 @@ TEST_F(StudyFormTest, EachMediumHasConsentProfileAndPicture) {
 TEST_F(StudyFormTest, TheProfileOfASurveySystemComesBack) {
   std::string head = "record_id,years,handedness";
   std::string codes = "velvet-otter,years_2,left";
-  std::string labels = "amber-fox,Over 15,2";
+  std::string labels = "amber-fox,15 or more,2";
   for (int item = 1; item <= 45; ++item) {
     head += (item < 10 ? ",q0" : ",q") + std::to_string(item);
     codes += ",3";

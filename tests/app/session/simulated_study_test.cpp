@@ -1,10 +1,12 @@
 #include "app/session/simulated_study.h"
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
 
+#include "app/session/study_protocol.h"
 #include "app/session/study_view.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
@@ -162,6 +164,58 @@ TEST(SimulatedStudyRefuses, AnUnknownReadingAndAFileThatIsThere) {
   const support::TempFolder folder;
   EXPECT_FALSE(makeSimulatedNgtStudy(folder.file("a.tactus"), 1, "another"));
   EXPECT_TRUE(folder.isEmpty());
+}
+
+constexpr std::int64_t kNowUtcMs = 1'795'000'000'000;
+
+// Beside a person who is there already, and in the protocol that the study has.
+TEST(SimulatedGroups, DoWholeSessionsAndSayThatTheyAreSimulated) {
+  const support::TempFolder folder;
+  auto file = store::StudyFile::create(folder.file("a.tactus"), {study::RecordIds(3).next(), "ward", 1, "test"});
+  ASSERT_TRUE(file);
+  ASSERT_TRUE(store::append(*file, study::Person{study::RecordIds(4).next(), "amber-otter", false}));
+  StudyProtocol protocol;
+  protocol.settings.speed.strokes = 2;
+  protocol.consent_version = "1";
+  protocol.consent["en"] = "Whose study it is.";
+  SessionTools tools = systemTools();
+  ASSERT_TRUE(setProtocol(*file, protocol, "", "", tools));
+  const auto codes = addSimulatedNurses(*file, {3, 0.5, 7}, kNowUtcMs, "test");
+  ASSERT_TRUE(codes) << codes.error().message();
+  EXPECT_EQ(codes->size(), 3U);
+  const auto view = studyForElicitation(*file);
+  ASSERT_TRUE(view) << view.error().message();
+  ASSERT_EQ(view->study.participants.size(), 4U);
+  for (const auto& participant : view->study.participants) {
+    EXPECT_EQ(participant.simulated, participant.code != "amber-otter") << participant.code;
+  }
+  EXPECT_EQ(view->study.answers.size(), 3 * 45U);
+  std::set<std::pair<std::string, int>> slow;
+  for (const auto& sample : view->study.speeds) {
+    if (sample.level == "slow") slow.emplace(sample.participant, sample.stroke);
+  }
+  EXPECT_EQ(slow.size(), 3 * 2U) << "the protocol's strokes";
+  const auto sessions = store::sessions(*file);
+  ASSERT_TRUE(sessions);
+  for (const auto& session : *sessions) {
+    EXPECT_LT(session.started.utc_ms, kNowUtcMs);
+    EXPECT_GT(session.started.utc_ms, kNowUtcMs - 4 * 3'600'000);
+    EXPECT_TRUE(session.protocol.has_value());
+  }
+}
+
+TEST(SimulatedGroups, OfNumbersOutOfRangeAreRefusedAndAddNobody) {
+  const support::TempFolder folder;
+  auto file = store::StudyFile::create(folder.file("a.tactus"), {study::RecordIds(3).next(), "ward", 1, "test"});
+  ASSERT_TRUE(file);
+  for (const SimulatedGroup& wrong : {SimulatedGroup{0, 0.5, 1}, SimulatedGroup{51, 0.5, 1}, SimulatedGroup{2, -0.1, 1},
+                                      SimulatedGroup{2, std::nan(""), 1}, SimulatedGroup{2, 0.5, 0}}) {
+    EXPECT_FALSE(addSimulatedNurses(*file, wrong, kNowUtcMs, "test"));
+  }
+  EXPECT_TRUE(store::persons(*file)->empty());
+  const auto none = addSimulatedNurses(*file, {2, 0.5, 1}, kNowUtcMs, "test", [] { return false; });
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->empty());
 }
 
 }  // namespace

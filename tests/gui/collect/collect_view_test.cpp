@@ -3,13 +3,16 @@
 
 #include <QApplication>
 #include <QCheckBox>
+#include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
+#include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -262,6 +265,22 @@ TEST_F(CollectViewTest, ASessionTakesTheParticipantsScreensAndComesBack) {
   ASSERT_TRUE(comesTrue([&] { return !run.isRunning(); }));
   EXPECT_TRUE(window.isVisible());
   EXPECT_TRUE(comesTrue([this] { return collect().isCurrent(); }));
+}
+
+TEST_F(CollectViewTest, AnEmptyStudyIsFilledWithSimulatedNurses) {
+  openStudy();
+  QPushButton* const fill = button(home(), "Fill with simulated nurses…");
+  ASSERT_NE(fill, nullptr);
+  QTimer::singleShot(0, &window, [] {
+    auto* const dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    dialog->findChild<QSpinBox*>()->setValue(2);
+    dialog->accept();
+  });
+  fill->click();
+  EXPECT_TRUE(collect().isFilling());
+  ASSERT_TRUE(comesTrue([this] { return !collect().isFilling() && collect().overview().rows.size() == 2; }));
+  for (const ParticipantRow& row : collect().overview().rows) EXPECT_TRUE(row.simulated) << row.code.toStdString();
 }
 
 }  // namespace
