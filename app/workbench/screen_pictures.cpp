@@ -303,6 +303,7 @@ base::Result<void> addParticipantPictures(PictureAlbum& album, const QString& la
   for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
     ParticipantWindow window(look, [] {});
     window.resize(size);
+    window.setArmed(nurse::isWithDevice(sample.name));
     QWidget* const screen = sample.make(look).release();
     if (qobject_cast<nurse::PanelCard*>(screen) != nullptr) {
       window.setScreen(new nurse::RestScreen(look));

@@ -90,7 +90,8 @@ std::optional<int> MonitorController::minutes() const {
   const auto at = session_.snapshot();
   if (!at || !at->record) return std::nullopt;
   constexpr std::int64_t kMinuteMs = 60'000;
-  return static_cast<int>((now_ms_() - at->record->started.utc_ms) / kMinuteMs);
+  // The wall clock may have been set back since.
+  return static_cast<int>(std::max<std::int64_t>(0, now_ms_() - at->record->started.utc_ms) / kMinuteMs);
 }
 
 Share MonitorController::share() const {

@@ -313,4 +313,11 @@ std::vector<SampleScreen> sampleScreens() {
   return all;
 }
 
+bool isWithDevice(const QString& name) {
+  for (const char* part : {"device", "practice", "speed", "force", "own_model"}) {
+    if (name.startsWith(QLatin1String(part))) return true;
+  }
+  return false;
+}
+
 }  // namespace tactus::workbench::nurse

@@ -17,5 +17,7 @@ struct SampleScreen {
 };
 
 std::vector<SampleScreen> sampleScreens();
+/// Whether a device is armed on the screens of this name, so that the red button stands in their corner.
+bool isWithDevice(const QString& name);
 
 }  // namespace tactus::workbench::nurse
