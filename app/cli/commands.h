@@ -340,8 +340,8 @@ struct StudyProtocolOptions {
   std::string author;
   bool json = false;
 };
-/// Prints the protocol of the study. With `set`, `consent`, `preset` or `from` stores another one first: a draft, or, once
-/// participants follow the present version, its amendment.
+/// Prints the protocol of the study. With `set`, `consent`, `preset` or `from` stores another one first: a draft, or,
+/// once participants follow the present version, its amendment.
 base::Result<Output> studyProtocol(const StudyProtocolOptions& options);
 
 struct StudyKeyOptions {

@@ -24,8 +24,8 @@ std::string simulatedNote(const study::Study& study);
 std::string virtualNote(const study::Study& study);
 
 struct ShareableStudy {
-  study::Study study;              ///< codes P1, P2, … in an order drawn with the seed; no name
-  std::vector<std::string> bands;  ///< experience band of each participant
+  study::Study study;                        ///< codes P1, P2, … in an order drawn with the seed; no name
+  std::vector<std::string> bands;            ///< experience band of each participant
   std::map<std::string, std::string> codes;  ///< the new code of each participant by the old one
 };
 

@@ -229,7 +229,8 @@ Result<std::vector<Trial>> trialsAt(const std::string& path) {
 
 namespace {
 
-/// A device of the list without what is one's own: `hid:VVVV:PPPP`, `openhaptics` or `virtual`; empty for any other text.
+/// A device of the list without what is one's own: `hid:VVVV:PPPP`, `openhaptics` or `virtual`; empty for any other
+/// text.
 std::string kindOf(const std::string& device) {
   constexpr std::size_t kHidKind = 13;  // hid:VVVV:PPPP
   if (device.starts_with("hid:")) return device.substr(0, kHidKind);
