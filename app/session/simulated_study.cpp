@@ -127,6 +127,17 @@ namespace {
 
 constexpr std::uint64_t kCells = 1000;  // of Table 1, more than there are
 
+/// An expert who judges as `responder` and gives those of the `answers` that are hers; without levels of speed.
+NurseTraits nurseWith(ResponderTraits responder, const std::vector<study::Answer>& answers) {
+  NurseTraits nurse;
+  nurse.profile.category = "expert";
+  nurse.profile.handedness = "right";
+  nurse.responder = std::move(responder);
+  std::copy_if(answers.begin(), answers.end(), std::back_inserter(nurse.answers),
+               [&](const study::Answer& answer) { return answer.participant == nurse.responder.code; });
+  return nurse;
+}
+
 /// The nurses that `wanted` names. Each level of Table 1 takes a second or less; they are computed at the same time.
 std::vector<NurseTraits> nursesOf(std::uint64_t seed, const std::function<bool(std::string_view)>& wanted) {
   const auto table = experiments::publishedSpeeds();
@@ -141,18 +152,12 @@ std::vector<NurseTraits> nursesOf(std::uint64_t seed, const std::function<bool(s
   std::vector<NurseTraits> nurses;
   for (auto& responder : respondersOfTable2()) {
     if (!wanted(responder.code)) continue;
-    NurseTraits nurse;
-    nurse.profile.category = "expert";
-    nurse.profile.handedness = "right";
-    nurse.responder = std::move(responder);
-    nurse.responder.noise = 0;
-    nurse.responder.lapse = 0;
-    const auto& code = nurse.responder.code;
+    responder.noise = 0;
+    responder.lapse = 0;
+    NurseTraits nurse = nurseWith(std::move(responder), answers);
     for (std::size_t cell = 0; cell < table.size(); ++cell) {
-      if (table[cell].participant == code) nurse.levels[table[cell].level] = levels[cell].get();
+      if (table[cell].participant == nurse.responder.code) nurse.levels[table[cell].level] = levels[cell].get();
     }
-    std::copy_if(answers.begin(), answers.end(), std::back_inserter(nurse.answers),
-                 [&](const study::Answer& answer) { return answer.participant == code; });
     nurses.push_back(std::move(nurse));
   }
   return nurses;
@@ -255,9 +260,15 @@ NurseTraits likeOneOfThem(std::string_view model, double spread, std::uint64_t s
   base::Random random(seed);
   const double speeds = std::exp(spread * random.normal());
   const double forces = std::exp(spread * random.normal());
-  NurseTraits nurse;
-  nurse.profile.category = "expert";
-  nurse.profile.handedness = "right";
+  ResponderTraits responder;
+  for (auto& each : respondersOfTable2()) {
+    if (each.code == model) responder = std::move(each);
+  }
+  for (double& threshold : responder.threshold_n) threshold *= forces;
+  responder.beyond_from_n *= forces;
+  responder.noise = spread / kLargestSpread;
+  responder.lapse *= spread / kLargestSpread;
+  NurseTraits nurse = nurseWith(std::move(responder), simulatedAnswers(questionnaires::ngtForceForm(), answers_seed));
   std::uint64_t cell = 0;
   for (auto target : experiments::publishedSpeeds()) {
     ++cell;
@@ -266,16 +277,6 @@ NurseTraits likeOneOfThem(std::string_view model, double spread, std::uint64_t s
     target.mean_mm_s = std::clamp(target.mean_mm_s * speeds, 30.0, 300.0);
     target.sd_mm_s = share * target.mean_mm_s;
     nurse.levels[target.level] = simulatedLevel(target, seed + cell);
-  }
-  for (auto& responder : respondersOfTable2()) {
-    if (responder.code == model) nurse.responder = std::move(responder);
-  }
-  for (double& threshold : nurse.responder.threshold_n) threshold *= forces;
-  nurse.responder.beyond_from_n *= forces;
-  nurse.responder.noise = spread / kLargestSpread;
-  nurse.responder.lapse *= spread / kLargestSpread;
-  for (auto& answer : simulatedAnswers(questionnaires::ngtForceForm(), answers_seed)) {
-    if (answer.participant == model) nurse.answers.push_back(std::move(answer));
   }
   return nurse;
 }
