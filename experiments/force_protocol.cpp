@@ -205,7 +205,7 @@ std::vector<SeriesStep> ForceProtocol::steps() const {
     for (const auto& judgement : judgements_) {
       if (judgement.series == kDescending && judgement.step == 1) start_n = judgement.commanded_n;
     }
-    append(descendingSeries(settings_, start_n));
+    append(withCatchTrials(descendingSeries(settings_, start_n), settings_, seed_));
   }
   append(block_);
   return steps;
@@ -214,10 +214,10 @@ std::vector<SeriesStep> ForceProtocol::steps() const {
 /// The ascending series up to the first force that is beyond practice.
 std::vector<SeriesStep> ForceProtocol::ascendingSteps() const {
   if (!settings_.ascending) return {};
-  auto series = ascendingSeries(settings_);
+  auto series = withCatchTrials(ascendingSeries(settings_), settings_, seed_);
   for (const auto& judgement : judgements_) {
-    const bool ends = judgement.series == kAscending && (judgement.scored || !settings_.delivered) &&
-                      judgement.kind == Answer::kBeyondPractice;
+    const bool ends = judgement.series == kAscending && !judgement.catch_trial &&
+                      (judgement.scored || !settings_.delivered) && judgement.kind == Answer::kBeyondPractice;
     if (ends && static_cast<std::size_t>(judgement.step) < series.size()) {
       series.resize(static_cast<std::size_t>(judgement.step));
     }

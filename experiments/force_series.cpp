@@ -16,6 +16,9 @@ namespace {
 constexpr double kPerNewton = 1e6;
 constexpr int kMostSteps = 100;
 constexpr int kMostDraws = 2000;
+constexpr int kFirstCatch = 2;          ///< index of the first step that a catch trial can precede
+constexpr double kCatchesWithin = 0.6;  ///< share of an ascending series, which may end early
+constexpr int kFarthestRepeat = 4;      ///< steps back
 
 tl::unexpected<base::Error> refuse(std::string place, double found, std::string wanted) {
   return base::fail(base::ErrorCode::kValue, std::move(place), base::formatNumber(found), std::move(wanted));
@@ -100,7 +103,8 @@ base::Result<void> validate(const ForceSettings& s) {
     double most;
     const char* unit;
   };
-  const std::array<Range, 13> ranges = {{{"descending_offset_most", double(s.descending_offset_most), 0, 5, " steps"},
+  const std::array<Range, 14> ranges = {{{"descending_offset_most", double(s.descending_offset_most), 0, 5, " steps"},
+                                         {"ladder_catches", double(s.ladder_catches), 0, 4, ""},
                                          {"random_repeats", double(s.random_repeats), 1, 10, ""},
                                          {"random_widest_jump", double(s.random_widest_jump), 1, 100, " steps"},
                                          {"forward_least_mm", s.forward_least_mm, 1, 100, " mm"},
@@ -144,6 +148,33 @@ std::vector<SeriesStep> descendingSeries(const ForceSettings& settings, double s
   const int top = static_cast<int>(std::lround((start_n - settings.ladder.lowest_n) / settings.ladder.step_n));
   for (int i = top; i >= 0; --i) series.push_back({kDescending, top - i + 1, settings.ladder.at(i)});
   return series;
+}
+
+std::vector<SeriesStep> withCatchTrials(std::vector<SeriesStep> series, const ForceSettings& settings,
+                                        std::uint64_t seed) {
+  if (settings.ladder_catches == 0 || series.empty()) return series;
+  const std::string name = series.front().series;
+  const auto count = static_cast<int>(series.size());
+  const int last = name == kAscending ? static_cast<int>(kCatchesWithin * count) : count - 1;
+  std::vector<int> places;  // a catch trial comes before the step of this index
+  for (int place = kFirstCatch; place <= last; ++place) places.push_back(place);
+  base::Random random(blockSeed(seed, "force/" + name + "/catches"));
+  places = shuffled(std::move(places), random);
+  places.resize(std::min(places.size(), static_cast<std::size_t>(settings.ladder_catches)));
+  const std::size_t blanks = (places.size() + 1) / 2;
+
+  std::vector<SeriesStep> out;
+  for (int i = 0; i < count; ++i) {
+    const auto drawn = std::find(places.begin(), places.end(), i);
+    if (drawn != places.end()) {
+      const bool blank = static_cast<std::size_t>(drawn - places.begin()) < blanks;
+      const int back = 2 + random.below(std::min(kFarthestRepeat, i) - 1);
+      const double force_n = blank ? 0 : series[static_cast<std::size_t>(i - back)].force_n;
+      out.push_back({name, static_cast<int>(out.size()) + 1, force_n, true});
+    }
+    out.push_back({name, static_cast<int>(out.size()) + 1, series[static_cast<std::size_t>(i)].force_n});
+  }
+  return out;
 }
 
 double descendingStart(const ForceSettings& settings, double reached_n, std::uint64_t seed) {

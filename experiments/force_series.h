@@ -39,6 +39,9 @@ struct ForceSettings {
   bool descending = false;
   int descending_offset_most = 2;  ///< 0 to 5
 
+  /// Our addition: catch trials in each of the two series, as `withCatchTrials` puts them there. 0 to 4.
+  int ladder_catches = 0;
+
   /// Our addition: the forces of `random_steps` in random order, each `random_repeats` times. No force follows itself,
   /// and two changes of more than `random_widest_jump` steps never follow each other.
   bool random = false;
@@ -74,7 +77,7 @@ inline constexpr const char* kAscending = "ascending";
 inline constexpr const char* kDescending = "descending";
 inline constexpr const char* kRandom = "random";
 
-/// One stimulus of a series.
+/// One stimulus of a series. `step` counts catch trials too.
 struct SeriesStep {
   std::string series;
   int step = 1;  ///< from 1, place in the series
@@ -89,6 +92,12 @@ std::vector<SeriesStep> ascendingSeries(const ForceSettings& settings);
 
 /// From `start_n` down to the lowest force of the ladder.
 std::vector<SeriesStep> descendingSeries(const ForceSettings& settings, double start_n);
+/// `series` with `settings.ladder_catches` catch trials at places derived from the seed: blanks (the larger half) and
+/// hidden repeats of a force that came two to four steps earlier. None comes before the third step or after the last
+/// one, and a step of the series stands between two of them. An ascending series, which may end early, has them in its
+/// first 60 %. A series too short for all of them has fewer. The steps are numbered anew.
+std::vector<SeriesStep> withCatchTrials(std::vector<SeriesStep> series, const ForceSettings& settings,
+                                        std::uint64_t seed);
 /// The start of the descending series after an ascending one that reached `reached_n`. It is lower by a number of steps
 /// derived from the seed, but never below the lowest force.
 double descendingStart(const ForceSettings& settings, double reached_n, std::uint64_t seed);

@@ -132,7 +132,7 @@ class Checker {
     double difference = 0;
     for (const auto& up : ofSeries(kAscending)) {
       for (const auto& down : ofSeries(kDescending)) {
-        if (!sameForce(up, down)) continue;
+        if (!sameForce(up, down) || up.record->catch_trial || down.record->catch_trial) continue;
         ++check.forces;
         difference += static_cast<double>(up.term) - static_cast<double>(down.term);
       }
@@ -147,18 +147,20 @@ class Checker {
 
   void checkRepeats() {
     auto& check = result_.repeats;
-    const auto judged = ofSeries(kRandom);
     std::vector<std::pair<std::size_t, std::size_t>> pairs;
     std::size_t close = 0;
     std::size_t hidden_same = 0;
-    for (std::size_t later = 0; later < judged.size(); ++later) {
-      for (std::size_t earlier = 0; earlier < later; ++earlier) {
-        if (!sameForce(judged[earlier], judged[later])) continue;
-        const auto [a, b] = pairs.emplace_back(judged[earlier].term, judged[later].term);
-        if (std::max(a, b) - std::min(a, b) <= 1) ++close;
-        if (!judged[later].record->catch_trial) continue;
-        ++check.hidden_pairs;
-        if (a == b) ++hidden_same;
+    for (const char* series : {kAscending, kDescending, kRandom}) {
+      const auto judged = ofSeries(series);
+      for (std::size_t later = 0; later < judged.size(); ++later) {
+        for (std::size_t earlier = 0; earlier < later; ++earlier) {
+          if (!sameForce(judged[earlier], judged[later])) continue;
+          const auto [a, b] = pairs.emplace_back(judged[earlier].term, judged[later].term);
+          if (std::max(a, b) - std::min(a, b) <= 1) ++close;
+          if (!judged[later].record->catch_trial) continue;
+          ++check.hidden_pairs;
+          if (a == b) ++hidden_same;
+        }
       }
     }
     check.pairs = pairs.size();

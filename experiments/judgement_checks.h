@@ -36,7 +36,8 @@ struct HysteresisCheck {
   std::optional<double> index;
 };
 
-/// Agreement of the answers to equal forces in the random block, over all pairs of judgements, the earlier one first.
+/// Agreement of the answers to equal forces in one series (the random block, or a ladder with hidden repeats), over all
+/// pairs of judgements, the earlier one first.
 struct RepeatCheck {
   std::size_t pairs = 0;
   std::optional<double> kappa;        ///< quadratic weights (judgement_checks.h)

@@ -14,7 +14,7 @@ namespace tactus::experiments {
 /// The seed of one block: a mix of the session's seed and the block's name. FNV-1a over the 8 bytes of `seed` (least
 /// significant first) and the bytes of `block`, then the finalizer of splitmix64. Each block has its own random
 /// numbers, so adding or omitting a block changes no other. Blocks in use: `speed/levels`, `force/descending`,
-/// `force/random`.
+/// `force/random`, `force/ascending/catches`, `force/descending/catches`.
 std::uint64_t blockSeed(std::uint64_t seed, std::string_view block) noexcept;
 
 /// `items` in random order, each order equally likely (Fisher and Yates; Durstenfeld 1964).

@@ -44,7 +44,22 @@ base::Result<void> validate(const SpeedSettings& settings) {
   if (settings.practice < 0 || settings.practice > 20) {
     return refuse("practice", std::to_string(settings.practice), "0 to 20");
   }
+  if (settings.latin_row < 0) return refuse("latin_row", std::to_string(settings.latin_row), "0 or more");
   return validate(settings.stroke);
+}
+
+// For an even number of levels n the rows 0 to n - 1 do; an odd one needs them backwards too.
+std::vector<std::size_t> williamsRow(std::size_t levels, std::size_t row) {
+  const std::size_t rows = levels % 2 == 0 ? levels : 2 * levels;
+  row %= rows;
+  std::vector<std::size_t> out(levels);
+  for (std::size_t place = 0; place < levels; ++place) {
+    // The first row is 0, 1, n - 1, 2, n - 2, ...
+    const std::size_t first = place % 2 == 1 ? (place + 1) / 2 : (levels - place / 2) % levels;
+    out[place] = (first + row) % levels;
+  }
+  if (row >= levels) std::reverse(out.begin(), out.end());
+  return out;
 }
 
 base::Result<SpeedProtocol> SpeedProtocol::create(const SpeedSettings& settings, std::uint64_t seed,
@@ -67,6 +82,10 @@ SpeedProtocol::SpeedProtocol(const SpeedSettings& settings, std::uint64_t seed)
   if (settings.order == SpeedSettings::Order::kShuffled) {
     base::Random random(blockSeed(seed, kLevelsBlock));
     levels_ = shuffled(std::move(levels_), random);
+  }
+  if (settings.order == SpeedSettings::Order::kLatinSquare) {
+    const auto row = williamsRow(settings.levels.size(), static_cast<std::size_t>(settings.latin_row));
+    for (std::size_t place = 0; place < row.size(); ++place) levels_[place] = settings.levels[row[place]];
   }
 }
 

@@ -18,11 +18,16 @@ struct SpeedSettings {
   enum class Order {
     kAsGiven,   ///< as in the paper: slow, medium, fast
     kShuffled,  ///< the levels in an order derived from the seed
+    /// Row `latin_row` of Williams' Latin square (Williams 1949): over its rows each level stands equally often at each
+    /// place and directly after each other level.
+    kLatinSquare,
   };
   std::vector<std::string> levels = {"slow", "medium", "fast"};  ///< term ids
   Order order = Order::kAsGiven;
-  int strokes = 4;        ///< per level, consecutive (paper: "consecutively four times"); 1 to 50
-  int practice = 1;       ///< strokes before them at each level, not used for the model; 0 to 20
+  int latin_row =
+      0;             ///< of kLatinSquare; sessions take the rows in turn. 0 or more; above the last row: from the first
+  int strokes = 4;   ///< per level, consecutive (paper: "consecutively four times"); 1 to 50
+  int practice = 1;  ///< strokes before them at each level, not used for the model; 0 to 20
   StrokeSettings stroke;  ///< criteria for accepted strokes
   bool counts = true;     ///< false: every stroke is practice, because of the device; as many are asked for
 };

@@ -109,6 +109,7 @@ using base::Result;
 constexpr std::string_view kPrinted = "en";
 constexpr std::string_view kPlain = "plain";
 constexpr std::string_view kForceForm = "ngt-force-v1";
+constexpr std::string_view kWay = "depth";
 constexpr std::string_view kUsabilityForm = "usability-v1";
 
 /// Words that the program carries, besides those of the paper in English, which are the form itself.
@@ -159,6 +160,21 @@ std::vector<Choice> scaleChoices(const ScaleForm& form, const std::string& low, 
   return choices;
 }
 
+/// Question::block of each item.
+std::vector<int> blocksOf(const std::vector<study::FormItem>& items) {
+  const auto besidesDepth = [](const study::FormItem& item) {
+    auto conditions = item.conditions;
+    std::erase_if(conditions, [](const study::ItemCondition& condition) { return condition.input == kWay; });
+    return conditions;
+  };
+  std::vector<int> blocks;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const bool same = i > 0 && besidesDepth(items[i]) == besidesDepth(items[i - 1]);
+    blocks.push_back(i == 0 ? 1 : same ? blocks.back() : blocks.back() + 1);
+  }
+  return blocks;
+}
+
 }  // namespace
 
 const Choice* Questionnaire::choice(std::string_view value) const {
@@ -170,7 +186,10 @@ Questionnaire asPrinted(const study::Form& form) {
   Questionnaire printed{
       form.id, form.version, std::string(kPublishedWording), std::string(kPrinted), form.title, {}, {}, {}, {}};
   for (const auto& answer : form.answers) printed.choices.push_back({answer.term, answer.word});
-  for (const auto& item : form.items) printed.questions.push_back({item.number, item.text});
+  const auto blocks = blocksOf(form.items);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    printed.questions.push_back({form.items[i].number, form.items[i].text, blocks[i]});
+  }
   return printed;
 }
 
@@ -190,11 +209,13 @@ Result<Questionnaire> inWords(const study::Form& form, const Wording& wording) {
     if (label == nullptr) return noWords(wording, "the answer " + base::quoted(answer.term));
     worded->choices.push_back({answer.term, *label});
   }
-  for (const auto& item : form.items) {
+  const auto blocks = blocksOf(form.items);
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    const auto& item = form.items[i];
     const std::string* const whole = wording.item(item.number);
     auto text = whole != nullptr ? *whole : wording.sentence(item.conditions);
     if (!text) return noWords(wording, "item " + std::to_string(item.number));
-    worded->questions.push_back({item.number, std::move(*text)});
+    worded->questions.push_back({item.number, std::move(*text), blocks[i]});
   }
   return worded;
 }

@@ -67,6 +67,7 @@ struct Choice {
 struct Question {
   int number = 0;  ///< the form's item number
   std::string text;
+  int block = 1;  ///< from 1: neighboring items that differ in the place of the tip alone; 1 throughout a scale
 
   bool operator==(const Question&) const = default;
 };

@@ -10,15 +10,32 @@
 
 namespace tactus::questionnaires {
 
-std::string_view name(ItemOrder order) noexcept { return order == ItemOrder::kFixed ? "fixed" : "shuffled"; }
+std::string_view name(ItemOrder order) noexcept {
+  switch (order) {
+    case ItemOrder::kFixed: return "fixed";
+    case ItemOrder::kShuffled: return "shuffled";
+    case ItemOrder::kWithinBlocks: return "within_blocks";
+  }
+  return "";
+}
 
-std::vector<std::size_t> itemOrder(std::size_t count, ItemOrder order, std::uint64_t seed) {
-  std::vector<std::size_t> places(count);
+std::vector<std::size_t> itemOrder(std::span<const Question> questions, ItemOrder order, std::uint64_t seed) {
+  std::vector<std::size_t> places(questions.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
   if (order == ItemOrder::kFixed) return places;
   base::Random random(seed);
-  for (std::size_t left = count; left > 1; --left) {
-    std::swap(places[left - 1], places[static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
+  std::size_t first = 0;
+  while (first < places.size()) {
+    std::size_t end = first + 1;
+    const auto together = [&](std::size_t place) {
+      return order == ItemOrder::kShuffled || questions[place].block == questions[first].block;
+    };
+    while (end < places.size() && together(end)) ++end;
+    for (std::size_t left = end - first; left > 1; --left) {
+      std::swap(places[first + left - 1],
+                places[first + static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
+    }
+    first = end;
   }
   return places;
 }
@@ -29,9 +46,7 @@ using base::Result;
 using Status = study::Answer::Status;
 
 QuestionnaireRun::QuestionnaireRun(Questionnaire form, ItemOrder order, std::uint64_t seed)
-    : form_(std::move(form)),
-      order_(itemOrder(form_.questions.size(), order, seed)),
-      records_(form_.questions.size()) {}
+    : form_(std::move(form)), order_(itemOrder(form_.questions, order, seed)), records_(form_.questions.size()) {}
 
 const study::AnswerRecord* QuestionnaireRun::lastOf(std::size_t place) const {
   return records_[place].empty() ? nullptr : &records_[place].back();

@@ -17,16 +17,17 @@ namespace tactus::questionnaires {
 
 /// The display order of a form's items.
 enum class ItemOrder {
-  kFixed,     ///< as in the form
-  kShuffled,  ///< random, from a seed
+  kFixed,         ///< as in the form
+  kShuffled,      ///< random, from a seed
+  kWithinBlocks,  ///< random within each block of the form (Question::block), from a seed; the blocks as in the form
 };
 
-/// `fixed`, `shuffled`.
+/// `fixed`, `shuffled`, `within_blocks`.
 std::string_view name(ItemOrder order) noexcept;
 
-/// The indices 0 to count - 1 in display order. Shuffled: every order is equally likely (Fisher and Yates), and the
-/// same seed gives the same order on every machine.
-std::vector<std::size_t> itemOrder(std::size_t count, ItemOrder order, std::uint64_t seed);
+/// The indices of `questions` in display order. Of those that are drawn every order is equally likely (Fisher and
+/// Yates), and the same seed gives the same order on every machine.
+std::vector<std::size_t> itemOrder(std::span<const Question> questions, ItemOrder order, std::uint64_t seed);
 
 /// The content of a screen.
 struct Page {

@@ -51,6 +51,7 @@ base::Result<Output> demo(const DemoOptions& options) {
 base::Result<Output> writeReport(const ReportOptions& options) {
   TACTUS_TRY(auto made, buildStudy(options, RulesNeeded::kNo));
   for (auto& note : acceptedNotes(made.data, made.accepted)) made.built.notes.push_back(std::move(note));
+  TACTUS_TRY(auto in_order, session::readDoneInOrder(options.study));
   const report::StudyReportInputs inputs{.study = made.tables.study,
                                          .built = made.built,
                                          .build_settings = made.settings,
@@ -60,7 +61,8 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                                       {"Program", std::string(kGenerator)},
                                                       {"Created (UTC)", made.settings.created_utc}},
                                          .replicates = options.replicates,
-                                         .usability = made.usability};
+                                         .usability = made.usability,
+                                         .in_order = std::move(in_order)};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
   const auto experts = made.built.model.experts.size();

@@ -61,6 +61,8 @@ void addOrigin(HtmlPage& page, const ReportContext& context);
 void addStudyOverview(HtmlPage& page, const ReportContext& context);
 void addParticipants(HtmlPage& page, const ReportContext& context);
 void addDataFindings(HtmlPage& page, const ReportContext& context);
+/// Whether the words follow the hand: blanks, hidden repeats, up against down, and what the order of the trials does.
+void addOrderEffects(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp
 void addRules(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp

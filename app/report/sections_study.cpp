@@ -317,6 +317,84 @@ void addParticipants(HtmlPage& page, const ReportContext& context) {
   page.table(table);
 }
 
+namespace {
+
+/// `0.12 ± 0.05`; `0.12` of one person.
+std::string meanText(const experiments::MeanOverPersons& mean, int decimals) {
+  std::string text = base::formatFixed(mean.mean, decimals);
+  if (mean.standard_error) text += " ± " + base::formatFixed(*mean.standard_error, decimals);
+  return text;
+}
+
+std::string outOf(std::size_t count, std::size_t all) {
+  return all == 0 ? "–" : std::to_string(count) + " of " + std::to_string(all);
+}
+
+std::string speedSentence(const std::vector<experiments::MeanOverPersons>& places) {
+  std::vector<std::string> parts;
+  for (const auto& place : places) parts.push_back(meanText(place, 2));
+  return "Speeds by their place in the session, as shares of the mean speed at the same level: " +
+         base::joined(parts, ", ") + ". 1 = the place has no effect.";
+}
+
+}  // namespace
+
+void addOrderEffects(HtmlPage& page, const ReportContext& context) {
+  const auto& done = context.in.in_order;
+  if (done.empty()) return;
+  std::vector<std::string> terms;
+  for (const auto& term : context.in.built.model.output.terms) terms.push_back(term.id);
+  const auto effects = experiments::orderEffects(done, terms);
+  if (effects.persons.empty() && effects.speed_at_place.empty() && effects.late_minus_early.persons == 0) return;
+  page.section("Catch trials and order");
+  if (!effects.persons.empty()) {
+    Table table{
+        .caption = strong("Catch trials and order.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                   " A blank is a step without force; the friction of the device can be felt there. A hidden "
+                   "repeat is a force that came before. Up minus down: how much higher the words are on the way "
+                   "up than on the way down, in words. None of these trials is in a vote, and nobody is left "
+                   "out because of them.",
+        .head = {{{.text = "Participant"},
+                  numberCell("Blanks felt", true),
+                  numberCell("Repeats with the same word"),
+                  numberCell("Forces both ways", true),
+                  numberCell("Up minus down")}},
+        .body = {}};
+    for (const auto& person : effects.persons) {
+      table.body.push_back({headingCell(person.participant), numberCell(outOf(person.felt_blanks, person.blanks), true),
+                            numberCell(outOf(person.same_repeats, person.repeats)),
+                            numberCell(std::to_string(person.both_ways), true),
+                            numberCell(person.up_minus_down ? base::formatFixed(*person.up_minus_down, 2) : "–")});
+    }
+    page.table(table);
+  }
+  std::vector<Markup> lines;
+  if (effects.up_minus_down.persons > 1) {
+    lines.emplace_back("Up minus down, mean of " + std::to_string(effects.up_minus_down.persons) +
+                       " participants: " + meanText(effects.up_minus_down, 2) + " words.");
+  }
+  if (!effects.speed_at_place.empty()) lines.emplace_back(speedSentence(effects.speed_at_place));
+  if (effects.late_minus_early.persons > 0) {
+    lines.emplace_back(
+        "Answers in the last third of the questions less those in the first, each less the mean of its "
+        "question: " +
+        meanText(effects.late_minus_early, 2) + " words.");
+  }
+  const auto several = [&done](const auto& has) { return std::count_if(done.begin(), done.end(), has) > 1; };
+  std::vector<std::string> fixed;
+  if (effects.speed_at_place.empty() && several([](const auto& one) { return one.speeds.size() > 1; })) {
+    fixed.emplace_back("Speeds");
+  }
+  if (effects.late_minus_early.persons == 0 && several([](const auto& one) { return one.answers.size() > 1; })) {
+    fixed.emplace_back(fixed.empty() ? "Questions" : "questions");
+  }
+  if (!fixed.empty()) {
+    lines.emplace_back(base::joined(fixed, " and ") +
+                       " came in the same order for all participants: an effect of the order cannot be seen.");
+  }
+  if (!lines.empty()) page.list(lines);
+}
+
 void addDataFindings(HtmlPage& page, const ReportContext& context) {
   if (context.in.data.empty()) return;
   page.section("What to look at in the data");

@@ -143,6 +143,7 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
   addStudyOverview(page, context);
   addParticipants(page, context);
   addDataFindings(page, context);
+  addOrderEffects(page, context);
   addTerms(page, context);
   if (with_experts) {
     addModelSections(page, context);

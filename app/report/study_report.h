@@ -12,6 +12,7 @@
 #include "core/study/records.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/speed_bootstrap.h"
+#include "experiments/order_effects.h"
 #include "experiments/published_tables.h"
 #include "questionnaires/scale_summary.h"
 
@@ -56,6 +57,7 @@ struct StudyReportInputs {
   std::vector<std::pair<std::string, std::string>> settings;   ///< further names and values: file, versions
   std::size_t replicates = elicitation::kBootstrapReplicates;  ///< draws of strokes for intervals; 0: no intervals
   std::vector<questionnaires::ScaleSummary> usability = {};    ///< of the usability scale; empty without answers
+  std::vector<experiments::DoneInOrder> in_order = {};         ///< for catch trials and effects of the order
 };
 
 /// The page as HTML: self-contained, numbered tables and figures, for screen and paper. Each picture with data of a

@@ -159,6 +159,7 @@ const std::vector<ProtocolPreset>& protocolPresets() {
                                                     {"force.familiarisation_n", "0.1,0.6,1.1"},
                                                     {"force.ascending", "true"},
                                                     {"force.descending", "false"},
+                                                    {"force.ladder_catches", "0"},
                                                     {"force.random", "false"},
                                                     {"force.ladder.lowest_n", "0.1"},
                                                     {"force.ladder.highest_n", "1.7"},
@@ -166,29 +167,31 @@ const std::vector<ProtocolPreset>& protocolPresets() {
                                                     {"force.rest_every", "20"},
                                                     {"item_order", "fixed"}}},
                                                   {"recommended",
-                                                   {{"speed.order", "shuffled"},
+                                                   {{"speed.order", "latin_square"},
                                                     {"speed.strokes", "4"},
                                                     {"force.familiarisation_n", "0.5"},
                                                     {"force.ascending", "true"},
                                                     {"force.descending", "true"},
+                                                    {"force.ladder_catches", "2"},
                                                     {"force.random", "false"},
                                                     {"force.ladder.lowest_n", "0.1"},
                                                     {"force.ladder.highest_n", "1.7"},
                                                     {"force.ladder.step_n", "0.1"},
                                                     {"force.rest_every", "10"},
-                                                    {"item_order", "shuffled"}}},
+                                                    {"item_order", "within_blocks"}}},
                                                   {"short",
-                                                   {{"speed.order", "shuffled"},
+                                                   {{"speed.order", "latin_square"},
                                                     {"speed.strokes", "3"},
                                                     {"force.familiarisation_n", "0.5"},
                                                     {"force.ascending", "true"},
                                                     {"force.descending", "false"},
+                                                    {"force.ladder_catches", "2"},
                                                     {"force.random", "false"},
                                                     {"force.ladder.lowest_n", "0.1"},
                                                     {"force.ladder.highest_n", "1.3"},
                                                     {"force.ladder.step_n", "0.1"},
                                                     {"force.rest_every", "10"},
-                                                    {"item_order", "shuffled"}}}};
+                                                    {"item_order", "within_blocks"}}}};
   return all;
 }
 
@@ -220,7 +223,7 @@ ProtocolLoad loadOf(const StudyProtocol& protocol) {
     if (block != Block::kForce) continue;
     const auto& force = settings.force;
     const int ladders = (force.ascending ? 1 : 0) + (force.descending ? 1 : 0);
-    load.judgements = force.ladder.count() * ladders;
+    load.judgements = (force.ladder.count() + force.ladder_catches) * ladders;
     double squares = 0;
     int stimuli = 0;
     const auto add = [&](const auto& steps, int times) {

@@ -28,6 +28,20 @@ tl::unexpected<base::Error> notNow(std::string what, SessionPart part) {
               "a call that fits this part");
 }
 
+/// The number of earlier sessions that took a row of the Latin square: those of simulated persons count apart.
+int sessionsInTurn(const SessionSettings& settings, const std::vector<study::SessionRecord>& sessions,
+                   const std::vector<study::Person>& persons, bool simulated) {
+  if (settings.speed.order != experiments::SpeedSettings::Order::kLatinSquare) return 0;
+  return static_cast<int>(std::count_if(sessions.begin(), sessions.end(), [&](const study::SessionRecord& session) {
+    const auto person =
+        std::find_if(persons.begin(), persons.end(), [&](const auto& p) { return p.id == session.person; });
+    const auto other = parseSessionSettings(session.settings);
+    return person != persons.end() && person->simulated == simulated && other &&
+           other->speed.order == settings.speed.order &&
+           std::find(other->blocks.begin(), other->blocks.end(), Block::kSpeed) != other->blocks.end();
+  }));
+}
+
 /// What the log says beside an answer.
 std::vector<Note> notesOf(const study::RecordId& record, const std::optional<AnswerInput>& input,
                           std::optional<ResponseMark> mark) {
@@ -67,6 +81,8 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   }
 
   settings.felt = person->simulated || givesForce(start.device);
+  TACTUS_TRY(const auto sessions, store::sessions(file));
+  settings.speed.latin_row += sessionsInTurn(settings, sessions, persons, person->simulated);
   if (auto ok = validate(settings); !ok) return tl::unexpected(ok.error());
 
   if (start.protocol) {

@@ -24,7 +24,12 @@ using questionnaires::ItemOrder;
 constexpr std::array kBlocks = {Block::kSpeed, Block::kForce, Block::kForm};
 
 std::string_view name(SpeedSettings::Order order) noexcept {
-  return order == SpeedSettings::Order::kAsGiven ? "as_given" : "shuffled";
+  switch (order) {
+    case SpeedSettings::Order::kAsGiven: return "as_given";
+    case SpeedSettings::Order::kShuffled: return "shuffled";
+    case SpeedSettings::Order::kLatinSquare: return "latin_square";
+  }
+  return "";
 }
 
 std::string_view name(VirtualStrokes strokes) noexcept {
@@ -32,14 +37,14 @@ std::string_view name(VirtualStrokes strokes) noexcept {
 }
 
 template <class Enum>
-constexpr std::array<Enum, 2> kTwo = {};
+constexpr int kAll = 0;
 template <>
-constexpr std::array<SpeedSettings::Order, 2> kTwo<SpeedSettings::Order> = {SpeedSettings::Order::kAsGiven,
-                                                                            SpeedSettings::Order::kShuffled};
+constexpr std::array kAll<SpeedSettings::Order> = {SpeedSettings::Order::kAsGiven, SpeedSettings::Order::kShuffled,
+                                                   SpeedSettings::Order::kLatinSquare};
 template <>
-constexpr std::array<ItemOrder, 2> kTwo<ItemOrder> = {ItemOrder::kFixed, ItemOrder::kShuffled};
+constexpr std::array kAll<ItemOrder> = {ItemOrder::kFixed, ItemOrder::kShuffled, ItemOrder::kWithinBlocks};
 template <>
-constexpr std::array<VirtualStrokes, 2> kTwo<VirtualStrokes> = {VirtualStrokes::kPractice, VirtualStrokes::kAccepted};
+constexpr std::array kAll<VirtualStrokes> = {VirtualStrokes::kPractice, VirtualStrokes::kAccepted};
 
 // One list of members for both directions: `visit` shows each with its name.
 
@@ -63,6 +68,7 @@ template <class Visitor>
 void visit(Visitor& v, SpeedSettings& s) {
   v("levels", s.levels);
   v("order", s.order);
+  if (s.order == SpeedSettings::Order::kLatinSquare) v("latin_row", s.latin_row);
   v("strokes", s.strokes);
   v("practice", s.practice);
   v("stroke", s.stroke);
@@ -83,6 +89,7 @@ void visit(Visitor& v, experiments::ForceSettings& s) {
   v("ladder", s.ladder);
   v("descending", s.descending);
   v("descending_offset_most", s.descending_offset_most);
+  v("ladder_catches", s.ladder_catches);
   v("random", s.random);
   v("random_steps", s.random_steps);
   v("random_repeats", s.random_repeats);
@@ -160,8 +167,8 @@ class Reader {
     } else if constexpr (std::is_same_v<T, std::vector<Block>>) {
       readBlocks(key, member);
     } else if constexpr (std::is_enum_v<T>) {
-      const auto words = namesOf(kTwo<T>);
-      if (const auto found = members_.word(key, words)) member = kTwo<T>[*found];
+      const auto words = namesOf(kAll<T>);
+      if (const auto found = members_.word(key, words)) member = kAll<T>[*found];
     } else if (const auto value = members_.object(key)) {
       JsonMembers part(*value, error_);
       Reader reader(part, error_);
@@ -224,7 +231,8 @@ double expectedMinutes(const SessionSettings& settings) {
     } else if (block == Block::kForce) {
       const auto& force = settings.force;
       double stimuli = static_cast<double>(force.familiarisation_n.size());
-      stimuli += force.ladder.count() * ((force.ascending ? 1 : 0) + (force.descending ? 1 : 0));
+      const int ladders = (force.ascending ? 1 : 0) + (force.descending ? 1 : 0);
+      stimuli += (force.ladder.count() + force.ladder_catches) * ladders;
       if (force.random) stimuli += force.random_steps.count() * force.random_repeats * (1 + force.catch_share);
       seconds += kStimulusS * stimuli;
     } else if (const auto form = questionnaires::questionnaire(settings.form, "en")) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include "app/session/study_view.h"
@@ -10,6 +11,8 @@
 #include "core/store/entries.h"
 #include "core/store/study_file.h"
 #include "core/store/study_records.h"
+#include "elicitation/variables/ngt_variables.h"
+#include "experiments/stroke_speeds.h"
 #include "questionnaires/form_file.h"
 #include "questionnaires/published_rules.h"
 
@@ -33,6 +36,60 @@ base::Result<StudyAside> readAside(const std::string& path) {
   if (!std::filesystem::is_regular_file(path, ignored)) return StudyAside{};
   TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
   return asideOf(file);
+}
+
+base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view) {
+  std::vector<experiments::DoneInOrder> out;
+  std::map<std::string, std::size_t> places;
+  for (const auto& participant : view.study.participants) {
+    places.try_emplace(participant.code, out.size());
+    out.push_back({participant.code, participant.simulated, {}, {}, {}});
+  }
+  for (const auto& summary : experiments::summarizeSpeeds(view.study.speeds)) {
+    const auto place = places.find(summary.participant);
+    if (place != places.end()) out[place->second].speeds.emplace_back(summary.level, summary.mean_mm_s);
+  }
+
+  // Catch trials are not in the view: they belong to the sessions whose judgements are.
+  TACTUS_TRY(const auto judgements, store::judgements(file));
+  std::map<study::RecordId, std::size_t> counted;
+  for (std::size_t i = 0; i < view.judgement_ids.size(); ++i) {
+    const auto place = places.find(view.study.judgements[i].participant);
+    if (place != places.end()) counted.emplace(view.judgement_ids[i], place->second);
+  }
+  std::map<study::RecordId, std::size_t> of_session;
+  for (const auto& judgement : judgements) {
+    const auto found = counted.find(judgement.entry.id);
+    if (found != counted.end()) of_session.emplace(judgement.entry.session, found->second);
+  }
+  for (const auto& judgement : judgements) {
+    const auto found = of_session.find(judgement.entry.session);
+    if (found != of_session.end()) out[found->second].judgements.push_back(judgement);
+  }
+
+  TACTUS_TRY(const auto answers, store::answers(file));
+  std::map<study::RecordId, const study::AnswerRecord*> by_id;
+  for (const auto& answer : answers) by_id.emplace(answer.entry.id, &answer);
+  const auto& terms = elicitation::ngtOutput().terms;
+  for (std::size_t i = 0; i < view.answer_ids.size(); ++i) {
+    const auto place = places.find(view.study.answers[i].participant);
+    const auto record = by_id.find(view.answer_ids[i]);
+    if (place == places.end() || record == by_id.end() || record->second->position < 1) continue;
+    const auto term =
+        std::find_if(terms.begin(), terms.end(), [&](const auto& one) { return one.id == record->second->value; });
+    if (term == terms.end()) continue;
+    out[place->second].answers.push_back(
+        {record->second->item, record->second->position, static_cast<std::size_t>(term - terms.begin())});
+  }
+  return out;
+}
+
+base::Result<std::vector<experiments::DoneInOrder>> readDoneInOrder(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<experiments::DoneInOrder>{};
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  TACTUS_TRY(const auto view, studyForElicitation(file));
+  return doneInOrder(file, view);
 }
 
 std::vector<study::Form> knownForms() {

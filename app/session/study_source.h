@@ -5,11 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "app/session/study_view.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
 #include "core/study/records.h"
 #include "elicitation/depth/depth_measurement.h"
+#include "experiments/order_effects.h"
 #include "questionnaires/scale_summary.h"
 
 namespace tactus::session {
@@ -25,6 +27,12 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file);
 
 /// The same of the study at `path`; a folder of tables has neither. The file is not changed. Errors name the file.
 base::Result<StudyAside> readAside(const std::string& path);
+
+/// What each participant of `view` did, in its order, with the catch trials: of the sessions that count
+/// (experiments/order_effects.h). `view` is of the same file.
+base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view);
+/// The same of the study at `path`; nothing of a folder of tables. The file is not changed. Errors name the file.
+base::Result<std::vector<experiments::DoneInOrder>> readDoneInOrder(const std::string& path);
 
 // The forms to which answers and given rules of a study can refer.
 

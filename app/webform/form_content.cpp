@@ -128,7 +128,7 @@ Result<FormContent> formContent(const study::RecordId& study, const std::string&
   out.wording = wording.empty() ? wordings.front() : wording;
   out.consent_version = protocol.consent_version;
   out.contact = std::string(base::trimmed(protocol.contact));
-  out.shuffled = protocol.settings.item_order == questionnaires::ItemOrder::kShuffled;
+  out.order = protocol.settings.item_order;
   session::SessionSettings settings = protocol.settings;
   settings.blocks = {session::Block::kForm};
   out.minutes = static_cast<int>(std::ceil(session::expectedMinutes(settings) / kMinuteStep)) * kMinuteStep;

@@ -12,6 +12,7 @@
 #include "core/store/study_file.h"
 #include "core/study/record_id.h"
 #include "questionnaires/questionnaire.h"
+#include "questionnaires/questionnaire_run.h"
 #include "questionnaires/survey.h"
 
 namespace tactus::webform {
@@ -34,8 +35,8 @@ struct FormContent {
   std::string wording;
   std::string consent_version;  ///< empty: the study has no protocol, so the form is for trying only
   std::string contact;
-  int minutes = 0;        ///< about how long it takes
-  bool shuffled = false;  ///< each person is asked in an order of their own, as the protocol wants
+  int minutes = 0;                                                      ///< about how long it takes
+  questionnaires::ItemOrder order = questionnaires::ItemOrder::kFixed;  ///< as the protocol wants
   std::vector<FormLanguage> languages;
 
   /// SHA-256 of what participants agree to and are asked: study, form, wording, languages, the study's consent texts,

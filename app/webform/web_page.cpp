@@ -73,7 +73,7 @@ void addItems(const FormContent& content, JsonWriter& json) {
   const study::Form rules = questionnaires::ngtForceForm();
   json.key("items").beginArray();
   for (const auto& question : content.languages.front().asked.questions) {
-    json.beginObject(kInline).key("number").value(question.number);
+    json.beginObject(kInline).key("number").value(question.number).key("block").value(question.block);
     for (const study::FormItem& item : rules.items) {
       if (rules.id != content.form || item.number != question.number) continue;
       for (const study::ItemCondition& condition : item.conditions) {
@@ -148,7 +148,7 @@ std::string contentJson(const FormContent& content) {
   json.key("form").value(content.form).key("form_version").value(content.form_version);
   json.key("wording").value(content.wording).key("form_sha256").value(content.sha256);
   json.key("consent_version").value(content.consent_version).key("contact").value(content.contact);
-  json.key("minutes").value(content.minutes).key("shuffled").value(content.shuffled);
+  json.key("minutes").value(content.minutes).key("order").value(name(content.order));
   addItems(content, json);
   addProfile(json);
   json.key("languages").beginArray();

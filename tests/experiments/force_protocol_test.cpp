@@ -77,6 +77,35 @@ TEST(ForceProtocol, TheAscendingSeriesStopsBeyondPractice) {
   EXPECT_FALSE(protocol.add(last).has_value());
 }
 
+TEST(ForceProtocol, ACatchTrialIsAskedLikeAnyForceAndNeverEndsTheSeries) {
+  ForceSettings settings;
+  settings.ladder_catches = 2;
+  settings.descending = true;
+  auto protocol = readyToJudge(settings);
+  int catches = 0;
+  std::vector<double> descended;
+  std::vector<study::JudgementRecord> given;
+  while (!protocol.next().finished) {
+    const auto plan = protocol.next();
+    EXPECT_EQ(plan.question.answers.size(), 7U);
+    const bool beyond = plan.step.catch_trial || (plan.step.series == kAscending && plan.step.force_n >= 1.5);
+    const auto record = give(protocol, beyond ? only(Kind::kBeyondPractice) : term("medium"));
+    EXPECT_TRUE(record.scored);
+    EXPECT_EQ(record.catch_trial, plan.step.catch_trial);
+    if (record.catch_trial) ++catches;
+    if (record.series == kDescending && !record.catch_trial) descended.push_back(record.commanded_n);
+    given.push_back(record);
+  }
+  EXPECT_EQ(catches, 4);
+  const auto top = std::find_if(given.begin(), given.end(),
+                                [](const auto& one) { return one.kind == Kind::kBeyondPractice && !one.catch_trial; });
+  ASSERT_NE(top, given.end());
+  EXPECT_EQ(top->commanded_n, 1.5);
+  EXPECT_LE(descended.front(), 1.5);
+  EXPECT_GE(descended.front(), 1.3);
+  EXPECT_EQ(descended.back(), 0.1);
+}
+
 TEST(ForceProtocol, AStepWithoutForwardMotionIsRepeatedAndNotScored) {
   auto protocol = readyToJudge({});
   const auto still = give(protocol, standingStill(only(Kind::kBeyondPractice)));

@@ -35,6 +35,50 @@ TEST(ForceSeries, TheDescendingSeriesStartsAtMostTwoStepsLower) {
   EXPECT_EQ(series[3].step, 4);
 }
 
+// Of 200 seeds each: ladders whose catch trials can be told apart from their steps by the mark alone.
+TEST(ForceSeries, CatchTrialsStandBetweenTheStepsOfALadder) {
+  ForceSettings settings;
+  for (int catches = 1; catches <= 4; ++catches) {
+    settings.ladder_catches = catches;
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      for (const auto& plain : {ascendingSeries(settings), descendingSeries(settings, 1.2)}) {
+        const auto series = withCatchTrials(plain, settings, seed);
+        EXPECT_EQ(series, withCatchTrials(plain, settings, seed));
+        std::vector<SeriesStep> steps;
+        int blanks = 0;
+        int repeats = 0;
+        for (std::size_t i = 0; i < series.size(); ++i) {
+          EXPECT_EQ(series[i].step, static_cast<int>(i) + 1);
+          if (!series[i].catch_trial) {
+            steps.push_back(series[i]);
+            continue;
+          }
+          ++(series[i].force_n == 0 ? blanks : repeats);
+          ASSERT_GE(i, 2U);
+          ASSERT_LT(i + 1, series.size());
+          EXPECT_FALSE(series[i - 1].catch_trial || series[i + 1].catch_trial);
+          EXPECT_NE(series[i].force_n, series[i - 1].force_n);
+          const bool was_there = std::any_of(steps.begin(), steps.end(),
+                                             [&](const auto& step) { return step.force_n == series[i].force_n; });
+          EXPECT_TRUE(series[i].force_n == 0 || was_there);
+          // An ascending series may end early: 60 % of its 17 steps, and the catch trials before this one.
+          if (series[i].series == kAscending) {
+            EXPECT_LE(steps.size(), 10U);
+          }
+        }
+        EXPECT_EQ(blanks, (catches + 1) / 2);
+        EXPECT_EQ(repeats, catches / 2);
+        ASSERT_EQ(steps.size(), plain.size());
+        for (std::size_t i = 0; i < steps.size(); ++i) EXPECT_EQ(steps[i].force_n, plain[i].force_n);
+      }
+      // Too short for any: as it was.
+      EXPECT_EQ(withCatchTrials(descendingSeries(settings, 0.2), settings, seed).size(), 2U);
+    }
+  }
+  settings.ladder_catches = 5;
+  EXPECT_FALSE(validate(settings).has_value());
+}
+
 void expectConstraints(const ForceSettings& settings, const std::vector<SeriesStep>& block) {
   int large_jumps_running = 0;
   for (std::size_t i = 0; i < block.size(); ++i) {

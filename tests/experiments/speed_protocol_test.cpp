@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 #include "core/base/random.h"
@@ -121,6 +122,33 @@ TEST(SpeedProtocol, TheShuffledOrderFollowsFromTheSeed) {
   }
   EXPECT_EQ(orders.size(), 6U);
   EXPECT_EQ(SpeedProtocol::create({}, 5)->levels(), (std::vector<std::string>{"slow", "medium", "fast"}));
+}
+
+// Williams (1949): over the rows each level stands equally often at each place and after each other level.
+TEST(SpeedProtocol, TheRowsOfTheLatinSquareAreBalanced) {
+  for (std::size_t count = 1; count <= 6; ++count) {
+    SpeedSettings settings;
+    settings.order = SpeedSettings::Order::kLatinSquare;
+    settings.levels.clear();
+    for (std::size_t i = 0; i < count; ++i) settings.levels.push_back(std::string(1, static_cast<char>('a' + i)));
+    const int rows = static_cast<int>(count % 2 == 0 ? count : 2 * count);
+    std::map<std::pair<std::string, std::size_t>, int> at_place;
+    std::map<std::pair<std::string, std::string>, int> after;
+    for (settings.latin_row = 0; settings.latin_row < rows; ++settings.latin_row) {
+      const auto order = SpeedProtocol::create(settings, 1)->levels();
+      ASSERT_TRUE(std::is_permutation(order.begin(), order.end(), settings.levels.begin(), settings.levels.end()));
+      for (std::size_t place = 0; place < count; ++place) {
+        ++at_place[{order[place], place}];
+        if (place > 0) ++after[{order[place - 1], order[place]}];
+      }
+      auto again = settings;
+      again.latin_row += rows;
+      EXPECT_EQ(SpeedProtocol::create(again, 2)->levels(), order);
+    }
+    for (const auto& [key, times] : at_place) EXPECT_EQ(times, rows / static_cast<int>(count));
+    EXPECT_EQ(after.size(), count * (count - 1));
+    for (const auto& [key, times] : after) EXPECT_EQ(times, count % 2 == 0 ? 1 : 2);
+  }
 }
 
 TEST(SpeedProtocol, ResumedAnywhereItGoesOnTheSame) {

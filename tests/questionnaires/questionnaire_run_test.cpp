@@ -194,6 +194,25 @@ TEST(QuestionnaireRun, AShuffledOrderShowsEachItemOnceAndKeepsTheFormsNumbers) {
   for (int number = 1; number <= 4; ++number) EXPECT_NEAR(first[number], 100, 40);
 }
 
+TEST(QuestionnaireRun, WithinBlocksEachFiveStayTogether) {
+  const auto form = questionnaire("ngt-force-v1", "en");
+  ASSERT_TRUE(form);
+  std::set<std::vector<std::size_t>> orders;
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    const auto order = itemOrder(form->questions, ItemOrder::kWithinBlocks, seed);
+    ASSERT_EQ(order.size(), 45U);
+    for (std::size_t first = 0; first < 45; first += 5) {
+      const std::set<std::size_t> block(order.begin() + static_cast<std::ptrdiff_t>(first),
+                                        order.begin() + static_cast<std::ptrdiff_t>(first) + 5);
+      EXPECT_EQ(block.size(), 5U);
+      EXPECT_EQ(*block.begin(), first);
+      EXPECT_EQ(*block.rbegin(), first + 4);
+    }
+    orders.insert(order);
+  }
+  EXPECT_GT(orders.size(), 49U);
+}
+
 // Whatever a person does, a run built from the stored records stands where the next question is asked.
 TEST(QuestionnaireRun, GoesOnFromStoredRecords) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {

@@ -30,12 +30,19 @@ function newCode() {
   return first[drawn(first.length)] + '-' + second[drawn(second.length)];
 }
 
-// The places of the items in the order in which one person is asked: the form's, or a random one (Fisher and Yates).
+// The places of the items in the order in which one person is asked: the form's, or drawn among all or within each
+// block of the form (Fisher and Yates).
 function itemOrder() {
   const order = content.items.map((item, place) => place);
-  for (let left = content.shuffled ? order.length : 0; left > 1; --left) {
-    const other = drawn(left);
-    [order[left - 1], order[other]] = [order[other], order[left - 1]];
+  if (content.order === 'fixed') return order;
+  const blockOf = (place) => (content.order === 'within_blocks' ? content.items[place].block : 1);
+  for (let first = 0, end = 0; first < order.length; first = end) {
+    while (end < order.length && blockOf(end) === blockOf(first)) ++end;
+    for (let left = end - first; left > 1; --left) {
+      const one = first + left - 1;
+      const other = first + drawn(left);
+      [order[one], order[other]] = [order[other], order[one]];
+    }
   }
   return order;
 }

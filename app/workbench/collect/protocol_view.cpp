@@ -63,8 +63,8 @@ void ProtocolView::addParts() {
   add_preset("published", tr("Set as published"),
              tr("Set what the paper did: one ascending series, questions in the form's order"));
   add_preset("recommended", tr("Set as recommended"),
-             tr("Set what we recommend: forces rise and fall, a rest after ten, speeds and questions in another order "
-                "for each participant"));
+             tr("Set what we recommend: forces rise and fall, with catch trials and a rest after ten; speeds by Latin "
+                "square, questions drawn within blocks"));
   add_preset("short", tr("Set for 20 minutes"), tr("Set a session for a trial or a busy ward"));
   presets->addStretch(1);
   section->addLayout(presets);
@@ -86,6 +86,7 @@ void ProtocolView::addSpeed() {
                       {},
                       {},
                       {{QStringLiteral("as_given"), tr("slow, medium, fast")},
+                       {QStringLiteral("latin_square"), tr("in turn, by Latin square")},
                        {QStringLiteral("shuffled"), tr("drawn for each participant")}}});
 }
 
@@ -110,6 +111,9 @@ void ProtocolView::addForces() {
                       {}});
   putField(*section, flag("force.ascending", tr("Ascending series"), tr("Ends at “beyond what I meet in practice”.")));
   putField(*section, flag("force.descending", tr("Descending series"), tr("From where the ascending one ended.")));
+  putField(*section,
+           number("force.ladder_catches", tr("Catch trials in each series"), {},
+                  tr("Half blanks, half hidden repeats; 0 to 4. They tell whether the words follow the hand.")));
   putField(*section, flag("force.random", tr("Random block"), tr("Forces in an order drawn for each participant.")));
   putField(*section, number("force.random_steps.lowest_n", tr("Random: lowest force"), newton));
   putField(*section, number("force.random_steps.highest_n", tr("Random: highest force"), newton));
@@ -133,6 +137,7 @@ void ProtocolView::addQuestions() {
                       {},
                       {},
                       {{QStringLiteral("fixed"), tr("as in the form")},
+                       {QStringLiteral("within_blocks"), tr("drawn within each block of five")},
                        {QStringLiteral("shuffled"), tr("drawn for each participant")}}});
 }
 

@@ -28,6 +28,7 @@ namespace {
 
 // Takes a second for four participants and half a minute for 200.
 base::Result<void> writeStudyReport(const session::StudyView& view, const session::StudyAside& aside,
+                                    const std::vector<experiments::DoneInOrder>& in_order,
                                     elicitation::BuildSettings settings, const QString& study_name,
                                     const std::string& path) {
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
@@ -46,7 +47,8 @@ base::Result<void> writeStudyReport(const session::StudyView& view, const sessio
                                                    .settings = {{"Study", study_name.toStdString()},
                                                                 {"Program", std::string(kGenerator)},
                                                                 {"Created (UTC)", settings.created_utc}},
-                                                   .usability = aside.usability}));
+                                                   .usability = aside.usability,
+                                                   .in_order = in_order}));
   return base::writeFileAtomically(path, page);
 }
 
@@ -92,13 +94,17 @@ void ReportFeature::write(const QString& path) {
                             name = bench_.study.fileName()](const store::StudyFile& file) {
     auto read = std::make_shared<base::Result<session::StudyView>>(session::studyForElicitation(file));
     auto aside = std::make_shared<base::Result<session::StudyAside>>(session::asideOf(file));
-    return [this, path, settings, name, read, aside] {
+    auto in_order = std::make_shared<base::Result<std::vector<experiments::DoneInOrder>>>();
+    if (*read) *in_order = session::doneInOrder(file, **read);
+    return [this, path, settings, name, read, aside, in_order] {
       if (!*read) return end(path, text(read->error().message()));
       if (!*aside) return end(path, text(aside->error().message()));
-      background_.run([this, path, settings, name, read, aside](const std::stop_token&) -> Background::Deliver {
-        const auto done = writeStudyReport(**read, **aside, settings, name, path.toStdString());
-        return [this, path, failure = done ? QString() : text(done.error().message())] { end(path, failure); };
-      });
+      if (!*in_order) return end(path, text(in_order->error().message()));
+      background_.run(
+          [this, path, settings, name, read, aside, in_order](const std::stop_token&) -> Background::Deliver {
+            const auto done = writeStudyReport(**read, **aside, **in_order, settings, name, path.toStdString());
+            return [this, path, failure = done ? QString() : text(done.error().message())] { end(path, failure); };
+          });
     };
   });
 }

@@ -1,4 +1,6 @@
 // The course of a session: its order, its interruptions, its end.
+#include <set>
+
 #include "tests/app/session/session_fixture.h"
 
 namespace tactus::session {
@@ -63,6 +65,29 @@ TEST_F(SessionTest, ARestartChangesNothingOfWhatComesNext) {
   const auto straight = run(false);
   begin(start());
   EXPECT_EQ(run(true), straight);
+}
+
+// Six persons take the six orders of three speeds; a rehearsal between them takes none from them, and a session keeps
+// its own after a restart.
+TEST_F(SessionTest, SessionsTakeTheRowsOfTheLatinSquareInTurn) {
+  auto settings = shortSession();
+  settings.speed.order = experiments::SpeedSettings::Order::kLatinSquare;
+  std::set<std::vector<std::string>> orders;
+  for (int i = 0; i < 6; ++i) {
+    const study::Person person{ids_.next(), "person-" + std::to_string(i), false};
+    const study::Person simulated{ids_.next(), "simulated-" + std::to_string(i), true};
+    ASSERT_TRUE(store::append(*file_, person) && store::append(*file_, simulated));
+    auto with = start(settings);
+    with.person = simulated.id;
+    begin(with);
+    with.person = person.id;
+    begin(with);
+    const auto order = session_->speed()->levels();
+    restart();
+    EXPECT_EQ(session_->speed()->levels(), order);
+    orders.insert(order);
+  }
+  EXPECT_EQ(orders.size(), 6U);
 }
 
 TEST_F(SessionTest, NothingBeginsWithoutConsentOrWithNonsense) {

@@ -81,7 +81,7 @@ void Wordbook::addForms(Language language) {
   for (const auto& [condition, text] : force->phrases) put("q." + condition.input + '.' + condition.term, text);
   put("q.question", force->question);
   for (const auto& [term, text] : force->answers) put("w." + term, text);
-  for (const auto& [number, text] : usability->questions) put("u." + std::to_string(number), text);
+  for (const auto& [number, text, block] : usability->questions) put("u." + std::to_string(number), text);
   put("u.low", usability->choices.front().label);
   put("u.high", usability->choices.back().label);
 }
