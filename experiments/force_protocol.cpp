@@ -78,7 +78,6 @@ ForcePlan ForceProtocol::next() const {
     plan.finished = true;
     return plan;
   }
-  const bool asked = step->series != kFamiliarisation;
   plan.step = *step;
   plan.attempt = attemptsAt(*step) + 1;
   plan.pause_before_s = settings_.pause_s;
@@ -87,7 +86,7 @@ ForcePlan ForceProtocol::next() const {
   if (step->force_n > settings_.continuous_n) plan.hold_limit_s = settings_.hold_limit_s;
   plan.forward_least_mm = settings_.forward_least_mm;
   plan.forward_least_mm_s = settings_.forward_least_mm_s;
-  if (asked) plan.question.answers = allAnswers(settings_.terms);
+  plan.question.answers = allAnswers(settings_.terms);
   if (plan.attempt > 1) plan.question.repeat = repeatReason(*step);
   plan.question.repeat_reason = sentence(plan.question.repeat);
   const auto felt = static_cast<int>(judgements_.size());

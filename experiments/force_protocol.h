@@ -36,7 +36,7 @@ std::string_view name(RepeatReason reason) noexcept;
 
 /// The part of a step that the participant may see: no force, no step number, no position in the series.
 struct ForceQuestion {
-  std::vector<ForceAnswerOption> answers;     ///< none during familiarization
+  std::vector<ForceAnswerOption> answers;
   std::string repeat_reason;                  ///< one sentence: why the step is repeated; empty for the first attempt
   RepeatReason repeat = RepeatReason::kNone;  ///< the same for screens in other languages
   bool rest_first = false;                    ///< offer a rest before this step

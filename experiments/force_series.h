@@ -26,9 +26,9 @@ struct ForceSteps {
 struct ForceSettings {
   std::vector<std::string> terms = {"very_small", "small", "medium", "large", "very_large"};  ///< ids, least first
 
-  /// Forces before the series, without labels or answers, so that the participant knows the range at the first answer.
-  /// Our addition; empty: none.
-  std::vector<double> familiarisation_n = {0.1, 0.6, 1.1};
+  /// Forces before the series for practice, asked like the others and never scored. One in the middle shows what is
+  /// asked without showing the range of the forces. Our addition; empty: none.
+  std::vector<double> familiarisation_n = {0.5};
 
   bool ascending = true;  ///< the paper's series; ends at the first answer `beyond_practice`
   ForceSteps ladder;      ///< for the ascending and the descending series

@@ -156,7 +156,7 @@ const std::vector<ProtocolPreset>& protocolPresets() {
   static const std::vector<ProtocolPreset> all = {{"published",
                                                    {{"speed.order", "as_given"},
                                                     {"speed.strokes", "4"},
-                                                    {"force.familiarisation_n", "0.1,0.6,1.1"},
+                                                    {"force.familiarisation_n", "0.5"},
                                                     {"force.ascending", "true"},
                                                     {"force.descending", "false"},
                                                     {"force.ladder_catches", "0"},

@@ -26,10 +26,9 @@ std::vector<ProtocolValue> protocolValues(const StudyProtocol& protocol);
 base::Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::string_view name,
                                               std::string_view value);
 
-/// Settings to begin with. `published`: as the paper describes its study. `recommended`: forces rise and fall with
-/// two catch trials each, a rest after ten, speeds by Latin square, questions shuffled within blocks, one middle force
-/// for practice. `short`: about 20
-/// minutes, for a trial or a busy ward.
+/// Settings to begin with. `published`: as the paper describes its study, with one middle force for practice.
+/// `recommended`: forces rise and fall with two catch trials each, a rest after ten, speeds by Latin square, questions
+/// shuffled within blocks. `short`: about 20 minutes, for a trial or a busy ward.
 struct ProtocolPreset {
   std::string_view id;
   std::vector<ProtocolValue> values;

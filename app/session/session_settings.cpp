@@ -36,6 +36,8 @@ std::string_view name(VirtualStrokes strokes) noexcept {
   return strokes == VirtualStrokes::kPractice ? "practice" : "accepted";
 }
 
+std::string_view name(Grip grip) noexcept { return grip == Grip::kHeld ? "held" : "latch"; }
+
 template <class Enum>
 constexpr int kAll = 0;
 template <>
@@ -45,6 +47,8 @@ template <>
 constexpr std::array kAll<ItemOrder> = {ItemOrder::kFixed, ItemOrder::kShuffled, ItemOrder::kWithinBlocks};
 template <>
 constexpr std::array kAll<VirtualStrokes> = {VirtualStrokes::kPractice, VirtualStrokes::kAccepted};
+template <>
+constexpr std::array kAll<Grip> = {Grip::kHeld, Grip::kLatch};
 
 // One list of members for both directions: `visit` shows each with its name.
 
@@ -115,6 +119,7 @@ void visit(Visitor& v, SessionSettings& s) {
   v("form", s.form);
   v("item_order", s.item_order);
   v("virtual", s.virtual_strokes);
+  v("grip", s.grip);
 }
 
 template <class T>

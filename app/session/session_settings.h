@@ -30,6 +30,12 @@ enum class VirtualStrokes {
   kAccepted,  ///< they count as on any device
 };
 
+/// How the handle of a device with a button is held.
+enum class Grip {
+  kHeld,   ///< the button is kept pressed
+  kLatch,  ///< a press holds, another one lets go: a squeezed switch changes the feel
+};
+
 struct SessionSettings {
   std::vector<Block> blocks = {Block::kSpeed, Block::kForce, Block::kForm};  ///< each at most once
   experiments::SpeedSettings speed;
@@ -37,6 +43,7 @@ struct SessionSettings {
   std::string form = "ngt-force-v1";
   questionnaires::ItemOrder item_order = questionnaires::ItemOrder::kFixed;
   VirtualStrokes virtual_strokes = VirtualStrokes::kPractice;  ///< `virtual` in the text
+  Grip grip = Grip::kHeld;
   /// False in a session of a real person on a device that gives no force: no judgement is scored, and strokes are what
   /// `virtual_strokes` says. Set when a session begins, no value of a protocol.
   bool felt = true;

@@ -36,14 +36,19 @@ ForceProtocol readyToJudge(const ForceSettings& settings, std::uint64_t seed = 1
   return protocol;
 }
 
-TEST(ForceProtocol, FamiliarisationHasNoLabelsAndIsNotScored) {
-  auto protocol = *ForceProtocol::create({}, 1);
-  for (const double force_n : {0.1, 0.6, 1.1}) {
+// Practice shows the whole question with one middle force; neither its word nor a refusal to give one counts.
+TEST(ForceProtocol, FamiliarisationAsksLikeTheSeriesAndIsNotScored) {
+  ForceSettings settings;
+  EXPECT_EQ(settings.familiarisation_n, std::vector<double>{0.5});
+  settings.familiarisation_n = {0.4, 0.6};
+  auto protocol = *ForceProtocol::create(settings, 1);
+  for (const double force_n : settings.familiarisation_n) {
     const auto plan = protocol.next();
     EXPECT_EQ(plan.step.force_n, force_n);
-    EXPECT_TRUE(plan.question.answers.empty());
-    EXPECT_FALSE(protocol.record(term("small")).has_value());
-    EXPECT_FALSE(give(protocol, only(Kind::kNoAnswer)).scored);
+    EXPECT_EQ(plan.question.answers.size(), 7U);
+    const auto record = give(protocol, force_n < 0.5 ? only(Kind::kNoAnswer) : only(Kind::kBeyondPractice));
+    EXPECT_FALSE(record.scored);
+    EXPECT_EQ(protocol.lastScored(), nullptr);
   }
   EXPECT_EQ(protocol.next().step.series, kAscending);
 }

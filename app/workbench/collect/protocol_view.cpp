@@ -107,7 +107,7 @@ void ProtocolView::addForces() {
                       tr("Practice forces"),
                       Kind::kText,
                       newton,
-                      tr("With commas between them. They are felt, not judged."),
+                      tr("With commas between them. They are judged like the others and never counted."),
                       {}});
   putField(*section, flag("force.ascending", tr("Ascending series"), tr("Ends at “beyond what I meet in practice”.")));
   putField(*section, flag("force.descending", tr("Descending series"), tr("From where the ascending one ended.")));
@@ -184,6 +184,13 @@ void ProtocolView::addDevice() {
   QVBoxLayout* const section = addSection(
       tr("Device"), tr("The device that the forces are meant for. A force that it cannot hold is refused here."));
   putField(*section, {"device.name", tr("Name"), Kind::kText, {}, tr("Empty: any device."), {}});
+  putField(*section, {"grip",
+                      tr("How its button holds"),
+                      Kind::kWord,
+                      {},
+                      tr("A switch that is squeezed all the time changes the feel. Stored with each session."),
+                      {{QStringLiteral("held"), tr("while it is kept pressed")},
+                       {QStringLiteral("latch"), tr("from one press to the next")}}});
   putField(*section, number("device.friction_n", tr("Its own friction"), newton,
                             tr("Measured against forward motion; added to the felt force. Empty: not measured.")));
   putField(*section, number("device.force_cap_n", tr("Largest force"), newton));

@@ -1,8 +1,10 @@
 // The steps of the nurse's course with the device in her hand: its check, the insertions, the forces, her own model.
+#include <algorithm>
 #include <utility>
 
 #include "app/workbench/participant/participant_steps.h"
 #include "app/workbench/participant/questions.h"
+#include "experiments/force_series.h"
 
 namespace tactus::workbench {
 
@@ -85,14 +87,14 @@ class ParticipantController::Steps::Force final : public Step {
   void ask() override {
     if (course_.correcting_) course_.chosen_ = wordOf(*course_.at()->judged);
   }
+  void close() override { asks_if_sure_ = false; }
   void show(ParticipantState& state) override {
     using Phase = ForceState::Phase;
     const bool correcting = course_.correcting_;
     ForceState out;
-    out.asks = correcting || !course_.at()->force->question.answers.empty();
     out.chosen = course_.chosen_;
     out.lit = course_.lit_.id();
-    out.again = course_.at()->force->attempt > 1;
+    out.again = course_.at()->force->attempt > 1 || trial().isRepeated();
     out.before = correcting;
     switch (trial().phase()) {
       case ForceTrial::Phase::kNone:
@@ -102,31 +104,52 @@ class ParticipantController::Steps::Force final : public Step {
         break;
       case ForceTrial::Phase::kWait:
       case ForceTrial::Phase::kRise: out.phase = Phase::kFeel; break;
-      case ForceTrial::Phase::kFelt: out.phase = Phase::kAnswer; break;
+      case ForceTrial::Phase::kFelt: out.phase = trial().wasPushed() ? Phase::kAnswer : Phase::kFeel; break;
     }
     if (correcting) out.phase = Phase::kAnswer;
-    state.waits = out.phase == Phase::kFeel ? clock_.wait() : HoldWait::kNot;
-    state.can_go_on = out.phase == Phase::kAnswer && (!out.asks || !out.chosen.isEmpty());
-    state.can_go_back = correcting || (out.asks && course_.at()->judged);
+    out.waits_for_push = out.phase == Phase::kFeel && push_clock_.wait() != HoldWait::kNot;
+    out.sure = out.phase == Phase::kAnswer && asks_if_sure_;
+    state.waits = out.phase != Phase::kFeel ? HoldWait::kNot : std::max(clock_.wait(), push_clock_.wait());
+    state.can_go_on = out.phase == Phase::kAnswer && !out.chosen.isEmpty();
+    state.can_go_back = correcting || course_.at()->judged;
     state.force = std::move(out);
   }
   void choose(const QString& id) override {
-    if (mayAnswer() && course_.answerOf(id)) course_.chosen_ = id;
+    if (!mayAnswer() || !course_.answerOf(id)) return;
+    asks_if_sure_ = asks_if_sure_ && id == course_.chosen_;
+    course_.chosen_ = id;
   }
-  void next() override { course_.correcting_ ? correct() : judge(); }
+  void next() override {
+    if (course_.correcting_) return correct();
+    if (endsTheSeries() && !std::exchange(asks_if_sure_, !asks_if_sure_)) {
+      course_.askAnew();
+      return;
+    }
+    judge();
+  }
   void back() override { course_.correcting_ = !course_.correcting_; }
   void sampled(std::span<const haptics::Sample> samples) override {
     if (trial().phase() == ForceTrial::Phase::kNone || !course_.gate_.isSettled(course_.now_().monotonic_ns)) return;
-    const bool waits = clock_.add(samples, trial().phase() == ForceTrial::Phase::kWait);
-    if (trial().add(samples) || waits) course_.look();
+    using Phase = ForceTrial::Phase;
+    const bool unheld = clock_.add(samples, trial().phase() == Phase::kWait);
+    const bool rises = trial().phase() == Phase::kRise || trial().phase() == Phase::kFelt;
+    const bool unpushed = push_clock_.add(samples, rises && !trial().wasPushed(), HoldClock::WaitsFor::kPush);
+    if (trial().add(samples) || unheld || unpushed) course_.look();
   }
   void pressed(ButtonPress press) override { press == ButtonPress::kTap ? course_.lightNext() : course_.answerLit(); }
 
  private:
   HoldClock clock_;
+  HoldClock push_clock_;
+  bool asks_if_sure_ = false;  ///< whether it is larger than all that she meets: the series would end
 
   ForceTrial& trial() { return course_.trial_; }
-  bool mayAnswer() { return course_.correcting_ || trial().phase() == ForceTrial::Phase::kFelt; }
+  bool mayAnswer() { return course_.correcting_ || trial().wasPushed(); }
+  /// Also of a catch trial, which must look the same.
+  bool endsTheSeries() const {
+    return course_.chosen_ == QLatin1String("beyond_practice") &&
+           course_.at()->force->step.series == experiments::kAscending;
+  }
 
   void judge() {
     experiments::ForceAnswer answer = trial().measured();

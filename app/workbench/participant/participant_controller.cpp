@@ -103,6 +103,7 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       now_(std::move(now)),
       proxy_(study, nullptr, now_),
       check_in_(study, proxy_, plan_),
+      grip_before_(device.grip()),
       trial_(device),
       own_(std::make_unique<OwnModelTrial>(study, device)),
       steps_(Steps::all(*this)) {
@@ -133,7 +134,10 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
   look();
 }
 
-ParticipantController::~ParticipantController() = default;
+ParticipantController::~ParticipantController() {
+  device_.disconnect(this);
+  device_.setGrip(grip_before_);
+}
 
 ParticipantController::Step& ParticipantController::step() const {
   // The practice of a part is done as the part is.
@@ -175,6 +179,12 @@ void ParticipantController::look() {
   // While an answer is being stored nothing else is answered.
   if (proxy_.isMovingOn() || state_.paused) state_.can_go_on = state_.can_go_back = false;
   emit changed();
+}
+
+// Something is asked on the same screen whose answer no key may give that is still down.
+void ParticipantController::askAnew() {
+  ++state_.serial;
+  gate_.close();
 }
 
 // Everything that makes another question of it. Not the stages of one force: the hand goes through them by itself.
@@ -293,13 +303,13 @@ void ParticipantController::choose(const QString& id) {
 }
 
 void ParticipantController::feelAgain() {
-  if (!takesInput() || trial_.phase() != ForceTrial::Phase::kFelt) return;
+  if (!takesInput() || !trial_.wasPushed()) return;
   trial_.feelAgain();
   look();
 }
 
 void ParticipantController::lightNext() {
-  const bool asks = state_.screen == Screen::kForce && (correcting_ || trial_.phase() == ForceTrial::Phase::kFelt);
+  const bool asks = correcting_ || trial_.wasPushed();
   if (!asks || !takesInput()) return;
   lit_.next(forceAnswers(), chance_);
   look();

@@ -220,6 +220,7 @@ class ParticipantController : public QObject {
   Step& step() const;
   /// Brings the state up to date, and asks anew where something else is asked.
   void look();
+  void askAnew();
   std::string asked() const;
   DeviceStep deviceStep() const;
   HoldMeans holdMeans() const;
@@ -230,6 +231,7 @@ class ParticipantController : public QObject {
   void onRefused(const QString& sentence);
   void onDevice();
   void onSampled(std::span<const haptics::Sample> samples);
+  void takeGrip();
   void startDevice();
   void stopDevice();
   void meetSession();
@@ -278,6 +280,7 @@ class ParticipantController : public QObject {
   bool restarts_ = false;      ///< the device is started again as soon as it has stopped
   std::uint32_t buttons_ = 0;  ///< of the last sample
   DeviceButton button_;
+  DeviceGrip grip_before_;  ///< the researcher's own
   ForceTrial trial_;
   bool correcting_ = false;  ///< the force before is asked for once more, without a force
   std::optional<study::Form> form_;

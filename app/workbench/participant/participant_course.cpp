@@ -54,10 +54,10 @@ void DeviceCheck::rest(const haptics::Sample& sample) {
   at_mm_ = sample.position_mm;
 }
 
-bool HoldClock::add(std::span<const haptics::Sample> samples, bool asks) {
+bool HoldClock::add(std::span<const haptics::Sample> samples, bool asks, WaitsFor what) {
   const HoldWait before = wait_;
   for (const haptics::Sample& sample : samples) {
-    if (!asks || sample.enabled) {
+    if (!asks || (sample.enabled && what == WaitsFor::kHold)) {
       begin();
       continue;
     }
@@ -72,7 +72,7 @@ using haptics::StimulusPhase;
 
 void ForceTrial::begin(const experiments::ForcePlan& plan) {
   plan_ = plan;
-  felt_once_ = false;
+  pushed_ = repeated_ = false;
   again_ = 0;
   delivered_before_ = true;
   share_before_ = 1;
@@ -81,14 +81,18 @@ void ForceTrial::begin(const experiments::ForcePlan& plan) {
 }
 
 void ForceTrial::feelAgain() {
-  if (phase_ != Phase::kFelt) return;
+  if (!wasPushed()) return;
+  keepWay();
+  ++again_;
+  pause();
+}
+
+void ForceTrial::keepWay() {
   const experiments::ForceAnswer before = measured();
   delivered_before_ = before.delivered;
   share_before_ = before.delivered_share;
   way_before_mm_ = before.forward_mm;
   speed_before_mm_s_ = before.forward_speed_mm_s;
-  ++again_;
-  pause();
 }
 
 void ForceTrial::cancel() {
@@ -112,6 +116,7 @@ double ForceTrial::restS() const {
 
 bool ForceTrial::add(std::span<const haptics::Sample> samples) {
   const Phase before = phase_;
+  const bool pushed_before = pushed_;
   for (const haptics::Sample& sample : samples) {
     if (phase_ == Phase::kPause && !pause_since_ns_) pause_since_ns_ = sample.time_ns;
     if (phase_ == Phase::kWait || phase_ == Phase::kRise || phase_ == Phase::kFelt) take(sample);
@@ -120,7 +125,7 @@ bool ForceTrial::add(std::span<const haptics::Sample> samples) {
     const double paused_s = static_cast<double>(samples.back().time_ns - *pause_since_ns_) * 1e-9;
     if (paused_s >= plan_.pause_before_s && restS() <= 0) order();
   }
-  return phase_ != before;
+  return phase_ != before || pushed_ != pushed_before;
 }
 
 void ForceTrial::order() {
@@ -143,7 +148,6 @@ void ForceTrial::take(const haptics::Sample& sample) {
     const bool began = sample.stimulus != StimulusPhase::kWaiting;
     if (sample.since_full_s > 0 || sample.stimulus == StimulusPhase::kFull) {
       phase_ = Phase::kFelt;
-      felt_once_ = true;
       full_ns_ = sample.time_ns;
     } else if (sample.stimulus == StimulusPhase::kEnded) {
       order();  // the hand let go too early: the same force waits for it again
@@ -155,6 +159,11 @@ void ForceTrial::take(const haptics::Sample& sample) {
   if (phase_ != Phase::kFelt) return;
   motion_->add({static_cast<double>(sample.time_ns - full_ns_) * 1e-9, sample.position_mm});
   since_full_s_ = sample.since_full_s;
+  const bool enough = motion_->wayMm() >= plan_.forward_least_mm && motion_->speedMmS() >= plan_.forward_least_mm_s;
+  pushed_ = pushed_ || enough;
+  if (pushed_ || sample.stimulus != StimulusPhase::kEnded) return;
+  repeated_ = true;
+  pause();
 }
 
 experiments::ForceAnswer ForceTrial::measured() const {
@@ -184,6 +193,14 @@ ParticipantScreen formScreen(const SessionSnapshot& at, const CoursePassed& pass
   return at.page ? ParticipantScreen::kQuestion : ParticipantScreen::kReview;
 }
 
+/// The practice of the forces is over, and the first one that counts comes.
+bool beginsToCount(const SessionSnapshot& at) {
+  const experiments::ForceSettings& settings = at.settings->force;
+  const std::string first = settings.ascending ? experiments::kAscending : experiments::kRandom;
+  const auto& step = at.force->step;
+  return !settings.familiarisation_n.empty() && step.series == first && step.step == 1 && at.force->attempt == 1;
+}
+
 }  // namespace
 
 std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed) {
@@ -192,6 +209,9 @@ std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed) {
   if (in_block && at.blocks_done > passed.blocks) {
     const std::string between = "before_" + std::string(name(*at.block));
     if (!passed.rests.contains(between)) return between;
+  }
+  if (at.part == SessionPart::kForce && beginsToCount(at) && !passed.rests.contains(kBeginsToCount)) {
+    return kBeginsToCount;
   }
   if (at.part == SessionPart::kForce && at.force->question.rest_first) {
     const auto& step = at.force->step;

@@ -144,8 +144,11 @@ class HoldClock {
   static constexpr double kHintS = 8;
   static constexpr double kStuckS = 20;
 
-  /// All samples, oldest first. `asks`: the device must be held now. Returns whether `wait` changed.
-  bool add(std::span<const haptics::Sample> samples, bool asks);
+  /// What ends the wait: a hand that holds the device, or only `asks` itself.
+  enum class WaitsFor { kHold, kPush };
+
+  /// All samples, oldest first. `asks`: the device must be held, or pushed, now. Returns whether `wait` changed.
+  bool add(std::span<const haptics::Sample> samples, bool asks, WaitsFor what = WaitsFor::kHold);
   void begin() { *this = {}; }
   HoldWait wait() const { return wait_; }
 
@@ -166,7 +169,7 @@ class ForceTrial {
     kPause,  ///< without force
     kWait,   ///< ordered; it begins when the hand holds the handle at the start
     kRise,
-    kFelt,  ///< the full force was reached: an answer may be given, also after the force has ended
+    kFelt,  ///< the full force was reached; an answer may be given once the hand has pushed against it
   };
 
   explicit ForceTrial(DeviceSession& device) : device_(device) {}
@@ -182,11 +185,15 @@ class ForceTrial {
   bool add(std::span<const haptics::Sample> samples);
 
   Phase phase() const { return phase_; }
-  bool wasFelt() const { return felt_once_; }
+  /// The hand pushed against the full force as far as a judgement needs: an answer may be given, also after the force
+  /// has ended. A force that ended without it comes once more.
+  bool wasPushed() const { return phase_ == Phase::kFelt && pushed_; }
+  /// It comes once more, because the hand did not push.
+  bool isRepeated() const { return repeated_; }
   /// The pause lasts longer than the protocol asks, because the motors are warm.
   bool isWarm() const { return warm_; }
 
-  /// What was measured so far, without the word. `wasFelt` must be true.
+  /// What was measured so far, without the word. `wasPushed` must be true.
   experiments::ForceAnswer measured() const;
 
  private:
@@ -194,6 +201,7 @@ class ForceTrial {
   double restS() const;
   void take(const haptics::Sample& sample);
   void order();
+  void keepWay();
 
   DeviceSession& device_;
   experiments::ForcePlan plan_;
@@ -203,7 +211,8 @@ class ForceTrial {
   bool warm_ = false;
   std::optional<std::int64_t> pause_since_ns_;
   std::int64_t full_ns_ = 0;
-  bool felt_once_ = false;
+  bool pushed_ = false;
+  bool repeated_ = false;
   int again_ = 0;
   haptics::StimulusDelivery delivery_;
   std::optional<experiments::ForwardMotion> motion_;
@@ -231,6 +240,9 @@ struct CoursePassed {
   bool stopped = false;         ///< she stopped, or withdrew, or did not consent
   std::size_t replies = 0;      ///< to questions since the last rest
 };
+
+/// The "rest" that says that the practice of the forces is over.
+inline constexpr const char* kBeginsToCount = "begins_to_count";
 
 /// The rest that comes before what `at` asks; empty: none. The same text for the same place.
 std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed);

@@ -97,7 +97,10 @@ void ParticipantController::onRefused(const QString& sentence) {
 
 void ParticipantController::onDevice() {
   const bool runs = hasDevice() && device_.state() == DeviceSession::State::kRunning;
-  if (runs) device_lost_ = false;
+  if (runs) {
+    device_lost_ = false;
+    takeGrip();
+  }
   const bool stopped = device_.user() == this && device_.state() == DeviceSession::State::kStopped;
   if (stopped && std::exchange(restarts_, false)) {
     device_.start(plan_.device, {}, this);
@@ -107,6 +110,14 @@ void ParticipantController::onDevice() {
     proxy_.note(session::deviceLost(device_.trip() ? device_.trip()->sentence.toStdString() : std::string()));
   }
   look();
+}
+
+// As the protocol says, whatever the researcher felt with. A key or the mouse is always kept down.
+void ParticipantController::takeGrip() {
+  const session::SessionSettings& settings = at() != nullptr ? *at()->settings : plan_.settings;
+  DeviceGrip grip = device_.grip();
+  grip.latch = settings.grip == session::Grip::kLatch && !isHeldByKey(*device_.device());
+  device_.setGrip(grip);
 }
 
 // A device that has tripped is opened anew: it may be another cable.
@@ -134,7 +145,8 @@ void ParticipantController::onSampled(std::span<const haptics::Sample> samples) 
   for (const haptics::Sample& sample : samples) {
     const std::uint32_t pressed = sample.buttons & ~std::exchange(buttons_, sample.buttons);
     if ((pressed & kSecondButton) != 0) forceOff();
-    if (const auto press = button_.add(sample)) {
+    // Of a latch each press holds or lets go: it answers nothing.
+    if (const auto press = button_.add(sample); press && !device_.grip().latch) {
       const auto before = std::exchange(means_, session::InputMeans::kDeviceButton);
       step().pressed(*press);
       means_ = before;

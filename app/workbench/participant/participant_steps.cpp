@@ -81,13 +81,20 @@ class ParticipantController::Steps::Rest final : public Step {
  public:
   using Step::Step;
 
-  void show(ParticipantState& state) override { state.can_go_back = course_.at()->judged.has_value(); }
+  void show(ParticipantState& state) override {
+    state.can_go_back = course_.at()->judged.has_value();
+    state.begins_to_count = rest() == kBeginsToCount;
+  }
   void next() override {
-    course_.passed_.rests.insert(restBefore(*course_.at(), course_.passed_));
+    const std::string had = rest();
+    course_.passed_.rests.insert(had);
     course_.passed_.replies = 0;
-    course_.proxy_.note({session::kRested, {}});
+    if (had != kBeginsToCount) course_.proxy_.note({session::kRested, {}});
   }
   void back() override { course_.correcting_ = !course_.correcting_; }
+
+ private:
+  std::string rest() const { return restBefore(*course_.at(), course_.passed_); }
 };
 
 class ParticipantController::Steps::Glossary final : public Step {

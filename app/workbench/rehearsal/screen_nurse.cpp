@@ -163,6 +163,7 @@ void ScreenNurse::notice(const ParticipantState& state, double now_s) {
     hands_.letGo();
   }
   if (std::exchange(said_rating_, false)) ++memory_.ratings;
+  if (state.force.sure) said_.reset();  // asked whether she is sure: nothing is said yet
   if (said_) memory_.judgements.push_back(*std::exchange(said_, std::nullopt));
   wait(0.6, 1.2);  // she looks at what is new
 }
@@ -187,7 +188,7 @@ void ScreenNurse::act(const ParticipantState& state) {
         again_ = state.force.again;
         return feel();
       }
-      return judge(state.force);
+      return judge(state.force, state.screen == Screen::kPractice);
     case Screen::kSpeed: return insert(state);
     case Screen::kRest:
       wait(15, 40);
@@ -283,17 +284,13 @@ void ScreenNurse::feel() {
   take(pathOf(0.4, still ? 0.1 : random_.uniform(35, 55), random_.uniform(30, 80), 0.3));
 }
 
-void ScreenNurse::judge(const ForceState& force) {
+void ScreenNurse::judge(const ForceState& force, bool practice) {
   if (force.phase != ForceState::Phase::kAnswer) return wait(0.1, 0.2);
-  if (!force.asks) {
-    hands_.press("nav.next");
-    return wait(0.8, 1.5);
-  }
   if (force.chosen.isEmpty()) {
     hands_.press(wordId(wordFor(felt_n_)));
     return wait(0.5, 1);
   }
-  if (hands_.press("nav.confirm")) said_ = force.chosen;
+  if (hands_.press(force.sure ? "for.sure_yes" : "nav.confirm") && !practice) said_ = force.chosen;
   wait(0.8, 1.2);
 }
 

@@ -100,7 +100,7 @@ class ScreenNurse {
   void checkDevice(DeviceStep step);
   void insert(const ParticipantState& state);
   void feel();
-  void judge(const ForceState& force);
+  void judge(const ForceState& force, bool practice);
   void answer(const QuestionState& question);
   void rate(const ScaleState& scale);
   void review(const ReviewState& shown);

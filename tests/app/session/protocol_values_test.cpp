@@ -26,7 +26,7 @@ TEST(ProtocolValues, AreListedByName) {
   EXPECT_EQ(valueOf(protocol, "blocks"), "speed,force,form");
   EXPECT_EQ(valueOf(protocol, "speed.levels"), "slow,medium,fast");
   EXPECT_EQ(valueOf(protocol, "force.ladder.highest_n"), "1.7");
-  EXPECT_EQ(valueOf(protocol, "force.familiarisation_n"), "0.1,0.6,1.1");
+  EXPECT_EQ(valueOf(protocol, "force.familiarisation_n"), "0.5");
   EXPECT_EQ(valueOf(protocol, "item_order"), "fixed");
   EXPECT_EQ(valueOf(protocol, "languages"), "en");
   EXPECT_EQ(valueOf(protocol, "consent.en"), "Please read.");

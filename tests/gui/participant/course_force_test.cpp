@@ -144,8 +144,19 @@ TEST_F(CourseForceTest, BackChangesTheWordOfTheForceBeforeAndKeepsBoth) {
   answer("medium");
   EXPECT_FALSE(at().force.before);
   judge("large");
-  // A slip: this would have been the end of the series.
+  // A slip: this would have been the end of the series, so she is asked once whether she means it.
   judge("beyond_practice");
+  ASSERT_EQ(screen(), Screen::kForce);
+  EXPECT_TRUE(at().force.sure);
+  nurse->next();
+  EXPECT_EQ(screen(), Screen::kForce) << "the press that chose it does not confirm it too";
+  look();
+  nurse->choose(QStringLiteral("very_large"));
+  EXPECT_FALSE(at().force.sure) << "another word needs no such question";
+  nurse->choose(QStringLiteral("beyond_practice"));
+  nurse->next();
+  ASSERT_TRUE(at().force.sure);
+  next();
   ASSERT_EQ(screen(), Screen::kRating);
   look();
   ASSERT_TRUE(at().can_go_back);

@@ -85,7 +85,7 @@ class InterruptedCourse : public CourseTest, public testing::WithParamInterface<
         [[fallthrough]];
       case Screen::kForce:
         feel();
-        at().force.asks ? answer("small") : next();
+        answer("small");
         ++acknowledged.judgements;
         return;
       case Screen::kRating: ++acknowledged.ratings; return rate();
@@ -180,7 +180,7 @@ TEST_P(KilledCourse, KeepsWhatWasAcknowledgedAndGoesOnThere) {
   ASSERT_NO_FATAL_FAILURE(comeBack());
   // What she passes again after each start.
   const auto again = [this] {
-    return screen() == Screen::kDeviceCheck || screen() == Screen::kGlossary ||
+    return screen() == Screen::kDeviceCheck || screen() == Screen::kGlossary || at().begins_to_count ||
            (screen() == Screen::kReview && at().review.sealed);
   };
   while (!isAt(GetParam()) && again()) ASSERT_NO_FATAL_FAILURE(doIt());

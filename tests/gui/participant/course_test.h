@@ -176,7 +176,9 @@ class CourseTest : public testing::Test {
   void doForce() {
     ASSERT_EQ(screen(), ParticipantScreen::kPractice);
     ASSERT_TRUE(at().feels_force);
-    feel();
+    judge("medium");
+    ASSERT_EQ(screen(), ParticipantScreen::kRest);
+    ASSERT_TRUE(at().begins_to_count);
     next();
     ASSERT_EQ(screen(), ParticipantScreen::kForce);
     judge("small");

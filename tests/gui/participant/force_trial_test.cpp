@@ -57,9 +57,10 @@ TEST_F(ForceTrialTest, PausesThenWaitsForTheHandThenMeasuresTheWay) {
   EXPECT_EQ(device.latest().source, haptics::ForceSource::kFree);
   time.advance(device, 200);
   EXPECT_EQ(trial.phase(), TrialPhase::kWait);
-  EXPECT_FALSE(trial.wasFelt());
+  EXPECT_FALSE(trial.wasPushed());
   feel();
   EXPECT_EQ(trial.phase(), TrialPhase::kFelt);
+  EXPECT_TRUE(trial.wasPushed());
   const experiments::ForceAnswer answer = trial.measured();
   EXPECT_TRUE(answer.delivered);
   EXPECT_GT(answer.forward_mm, 20);
@@ -68,13 +69,24 @@ TEST_F(ForceTrialTest, PausesThenWaitsForTheHandThenMeasuresTheWay) {
   EXPECT_GT(answer.response_s, 0.5);
 }
 
-TEST_F(ForceTrialTest, AHandThatDoesNotMoveHasNoWay) {
+// No word can be given for what no hand pushed against: the force comes once more, after its pause.
+TEST_F(ForceTrialTest, AHandThatDoesNotPushFeelsTheForceOnceMore) {
   trial.begin(plan(0.4));
   time.advance(device, 2100);
-  feel(0);
+  device.setHeld(true);
+  time.advance(device, 600);
   ASSERT_EQ(trial.phase(), TrialPhase::kFelt);
-  EXPECT_LT(trial.measured().forward_mm, 10);
+  EXPECT_FALSE(trial.wasPushed());
+  EXPECT_FALSE(trial.isRepeated());
+  device.setHeld(false);
+  time.advance(device, 50);
+  EXPECT_EQ(trial.phase(), TrialPhase::kPause);
+  EXPECT_TRUE(trial.isRepeated());
+  time.advance(device, 2100);
+  feel();
+  EXPECT_TRUE(trial.wasPushed());
   EXPECT_TRUE(trial.measured().delivered);
+  EXPECT_EQ(trial.measured().feel_again, 0);
 }
 
 TEST_F(ForceTrialTest, LettingGoBeforeTheFullForceIsNoAnswer) {
@@ -86,7 +98,7 @@ TEST_F(ForceTrialTest, LettingGoBeforeTheFullForceIsNoAnswer) {
   device.setHeld(false);
   time.advance(device, 50);
   EXPECT_EQ(trial.phase(), TrialPhase::kWait) << "the same force waits for the hand";
-  EXPECT_FALSE(trial.wasFelt());
+  EXPECT_FALSE(trial.wasPushed());
   feel();
   EXPECT_EQ(trial.phase(), TrialPhase::kFelt);
   EXPECT_TRUE(trial.measured().delivered);
@@ -116,9 +128,11 @@ TEST_F(ForceTrialTest, RestsUntilTheMotorsCanHoldTheWholeForce) {
     for (int s = 0; s < 90 && trial.phase() != TrialPhase::kWait; ++s) time.advance(device, 1000);
     ASSERT_EQ(trial.phase(), TrialPhase::kWait) << i;
     device.setHeld(true);
-    time.advance(device, 3600);
+    time.advance(device, 250);
+    time.moveTo(device, 40, 60);
+    time.advance(device, 2700);
     device.setHeld(false);
-    time.advance(device, 50);
+    time.moveTo(device, 0, 200);
     ASSERT_EQ(trial.phase(), TrialPhase::kFelt) << i;
     EXPECT_TRUE(trial.measured().delivered) << i;
   }

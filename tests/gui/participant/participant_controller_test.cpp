@@ -188,7 +188,7 @@ TEST_F(ParticipantControllerTest, ItGoesOnAtTheRightPlaceAfterEachScreen) {
   come_back(code);
   checkDevice();
   ASSERT_TRUE(at().feels_force);
-  feel();
+  judge("medium");
   next();
   judge("small");
   come_back(code);
@@ -222,7 +222,8 @@ TEST_F(ParticipantControllerTest, ThePartsComeInTheOrderOfTheProtocol) {
   checkDevice();
   ASSERT_EQ(screen(), Screen::kPractice);
   EXPECT_TRUE(at().feels_force);
-  feel();
+  judge("medium");
+  ASSERT_TRUE(at().begins_to_count);
   next();
   ASSERT_EQ(screen(), Screen::kForce);
   EXPECT_EQ(at().part, 1);

@@ -13,6 +13,7 @@ SessionSnapshot at(SessionPart part, std::optional<Block> block = {}) {
   SessionSnapshot out;
   out.part = part;
   out.block = block;
+  out.settings = std::make_shared<const session::SessionSettings>();
   out.speed.emplace();
   out.force.emplace();
   out.page = ItemPage{1, 1, 45, {}};
@@ -57,6 +58,22 @@ TEST(ParticipantCourse, ARestComesOnceBeforeItsForce) {
   EXPECT_EQ(screenOf(&force, passed), Screen::kForce);
   force.force->attempt = 2;
   EXPECT_EQ(screenOf(&force, passed), Screen::kRest) << "another attempt may need another rest";
+}
+
+TEST(ParticipantCourse, AfterThePracticeACardSaysThatItCounts) {
+  CoursePassed passed = ready();
+  auto force = at(SessionPart::kForce, Block::kForce);
+  force.force->step = {"familiarisation", 1, 0.5, false};
+  EXPECT_EQ(screenOf(&force, passed), Screen::kPractice);
+  force.force->step = {"ascending", 1, 0.1, false};
+  EXPECT_EQ(screenOf(&force, passed), Screen::kRest);
+  EXPECT_EQ(restBefore(force, passed), kBeginsToCount);
+  passed.rests.insert(kBeginsToCount);
+  EXPECT_EQ(screenOf(&force, passed), Screen::kForce);
+  auto unpractised = std::make_shared<session::SessionSettings>();
+  unpractised->force.familiarisation_n.clear();
+  force.settings = unpractised;
+  EXPECT_EQ(screenOf(&force, ready()), Screen::kForce);
 }
 
 TEST(ParticipantCourse, APartIsRatedAndThenComesARest) {

@@ -112,6 +112,7 @@ class SessionKilledTest : public CourseTest {
       if (screen() == Screen::kDeviceCheck && told.screen != QLatin1String("device_check")) {
         ASSERT_NO_FATAL_FAILURE(checkDevice());
       } else if ((screen() == Screen::kGlossary && told.screen != QLatin1String("glossary")) ||
+                 (screen() == Screen::kRest && at().begins_to_count) ||
                  (screen() == Screen::kReview && at().review.sealed && at_end)) {
         next();
       }
@@ -124,7 +125,7 @@ class SessionKilledTest : public CourseTest {
         {"practice", {Screen::kPractice, Screen::kSpeed, Screen::kForce}},
         {"speed", {Screen::kSpeed, Screen::kRating}},
         {"force", {Screen::kForce, Screen::kRating}},
-        {"rest", {Screen::kPractice, Screen::kQuestion}},
+        {"rest", {Screen::kPractice, Screen::kForce, Screen::kQuestion}},
         // The lock is given again with the rating of the questions.
         {"rating", {Screen::kRating, told.answers == 45 ? Screen::kReview : Screen::kPractice, Screen::kQuestion}},
         {"glossary", {Screen::kGlossary}},

@@ -103,12 +103,13 @@ struct ForceState {
     kAnswer,  ///< felt: a word may be chosen, or she feels it again
   };
   Phase phase = Phase::kPause;
-  bool asks = true;     ///< for a word; not in the practice
-  QString chosen;       ///< a term id, `not_felt`, `beyond_practice`; empty: none
-  QString lit;          ///< the word that the button of the device would choose; may be empty
-  bool again = false;   ///< the step came again: once more, please
-  bool warm = false;    ///< the pause is long because the device rests
-  bool before = false;  ///< it is about the force before, whose word may be changed
+  QString chosen;               ///< a term id, `not_felt`, `beyond_practice`; empty: none
+  QString lit;                  ///< the word that the button of the device would choose; may be empty
+  bool again = false;           ///< the step came again: once more, please
+  bool warm = false;            ///< the pause is long because the device rests
+  bool before = false;          ///< it is about the force before, whose word may be changed
+  bool waits_for_push = false;  ///< a hand holds the handle, but does not push
+  bool sure = false;            ///< asks whether it is larger than all that she meets, before the series ends
 };
 
 struct QuestionState {
@@ -193,12 +194,13 @@ struct ParticipantState {
   bool armed = false;  ///< a device runs for her: it may give a force
   HoldMeans hold = HoldMeans::kButton;
   HoldWait waits = HoldWait::kNot;
-  bool quiet_pause = false;  ///< of kForceOff: she paused where no device was armed
-  bool monitored = false;    ///< the researcher sees the monitor
-  bool call_seen = false;    ///< the researcher answered her call there
-  SpeedState speed;          ///< of kSpeed, and of kPractice without `feels_force`
-  ForceState force;          ///< of kForce, and of kPractice with `feels_force`
-  bool feels_force = false;  ///< the practice is one of the force part
+  bool quiet_pause = false;      ///< of kForceOff: she paused where no device was armed
+  bool monitored = false;        ///< the researcher sees the monitor
+  bool call_seen = false;        ///< the researcher answered her call there
+  SpeedState speed;              ///< of kSpeed, and of kPractice without `feels_force`
+  ForceState force;              ///< of kForce, and of kPractice with `feels_force`
+  bool feels_force = false;      ///< the practice is one of the force part
+  bool begins_to_count = false;  ///< of kRest: the practice of the forces is over
   QuestionState question;
   ReviewState review;
   ScaleState scale;  ///< of kRating and kScale

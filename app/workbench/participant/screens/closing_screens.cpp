@@ -96,17 +96,27 @@ constexpr double kCupMm = 34;
 }  // namespace
 
 RestScreen::RestScreen(const Look& look, QWidget* parent)
-    : ScreenFrame(look, parent), texts_(new TextBlock(look, this)) {
-  auto* cup = new PictureBox(look, kCupMm, kCupMm, texts_);
-  cup->setPicture(cupPicture());
-  texts_->add(cup);
-  texts_->add(TextRole::kLead, phrase(QStringLiteral("rest.line")));
-  texts_->add(TextRole::kBody, phrase(QStringLiteral("rest.ready")));
+    : ScreenFrame(look, parent),
+      texts_(new TextBlock(look, this)),
+      picture_(new PictureBox(look, kCupMm, kCupMm, texts_)),
+      lead_(nullptr),
+      body_(nullptr) {
+  texts_->add(picture_);
+  lead_ = texts_->add(TextRole::kLead, phrase(QStringLiteral("rest.line")));
+  body_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("rest.ready")));
   texts_->center();
-  setTitle(phrase(QStringLiteral("nav.rest")));
   setMain(texts_);
   primaryButton().setPhrase(phrase(QStringLiteral("nav.continue")));
   setState({});
+}
+
+void RestScreen::setState(const ParticipantState& state) {
+  const bool counts = state.begins_to_count;
+  picture_->setPicture(counts ? pushPicture() : cupPicture());
+  setTitle(phrase(counts ? QStringLiteral("cnt.title") : QStringLiteral("nav.rest")));
+  lead_->setPhrase(phrase(counts ? QStringLiteral("cnt.line") : QStringLiteral("rest.line")));
+  body_->setPhrase(phrase(counts ? QStringLiteral("for.nothing") : QStringLiteral("rest.ready")));
+  ScreenFrame::setState(state);
 }
 
 }  // namespace tactus::workbench::nurse

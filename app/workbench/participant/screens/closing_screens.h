@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
 
@@ -65,15 +66,21 @@ class StoppedScreen : public ScreenFrame {
   Label* lead_;
 };
 
-/// A rest: the force is off, there is no countdown, she continues whenever she likes.
+/// A rest: the force is off, there is no countdown, she continues whenever she likes. Also the card that says that the
+/// practice is over.
 class RestScreen : public ScreenFrame {
   Q_OBJECT
 
  public:
   explicit RestScreen(const Look& look, QWidget* parent = nullptr);
 
+  void setState(const ParticipantState& state) override;
+
  private:
   TextBlock* texts_;
+  PictureBox* picture_;
+  Label* lead_;
+  Label* body_;
 };
 
 }  // namespace tactus::workbench::nurse

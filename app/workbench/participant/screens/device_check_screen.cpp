@@ -19,14 +19,23 @@ QString holdSentence(HoldMeans hold) {
 
 namespace {
 
+QString releaseSentence(HoldMeans hold) {
+  switch (hold) {
+    case HoldMeans::kMouse: return QStringLiteral("dev.release_mouse");
+    case HoldMeans::kLatch: return QStringLiteral("dev.release_latch");
+    case HoldMeans::kPedal: return QStringLiteral("dev.release_pedal");
+    case HoldMeans::kButton: break;
+  }
+  return QStringLiteral("dev.release");
+}
+
 QString deviceSentence(const ParticipantState& state) {
-  const bool mouse = state.hold == HoldMeans::kMouse;
   switch (state.device) {
     case DeviceStep::kWait: return QStringLiteral("dev.wait");
     case DeviceStep::kHold: return holdSentence(state.hold);
     case DeviceStep::kStill: return QStringLiteral("dev.still");
     case DeviceStep::kPush: return QStringLiteral("dev.push");
-    case DeviceStep::kRelease: return mouse ? QStringLiteral("dev.release_mouse") : QStringLiteral("dev.release");
+    case DeviceStep::kRelease: return releaseSentence(state.hold);
     case DeviceStep::kReady: return QStringLiteral("dev.ready");
     case DeviceStep::kWrong: return QStringLiteral("dev.wrong");
     case DeviceStep::kLost: break;

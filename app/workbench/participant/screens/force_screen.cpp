@@ -42,43 +42,40 @@ void ForceScreen::setState(const ParticipantState& state) {
   const bool practice = state.screen == ParticipantScreen::kPractice;
   const bool feels = state_.phase == Phase::kFeel;
   const bool answering = state_.phase == Phase::kAnswer;
-  // In the practice she felt it and asks for the next one.
-  const bool between = answering && !state_.asks;
   setTitle(practice ? phrase(QStringLiteral("pra.title"))
                     : phrase(QStringLiteral("for.title"), {QString::number(state.part), QString::number(state.parts)}));
-  practice_->setVisible(practice && !between);
-  QString sentence = QStringLiteral("for.ask");
+  practice_->setVisible(practice);
+  QString sentence = state_.sure ? QStringLiteral("for.sure") : QStringLiteral("for.ask");
   if (state_.phase == Phase::kPause) sentence = state_.warm ? QStringLiteral("dev.warm") : QStringLiteral("for.pause");
-  if (between) sentence = QStringLiteral("pra.line");
   if (feels) sentence = state_.again ? QStringLiteral("for.again") : QStringLiteral("for.do");
   lead_->setPhrase(phrase(sentence));
   push_->setVisible(feels);
   const bool unheld = feels && state.waits != HoldWait::kNot;
-  hint_->setPhrase(phrase(unheld          ? holdSentence(state.hold)
-                          : state_.before ? QStringLiteral("for.before")
-                                          : QStringLiteral("for.nothing")));
+  hint_->setPhrase(phrase(state_.waits_for_push ? QStringLiteral("for.push_hint")
+                          : unheld              ? holdSentence(state.hold)
+                          : state_.before       ? QStringLiteral("for.before")
+                                                : QStringLiteral("for.nothing")));
   hint_->setVisible(unheld || (feels && practice) || (answering && state_.before));
-  choices_->setVisible(answering && state_.asks);
+  choices_->setVisible(answering);
   choices_->choose(state_.chosen);
   choices_->light(state_.lit);
   feel_again_->setVisible(answering && !state_.before);
   primaryButton().setVisible(answering);
-  primaryButton().setPhrase(phrase(state_.asks ? QStringLiteral("nav.confirm") : QStringLiteral("nav.next")));
-  primaryButton().waitFor(state_.asks && state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose")))
-                                                                 : std::nullopt);
+  primaryButton().setPhrase(phrase(state_.sure ? QStringLiteral("for.sure_yes") : QStringLiteral("nav.confirm")));
+  primaryButton().waitFor(state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
   setFreeHandLeft(!state.left_handed);
   ScreenFrame::setState(state);
 }
 
 QString ForceScreen::idOfKey(int key) const {
-  if (state_.phase != ForceState::Phase::kAnswer || !state_.asks) return {};
+  if (state_.phase != ForceState::Phase::kAnswer) return {};
   if (key >= Qt::Key_1 && key <= Qt::Key_5) return choices_->onScale(key - Qt::Key_0);
   if (key == Qt::Key_0) return QStringLiteral("not_felt");
   return key == Qt::Key_9 ? QStringLiteral("beyond_practice") : QString();
 }
 
 void ForceScreen::keyPressEvent(QKeyEvent* event) {
-  const bool answering = state_.phase == ForceState::Phase::kAnswer && state_.asks;
+  const bool answering = state_.phase == ForceState::Phase::kAnswer;
   if (event->key() != Qt::Key_F || !answering || event->isAutoRepeat()) return ScreenFrame::keyPressEvent(event);
   if (feel_again_->isVisible()) emit feelAgain();
 }

@@ -258,6 +258,13 @@ std::vector<SampleScreen> sampleScreens() {
   ParticipantState left = force(Phase::kAnswer, "beyond_practice");
   left.left_handed = true;
   all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
+  ParticipantState sure = force(Phase::kAnswer, "beyond_practice");
+  sure.force.sure = true;
+  all.push_back(sample<ForceScreen>("force_sure", sure));
+  ParticipantState unpushed = force(Phase::kFeel);
+  unpushed.force.waits_for_push = true;
+  unpushed.waits = HoldWait::kHint;
+  all.push_back(sample<ForceScreen>("force_push_hint", unpushed));
   ParticipantState before = force(Phase::kAnswer, "large");
   before.force.before = true;
   all.push_back(sample<ForceScreen>("force_before", before));
@@ -265,6 +272,9 @@ std::vector<SampleScreen> sampleScreens() {
   all.push_back(sample<ScaleScreen>("rating_effort", rated("rate.effort", "")));
   all.push_back(sample<ScaleScreen>("rating_comfort", rated("rate.comfort", "6")));
   all.push_back(sample<RestScreen>("rest", at(ParticipantScreen::kRest, false)));
+  ParticipantState counts = at(ParticipantScreen::kRest, false);
+  counts.begins_to_count = true;
+  all.push_back(sample<RestScreen>("now_it_counts", counts));
   for (int page = 0; page < 6; ++page) all.push_back(glossary(page));
   all.push_back(sample<QuestionScreen>("question_lubrication", asked("lubrication", "medium", "laryngopharynx", "")));
   all.push_back(sample<QuestionScreen>("question_neck", asked("neck_flexion", "large", "oropharynx", "large")));
