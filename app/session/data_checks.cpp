@@ -180,6 +180,15 @@ void addVirtual(const study::Study& study, std::vector<DataFinding>& out) {
   }
 }
 
+void addUnchecked(const study::Study& study, std::vector<DataFinding>& out) {
+  for (const auto& participant : study.participants) {
+    if (!participant.setup_unchecked) continue;
+    out.push_back(study::remark(Kind::kSetupUnchecked, Severity::kNote, participant, "participant",
+                                participant.code + ": nobody had checked the set-up before the session (device, force, "
+                                                   "latency, screens, sound, texts, disk)."));
+  }
+}
+
 void addSummaries(const study::Study& study, std::vector<DataFinding>& out) {
   for (const auto& participant : study.participants) {
     if (!study::isSummaryWord(participant.code)) continue;
@@ -229,6 +238,7 @@ std::vector<DataFinding> participantFindings(const study::Study& study) {
   addAbsent(study, out);
   addMixed(study, out);
   addVirtual(study, out);
+  addUnchecked(study, out);
   return out;
 }
 

@@ -123,6 +123,7 @@ ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {
     to.handedness = oneOf(kHands, from.handedness);
     to.simulated = from.simulated;
     to.virtual_device = from.virtual_device;
+    to.setup_unchecked = from.setup_unchecked;
     out.bands[places[i]] = experienceBand(from.years_experience);
   }
   const Renamer renamer(study.participants, places);

@@ -13,6 +13,7 @@
 #include "app/session/judged_forces.h"
 #include "app/session/session_settings.h"
 #include "app/session/session_state.h"
+#include "app/session/setup_certificate.h"
 #include "core/base/check.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
@@ -224,7 +225,12 @@ class StudyReader {
       for (std::size_t i = 0; i < ordered.size(); ++i) {
         const auto& session = ordered[i];
         all[session.id] = {person, i, session};
-        if (session.kind != study::SessionKind::kUsability) visits_[session.id] = all[session.id];
+        if (session.kind == study::SessionKind::kUsability) continue;
+        visits_[session.id] = all[session.id];
+        auto& participant = view_.study.participants[place];
+        if (participant.simulated || participant.setup_unchecked) continue;
+        TACTUS_TRY(const bool unchecked, isWithoutSetup(file_, session));
+        participant.setup_unchecked = unchecked;
       }
     }
     std::erase_if(profiles, [&](const auto& profile) { return !all.contains(profile.entry.session); });

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/session/session_state.h"
+#include "app/session/setup_certificate.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "core/store/entries.h"
@@ -32,6 +33,7 @@ struct OneSession {
   std::string code;
   bool simulated = false;
   int number = 1;
+  bool setup_checked = false;
   std::map<std::int64_t, Circumstances> noted;  ///< by the place of the line in the session
 };
 
@@ -77,7 +79,7 @@ class TrialReader {
       TACTUS_TRY(const auto sessions, sessionsInOrder(file_, person.id));
       int number = 0;
       for (const auto& session : sessions) {
-        visits_[session.id] = {session, person.code, person.simulated, ++number, {}};
+        visits_[session.id] = {session, person.code, person.simulated, ++number, false, {}};
       }
     }
     return {};
@@ -90,6 +92,8 @@ class TrialReader {
       if (visit == visits_.end()) continue;
       TACTUS_TRY(const auto noted, circumstancesIn(event));
       if (noted) visit->second.noted[sequences_[event.entry.id]] = *noted;
+      TACTUS_TRY(const auto setup, setupIn(event));
+      visit->second.setup_checked = visit->second.setup_checked || (setup && setup->isGood());
     }
     return {};
   }
@@ -112,6 +116,7 @@ class TrialReader {
     trial.protocol = visit.record.protocol ? study::toText(*visit.record.protocol) : std::string();
     trial.settings = visit.record.settings;
     trial.station = visit.record.station;
+    trial.setup_checked = visit.setup_checked;
     const std::int64_t sequence = sequences_[entry.id];
     const auto after = visit.noted.upper_bound(sequence);
     if (after != visit.noted.begin()) {
@@ -300,6 +305,9 @@ const std::vector<Column>& columns() {
       {{"station", Kind::kText, "", "Name of the place of recording", "", true},
        false,
        [](const Trial& t) { return cell(t.station); }},
+      {{"setup_checked", Kind::kFlag, "", "1 where the set-up was checked and good before the session"},
+       true,
+       [](const Trial& t) { return cell(t.setup_checked); }},
       {{"utc_ms", Kind::kInteger, "ms", "When it was stored, since 1970-01-01 UTC"},
        false,
        [](const Trial& t) { return cell(t.utc_ms); }},

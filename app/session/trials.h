@@ -37,8 +37,9 @@ struct Trial {
   std::string protocol;    ///< id of the study's protocol; empty: none
   std::string settings;    ///< JSON text: those of the session
   std::string station;
-  std::string block;  ///< level of the speed, series of forces, or form
-  int number = 0;     ///< of the stroke within its level, of the step within its series, or of the item
+  bool setup_checked = false;  ///< the set-up was checked and good when the session began or was resumed
+  std::string block;           ///< level of the speed, series of forces, or form
+  int number = 0;              ///< of the stroke within its level, of the step within its series, or of the item
   int attempt = 1;
   bool practice = false;
   bool catch_trial = false;

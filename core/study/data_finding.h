@@ -32,6 +32,7 @@ struct DataFinding {
     kWithoutAnswers,
     kSimulatedAndReal,
     kVirtualDevice,
+    kSetupUnchecked,
     kSummaryRow,
     kCodeLikeDate,
     kWeightsMixed,

@@ -16,8 +16,9 @@ struct Participant {
   std::string category;    ///< e.g. beginner, intermediate, expert; may be empty
   std::string handedness;  ///< may be empty
   std::optional<double> weight;
-  bool simulated = false;       ///< a program generated the data
-  bool virtual_device = false;  ///< moved a device that gives no force: no judgement there counts
+  bool simulated = false;        ///< a program generated the data
+  bool virtual_device = false;   ///< moved a device that gives no force: no judgement there counts
+  bool setup_unchecked = false;  ///< moved a device whose set-up nobody had checked before the session
   TableLine line = {};
 
   bool operator==(const Participant&) const = default;

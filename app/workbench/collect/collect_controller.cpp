@@ -19,6 +19,7 @@ CollectController::CollectController(StudyConnection& study, QObject* parent) : 
   connect(&study_, &StudyConnection::contentsChanged, this, &CollectController::refresh);
   connect(&study_, &StudyConnection::closed, this, [this] {
     stale_ = filling_ = false;
+    setup_.reset();
     take({});
   });
 }
@@ -27,6 +28,17 @@ const ParticipantRow* CollectController::row(const study::RecordId& person) cons
   const auto found = std::find_if(overview_.rows.begin(), overview_.rows.end(),
                                   [&](const ParticipantRow& one) { return one.person == person; });
   return found == overview_.rows.end() ? nullptr : &*found;
+}
+
+const session::SetupCertificate* CollectController::setup() const {
+  const auto& read = overview_.setup;
+  const auto& latest = setup_ && (!read || setup_->utc_ms > read->utc_ms) ? setup_ : read;
+  return latest && session::holds(*latest, latest->device, utcNowMs()) ? &*latest : nullptr;
+}
+
+void CollectController::setSetup(const session::SetupCertificate& setup) {
+  setup_ = setup;
+  emit changed();
 }
 
 void CollectController::setSessionRunning(bool runs) {

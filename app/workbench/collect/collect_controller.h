@@ -24,6 +24,9 @@ class CollectController : public QObject {
   explicit CollectController(StudyConnection& study, QObject* parent = nullptr);
 
   const StudyOverview& overview() const { return overview_; }
+  /// The latest check of the set-up, of the file or of this window, as long as it can hold; null: there is none.
+  const session::SetupCertificate* setup() const;
+  void setSetup(const session::SetupCertificate& setup);
   /// The overview is as the study is, or no study is open.
   bool isCurrent() const { return !stale_; }
   /// The row of `person`, or null.
@@ -69,6 +72,7 @@ class CollectController : public QObject {
   void take(StudyOverview overview);
 
   StudyConnection& study_;
+  std::optional<session::SetupCertificate> setup_;  ///< checked in this window
   StudyOverview overview_;
   bool stale_ = false;
   bool reading_ = false;

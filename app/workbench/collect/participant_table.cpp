@@ -22,9 +22,10 @@ std::vector<Column<ParticipantRow>> participantColumns() {
   const auto code = [](const Row& row) { return harmless(row.code); };
   std::vector<Column<Row>> out = {column(ParticipantWords::tr("Participant"), code)};
   out.back().roles[Qt::AccessibleTextRole] = [code](const Row& row) {
-    return row.simulated        ? ParticipantWords::tr("%1, SIMULATED").arg(code(row))
-           : row.virtual_device ? ParticipantWords::tr("%1, VIRTUAL").arg(code(row))
-                                : code(row);
+    return row.simulated         ? ParticipantWords::tr("%1, SIMULATED").arg(code(row))
+           : row.virtual_device  ? ParticipantWords::tr("%1, VIRTUAL").arg(code(row))
+           : row.setup_unchecked ? ParticipantWords::tr("%1, SET-UP NOT CHECKED").arg(code(row))
+                                 : code(row);
   };
   for (int i = 0; i < static_cast<int>(kCollectSteps); ++i) {
     const auto step = static_cast<CollectStep>(i);

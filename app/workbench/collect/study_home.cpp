@@ -93,7 +93,7 @@ void paintCode(QPainter& painter, const ParticipantRow& row, const QRect& cell, 
   const QFont name = theme::headingFont();
   const int height = QFontMetrics(name).height();
   const QFont badge = theme::smallFont();
-  const bool marked = row.simulated || row.virtual_device;
+  const bool marked = row.simulated || row.virtual_device || row.setup_unchecked;
   const int badge_height = marked ? QFontMetrics(badge).height() + 4 : 0;
   const int top = inside.center().y() - (height + (marked ? badge_height + 2 : 0)) / 2;
   painter.setFont(name);
@@ -101,7 +101,9 @@ void paintCode(QPainter& painter, const ParticipantRow& row, const QRect& cell, 
   const QString code = QFontMetrics(name).elidedText(row.code, Qt::ElideRight, inside.width());
   painter.drawText(QRect(inside.left(), top, inside.width(), height), Qt::AlignLeft | Qt::AlignVCenter, code);
   if (!marked) return;
-  const QString word = row.simulated ? StudyHome::tr("SIMULATED") : StudyHome::tr("VIRTUAL");
+  const QString word = row.simulated        ? StudyHome::tr("SIMULATED")
+                       : row.virtual_device ? StudyHome::tr("VIRTUAL")
+                                            : StudyHome::tr("SET-UP NOT CHECKED");
   const QRect box(inside.left(), top + height + 2, QFontMetrics(badge).horizontalAdvance(word) + theme::kGrid,
                   badge_height);
   painter.setPen(Qt::NoPen);
@@ -333,10 +335,13 @@ void StudyHome::connectAll() {
   });
   connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this, &StudyHome::showSelection);
   connect(hint_act_, &QPushButton::clicked, this, [this] {
+    const StudyOverview& overview = collect_.overview();
     if (std::exchange(newest_, std::nullopt)) {
       showHints();
+    } else if (overview.protocol.version == 0) {
+      emit protocolAsked();
     } else {
-      collect_.overview().protocol.version == 0 ? emit protocolAsked() : emit keyAsked();
+      overview.has_key ? emit setupAsked() : emit keyAsked();
     }
   });
 }
@@ -366,7 +371,12 @@ void StudyHome::refreshState() {
                            : overview.protocol.locked
                                ? tr("protocol version %1").arg(overview.protocol.version)
                                : tr("protocol version %1, a draft").arg(overview.protocol.version);
-  summary_->setText(tr("%n participant(s)", nullptr, count) + QStringLiteral(" · ") + protocol);
+  QString setup;
+  if (const auto* checked = collect_.setup()) {
+    setup = QStringLiteral(" · ") + (checked->isGood() ? tr("set-up checked %1") : tr("set-up not good %1"))
+                                        .arg(lastSeenText(checked->utc_ms, utcNowMs()));
+  }
+  summary_->setText(tr("%n participant(s)", nullptr, count) + QStringLiteral(" · ") + protocol + setup);
   pages_->setCurrentIndex(count > 0 ? 0 : 1);
   const StudyConnection& study = collect_.study();
   protocol_->setEnabled(study.isOpen() && !collect_.isSessionRunning());
@@ -407,6 +417,9 @@ void StudyHome::showSelection() {
         tr("%1 moved a device that gives no force: what was judged there does not count. Start again with a "
            "device.")
             .arg(harmless(row->code)));
+  } else if (row->setup_unchecked) {
+    chosen_->setText(tr("%1: nobody had checked the set-up before the session. The data count, and are marked.")
+                         .arg(harmless(row->code)));
   } else if (row->next) {
     chosen_->setText(tr("%1: the next step is %2.").arg(harmless(row->code), nextText(*row)));
   } else {
@@ -427,9 +440,23 @@ void StudyHome::showHints() {
     return;
   }
   const bool without_protocol = overview.protocol.version == 0;
-  const bool warns = collect_.study().isOpen() && !overview.rows.empty() && (without_protocol || !overview.has_key);
-  hint_->setVisible(warns);
-  if (!warns) return;
+  const bool real =
+      std::any_of(overview.rows.begin(), overview.rows.end(), [](const auto& row) { return !row.simulated; });
+  const bool checked = collect_.setup() != nullptr && collect_.setup()->isGood();
+  const bool open = collect_.study().isOpen() && !overview.rows.empty();
+  const bool warns = open && (without_protocol || !overview.has_key);
+  const bool asks = open && real && !checked && !collect_.study().isReadOnly();
+  hint_->setVisible(warns || asks);
+  if (!hint_->isVisibleTo(this)) return;
+  if (!warns) {
+    hint_->setColors(theme::card(), theme::accent());
+    setInk(*hint_text_, theme::ink());
+    hint_text_->setText(
+        tr("The set-up is not checked: device, force, latency, screens, sound, texts, disk. It takes 90 "
+           "seconds; sessions without it are marked."));
+    hint_act_->setText(tr("Check the set-up…"));
+    return;
+  }
   hint_->setColors(theme::warningFill(), theme::warningFill());
   setInk(*hint_text_, theme::warningInk());
   hint_text_->setText(without_protocol

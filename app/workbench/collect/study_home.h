@@ -53,6 +53,7 @@ class StudyHome : public QWidget {
   void protocolAsked();
   void keyAsked();
   void fillAsked();
+  void setupAsked();
   void withdrawAsked(const tactus::study::RecordId& person);
 
  private:

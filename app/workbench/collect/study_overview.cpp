@@ -139,6 +139,10 @@ class RowReader {
       if (visit.session.kind != SessionKind::kElicitation) continue;
       row_.virtual_device = row_.virtual_device || (!row_.simulated && visit.strokes + visit.judgements > 0 &&
                                                     !session::givesForce(visit.session.device));
+      if (!row_.simulated && !row_.setup_unchecked) {
+        const auto unchecked = session::isWithoutSetup(file_, visit.session);
+        row_.setup_unchecked = unchecked && *unchecked;
+      }
       const auto progress = session::sessionProgress(file_, visit.session);
       if (!progress) {
         row_.trouble = text(progress.error().message());
@@ -250,6 +254,8 @@ Result<StudyOverview> readOverview(const store::StudyFile& file) {
   StudyOverview out;
   out.protocol = {info.protocol_version, info.protocol_locked};
   out.has_key = has_key && *has_key;
+  TACTUS_TRY(auto setup, session::latestSetup(file));
+  out.setup = std::move(setup);
   // Researchers who feel models have a code too, and take part in nothing.
   TACTUS_TRY(const auto people, readPeople(file));
   std::set<study::RecordId> researchers;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/session/session_state.h"
+#include "app/session/setup_certificate.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
 #include "core/study/session_records.h"
@@ -50,6 +51,7 @@ struct ParticipantRow {
   QString code;
   bool simulated = false;
   bool virtual_device = false;    ///< a real person on a device that gives no force
+  bool setup_unchecked = false;   ///< a real person whose set-up nobody had checked before the session
   QString language;               ///< of the latest session; empty: none yet
   std::int64_t last_seen_ms = 0;  ///< UTC; 0: never
   std::array<StepState, kCollectSteps> steps;
@@ -69,7 +71,8 @@ struct ProtocolSummary {
 struct StudyOverview {
   std::vector<ParticipantRow> rows;  ///< by code
   ProtocolSummary protocol;
-  bool has_key = false;  ///< a research key is set
+  bool has_key = false;                            ///< a research key is set
+  std::optional<session::SetupCertificate> setup;  ///< the latest check of the set-up; nothing: there was none
 };
 
 /// Reads no recordings. A session that cannot be read keeps its participant in the list, with `trouble`.

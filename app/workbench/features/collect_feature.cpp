@@ -15,6 +15,7 @@
 #include "app/workbench/labs/method/method_lab_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
+#include "app/workbench/session/setup_dialog.h"
 #include "app/workbench/shell/frame_clock.h"
 #include "app/workbench/shell/operating_strip.h"
 
@@ -33,6 +34,19 @@ struct CollectFeature {
 void showProtocol(Bench& bench) {
   bench.window.enter(Stage::kCollect);
   bench.views.collect->showProtocol();
+}
+
+// The device is free for it: whatever was felt ends.
+void checkSetup(Bench& bench) {
+  if (!bench.study.takesOrders() || bench.collect.isSessionRunning()) return;
+  auto* const dialog = new SetupDialog(bench.study, bench.device, &bench.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(dialog, &SetupDialog::certified, &bench.features, [&bench](const session::SetupCertificate& setup) {
+    bench.run.setSetup(setup);
+    bench.collect.setSetup(setup);
+  });
+  QObject::connect(&bench.study, &StudyConnection::closed, dialog, &QDialog::reject);
+  dialog->open();
 }
 
 void CollectFeature::connectRun(Bench& bench) {
@@ -102,6 +116,17 @@ void CollectFeature::connectPersons(Bench& bench) {
     bench.window.enter(Stage::kCollect);
     bench.views.collect->askFill();
   });
+  QAction* const check = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("Check the set-&up…"));
+  const auto may_check = [&bench, check] {
+    check->setEnabled(bench.study.takesOrders() && !bench.collect.isSessionRunning());
+  };
+  may_check();
+  QObject::connect(&collect, &CollectController::changed, context, may_check);
+  QObject::connect(&bench.study, &StudyConnection::changed, context, may_check);
+  QObject::connect(check, &QAction::triggered, context, [&bench] { checkSetup(bench); });
+  // Its texts are those of one study.
+  QObject::connect(&bench.study, &StudyConnection::closed, context, [&bench] { bench.run.setSetup({}); });
+  QObject::connect(&bench.views.collect->home(), &StudyHome::setupAsked, context, [&bench] { checkSetup(bench); });
   QObject::connect(&collect, &CollectController::filled, context, [&bench](int count) {
     bench.window.banner().showNote(
         tr("%n simulated nurse(s) were added. They are marked as simulated.", nullptr, count));

@@ -25,6 +25,8 @@ namespace tactus::workbench {
 base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file) {
   TACTUS_TRY(const auto state, store::protocolState(file));
   ParticipantPlan out;
+  TACTUS_TRY(auto setup, session::latestSetup(file));
+  out.setup = std::move(setup);
   if (!state.current) return out;
   TACTUS_TRY(auto protocol, session::parseStudyProtocol(state.current->text));
   out.protocol = state.current->id;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/session_settings.h"
+#include "app/session/setup_certificate.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/study/connection/session_proxy.h"
 #include "app/workbench/study/connection/study_connection.h"
@@ -30,6 +31,7 @@ struct ParticipantPlan {
   std::optional<study::RecordId> protocol;     ///< the record of the study's protocol; nothing: none was set
   QString device = QStringLiteral("virtual");  ///< id of the list of devices
   std::optional<double> device_friction_n;
+  std::optional<session::SetupCertificate> setup;  ///< under which the session begins; nothing: it is not checked
   QString station;
   std::optional<std::uint64_t> seed;  ///< of the sessions; nothing: another one for each
   bool simulated = false;             ///< a program is the participant

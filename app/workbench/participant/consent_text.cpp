@@ -81,6 +81,16 @@ int minutesOf(const ParticipantPlan& plan) {
   return static_cast<int>(std::ceil(minutes / kMinuteStep)) * kMinuteStep;
 }
 
+QString whyNoText(const ParticipantPlan& plan) {
+  for (const QString& language : plan.languages) {
+    const auto known = nurse::languageWithId(language);
+    if (!known || textIn(plan.consent_texts, *known).isEmpty())
+      return ConsentWords::tr("The protocol has no text of the study in %1: whose study it is, and who approved it.")
+          .arg(languageName(language));
+  }
+  return {};
+}
+
 QString whyNoSession(const ParticipantPlan& plan) {
   if (plan.simulated) return {};
   if (!plan.protocol) {
@@ -89,12 +99,7 @@ QString whyNoSession(const ParticipantPlan& plan) {
         "without "
         "one: tactus-workbench --rehearse.");
   }
-  for (const QString& language : plan.languages) {
-    const auto known = nurse::languageWithId(language);
-    if (!known || textIn(plan.consent_texts, *known).isEmpty())
-      return ConsentWords::tr("The protocol has no text of the study in %1: whose study it is, and who approved it.")
-          .arg(languageName(language));
-  }
+  if (const QString why = whyNoText(plan); !why.isEmpty()) return why;
   if (plan.contact.isEmpty()) {
     return ConsentWords::tr(
         "The protocol names nobody whom a participant can ask. To try the screens without a person: tactus-workbench "

@@ -22,5 +22,7 @@ int minutesOf(const ParticipantPlan& plan);
 
 /// Why no session of a real person can begin: nobody has said whose study it is, or whom to ask. Empty if one can.
 QString whyNoSession(const ParticipantPlan& plan);
+/// Of it: a language of the plan without a text of the study; empty: each has one.
+QString whyNoText(const ParticipantPlan& plan);
 
 }  // namespace tactus::workbench

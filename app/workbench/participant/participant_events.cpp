@@ -54,6 +54,7 @@ void ParticipantController::meetSession() {
     proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString(),
                                       std::exchange(consent_text_, {}).toStdString()));
   }
+  if (plan_.setup) proxy_.note(session::setupChecked(*plan_.setup));
   // She sat down again: the interrupted part is resumed.
   if (std::exchange(resumes_, false) && at()->paused) {
     paused_by_her_ = true;

@@ -24,6 +24,16 @@ QScreen& screenForParticipant(QScreen& researcher) {
   return other == screens.end() ? researcher : **other;
 }
 
+namespace {
+
+// The later of the certificate of this window and that of the study, if it holds for the device.
+void keepSetup(ParticipantPlan& plan, const std::optional<session::SetupCertificate>& own) {
+  if (own && (!plan.setup || own->utc_ms > plan.setup->utc_ms)) plan.setup = own;
+  if (plan.setup && !session::holds(*plan.setup, plan.device.toStdString(), utcNowMs())) plan.setup.reset();
+}
+
+}  // namespace
+
 SessionRun::SessionRun(MainWindow& window, StudyConnection& study, DeviceSession& device, QObject* parent)
     : QObject(parent), window_(window), study_(study), device_(device) {
   connect(&search_, &DeviceSearch::found, this, &SessionRun::plan);
@@ -81,6 +91,7 @@ void SessionRun::startAgain() { prepare(study_.path() == study_path_ ? code_ : Q
 
 void SessionRun::begin(ParticipantPlan plan) {
   plan.device = deviceToFeel(search_.list());
+  keepSetup(plan, setup_);
   take_part_ = std::make_unique<TakePart>(study_, device_, plan);
   preparing_ = false;
   // The window is closed from within its own button.
@@ -188,6 +199,7 @@ void TakePartStart::plan() {
 
 void TakePartStart::begin(ParticipantPlan plan) {
   plan.device = deviceToFeel(search_.list());
+  keepSetup(plan, {});
   take_part_ = std::make_unique<TakePart>(study_, device_, plan);
   connect(take_part_.get(), &TakePart::left, &study_, &StudyConnection::close);
   take_part_->begin(*QGuiApplication::primaryScreen());

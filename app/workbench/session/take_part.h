@@ -113,6 +113,9 @@ class SessionRun : public QObject {
   MonitorController* monitor() { return monitor_.get(); }
   MonitorWindow* monitorWindow() { return monitor_window_.get(); }
 
+  /// The set-up was checked just now: sessions on its device are marked with it, as long as it holds.
+  void setSetup(std::optional<session::SetupCertificate> setup) { setup_ = std::move(setup); }
+
  public slots:
   /// `code`: of the participant who sits down; empty: the screens ask. Ends with `changed` or `failed`.
   void start(const QString& code);
@@ -145,6 +148,7 @@ class SessionRun : public QObject {
   QString study_path_;  ///< that the session was asked for
   QString code_;
   bool usability_ = false;
+  std::optional<session::SetupCertificate> setup_;
   bool preparing_ = false;
   bool quits_with_last_window_ = true;  ///< as it was before
   std::unique_ptr<TakePart> take_part_;

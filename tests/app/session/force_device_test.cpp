@@ -30,7 +30,9 @@ TEST(ForceDevice, AForceAboveTheCapIsRefused) {
 TEST(ForceDevice, AForceThatColdMotorsCannotHoldIsRefused) {
   haptics::LimitSettings weak;
   weak.continuous_force_n = 0.3;
-  EXPECT_EQ(refusal({}, weak),
+  ForceSettings strong;
+  strong.familiarisation_n = {0.1, 1.1};
+  EXPECT_EQ(refusal(strong, weak),
             "familiarisation_n: found 1.1 N for 3 s, wanted at most 1.03 N, which the motors of the device can hold so "
             "long");
   ForceSettings low;
