@@ -22,8 +22,8 @@ struct Question {
   QFileDialog::Options options = {};
 };
 
-QString ask(QWidget* parent, const QString& caption, const QString& start, const QString& filter,
-            const Question& question, QString* selected_filter) {
+QStringList ask(QWidget* parent, const QString& caption, const QString& start, const QString& filter,
+                const Question& question, QString* selected_filter) {
   PlainIcons icons;
   // Qt's dialog looks into the files of its first folder before it can be told not to.
   const QTemporaryDir empty;
@@ -39,23 +39,29 @@ QString ask(QWidget* parent, const QString& caption, const QString& start, const
   if (selected_filter != nullptr && !selected_filter->isEmpty()) dialog.selectNameFilter(*selected_filter);
   if (dialog.exec() != QDialog::Accepted) return {};
   if (selected_filter != nullptr) *selected_filter = dialog.selectedNameFilter();
-  return dialog.selectedFiles().value(0);
+  return dialog.selectedFiles();
 }
 
 }  // namespace
 
 QString getOpenFileName(QWidget* parent, const QString& caption, const QString& start, const QString& filter) {
-  return ask(parent, caption, start, filter, {}, nullptr);
+  return ask(parent, caption, start, filter, {}, nullptr).value(0);
+}
+
+QStringList getOpenFileNames(QWidget* parent, const QString& caption, const QString& start, const QString& filter) {
+  return ask(parent, caption, start, filter, {QFileDialog::ExistingFiles}, nullptr);
 }
 
 QString getSaveFileName(QWidget* parent, const QString& caption, const QString& start, const QString& filter,
                         QString* selected_filter, QFileDialog::Options options) {
-  return ask(parent, caption, start, filter, {QFileDialog::AnyFile, QFileDialog::AcceptSave, options}, selected_filter);
+  return ask(parent, caption, start, filter, {QFileDialog::AnyFile, QFileDialog::AcceptSave, options}, selected_filter)
+      .value(0);
 }
 
 QString getExistingDirectory(QWidget* parent, const QString& caption, const QString& start) {
   return ask(parent, caption, start, {}, {QFileDialog::Directory, QFileDialog::AcceptOpen, QFileDialog::ShowDirsOnly},
-             nullptr);
+             nullptr)
+      .value(0);
 }
 
 }  // namespace tactus::workbench::file_dialog

@@ -9,6 +9,9 @@ namespace tactus::workbench::file_dialog {
 
 /// As QFileDialog's functions of the same names: an empty text where nothing was chosen.
 QString getOpenFileName(QWidget* parent, const QString& caption, const QString& start = {}, const QString& filter = {});
+/// Several files at once; none: nothing was chosen.
+QStringList getOpenFileNames(QWidget* parent, const QString& caption, const QString& start = {},
+                             const QString& filter = {});
 QString getSaveFileName(QWidget* parent, const QString& caption, const QString& start = {}, const QString& filter = {},
                         QString* selected_filter = nullptr, QFileDialog::Options options = {});
 QString getExistingDirectory(QWidget* parent, const QString& caption, const QString& start = {});

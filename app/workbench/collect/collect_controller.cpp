@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/version.h"
+#include "app/webform/answers.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/error.h"
 #include "core/store/person_codes.h"
@@ -119,6 +120,31 @@ void CollectController::fillWithSimulated(const session::SimulatedGroup& group) 
         emit changed();
         emit refused(tr("No simulated nurses were added. %1").arg(sentence),
                      {tr("Try again"), [this, group] { fillWithSimulated(group); }});
+      });
+}
+
+void CollectController::importAnswers(const QStringList& paths) {
+  if (paths.isEmpty() || !study_.takesOrders()) return;
+  std::vector<std::string> files;
+  for (const QString& path : paths) files.push_back(path.toStdString());
+  const auto imported = std::make_shared<webform::AnswerImport>();
+  study_.order(
+      [imported, files](store::StudyFile& file, study::RecordIds& /*ids*/) -> Result<void> {
+        TACTUS_TRY(*imported, webform::importAnswers(file, files, utcNowMs()));
+        return {};
+      },
+      [this, imported] {
+        study_.refresh();
+        const auto added =
+            std::count_if(imported->files.begin(), imported->files.end(), [](const auto& one) { return one.added; });
+        QStringList notes;
+        for (const std::string& note : imported->notes) notes << text(note);
+        emit answersImported(static_cast<int>(imported->files.size()), static_cast<int>(added),
+                             notes.join(QLatin1Char(' ')));
+      },
+      [this, paths](const QString& sentence) {
+        emit refused(tr("No answers were imported. %1").arg(sentence),
+                     {tr("Try again"), [this, paths] { importAnswers(paths); }});
       });
 }
 

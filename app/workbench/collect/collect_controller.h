@@ -43,6 +43,9 @@ class CollectController : public QObject {
   /// Adds simulated nurses to the study, each with a whole session. Ends with `filled` or `refused`.
   void fillWithSimulated(const session::SimulatedGroup& group);
   bool isFilling() const { return filling_; }
+  /// Adds the answers of files that the web form saved, all or nothing (webform/answers.h). Ends with `answersImported`
+  /// or `refused`.
+  void importAnswers(const QStringList& paths);
 
   /// Counts what a withdrawal of `person` would delete. Ends with `previewed` or `refused`.
   void previewWithdrawal(const study::RecordId& person);
@@ -60,6 +63,8 @@ class CollectController : public QObject {
   void added(const tactus::study::RecordId& person, const QString& code);
   /// So many simulated nurses were added.
   void filled(int count);
+  /// So many of the files had answers that were not in the study yet. `notes`: one sentence each.
+  void answersImported(int files, int added, const QString& notes);
   void previewed(const tactus::study::RecordId& person, const tactus::store::WithdrawalPreview& preview);
   /// Everything of the participant who had `code` is deleted.
   void withdrawn(const QString& code);

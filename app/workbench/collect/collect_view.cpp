@@ -11,8 +11,10 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "app/workbench/base/file_dialog.h"
 #include "app/workbench/collect/protocol_controller.h"
 #include "app/workbench/collect/protocol_view.h"
+#include "app/workbench/collect/record_dialog.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
 
@@ -31,6 +33,7 @@ CollectView::CollectView(CollectController& collect, ProtocolController& protoco
   connect(protocol_, &ProtocolView::left, this, &CollectView::showHome);
   connect(home_, &StudyHome::fillAsked, this, &CollectView::askFill);
   connect(home_, &StudyHome::withdrawAsked, this, &CollectView::askWithdrawal);
+  connect(home_, &StudyHome::recordAsked, this, &CollectView::showRecord);
   connect(&collect_.study(), &StudyConnection::closed, this, &CollectView::showHome);
 }
 
@@ -86,6 +89,17 @@ void CollectView::askWithdrawal(const study::RecordId& person) {
   auto* dialog = new WithdrawalDialog(collect_, person, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
+}
+
+void CollectView::showRecord(const study::RecordId& person) {
+  auto* dialog = new RecordDialog(collect_, person, this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void CollectView::askAnswers() {
+  collect_.importAnswers(file_dialog::getOpenFileNames(this, tr("Answer files of the web form"), {},
+                                                       tr("Answer files (*.tactus-answers.json);;All files (*)")));
 }
 
 }  // namespace tactus::workbench

@@ -32,6 +32,9 @@ class CollectView : public QStackedWidget {
   void askFill();
   /// Asks in a dialog whether `person` is withdrawn.
   void askWithdrawal(const tactus::study::RecordId& person);
+  void showRecord(const tactus::study::RecordId& person);
+  /// Asks for the files that the web form saved.
+  void askAnswers();
 
  private:
   CollectController& collect_;

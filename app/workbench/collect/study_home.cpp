@@ -208,6 +208,7 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
       pages_(new QStackedWidget(this)),
       view_(makeTable(*table_, this)),
       chosen_(new QLabel(this)),
+      record_(new QPushButton(tr("Show the &record…"), this)),
       withdraw_(new QPushButton(tr("&Withdraw…"), this)) {
   auto* hint = new QHBoxLayout(hint_);
   hint->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
@@ -308,12 +309,14 @@ QWidget* StudyHome::makeFoot() {
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
   row->setSpacing(theme::kGrid);
-  withdraw_->setMinimumSize(withdraw_->sizeHint().width() + 2 * theme::kGrid, 4 * theme::kGrid);
-  QSizePolicy kept = withdraw_->sizePolicy();
-  kept.setRetainSizeWhenHidden(true);
-  withdraw_->setSizePolicy(kept);
   row->addWidget(chosen_, 1);
-  row->addWidget(withdraw_);
+  for (QPushButton* button : {record_, withdraw_}) {
+    button->setMinimumSize(button->sizeHint().width() + 2 * theme::kGrid, 4 * theme::kGrid);
+    QSizePolicy kept = button->sizePolicy();
+    kept.setRetainSizeWhenHidden(true);
+    button->setSizePolicy(kept);
+    row->addWidget(button);
+  }
   return foot;
 }
 
@@ -329,7 +332,11 @@ void StudyHome::connectAll() {
     emit startAsked(row == nullptr || row->simulated ? QString() : row->code);
   };
   connect(start_, &QPushButton::clicked, this, start);
-  connect(view_, &QTableView::activated, this, start);
+  const auto record = [this] {
+    if (const auto person = selected()) emit recordAsked(*person);
+  };
+  connect(view_, &QTableView::activated, this, record);
+  connect(record_, &QPushButton::clicked, this, record);
   connect(withdraw_, &QPushButton::clicked, this, [this] {
     if (const auto person = selected()) emit withdrawAsked(*person);
   });
@@ -406,6 +413,7 @@ void StudyHome::showSelection() {
   withdraw_->setEnabled(row != nullptr && collect_.study().takesOrders() && !collect_.isWithdrawing() &&
                         !collect_.isSessionRunning());
   withdraw_->setVisible(row != nullptr);
+  record_->setVisible(row != nullptr);
   if (row == nullptr) {
     chosen_->setText(tr("Choose a participant to continue, or start a session for a new one."));
   } else if (!row->trouble.isEmpty()) {

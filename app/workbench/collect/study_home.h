@@ -54,6 +54,7 @@ class StudyHome : public QWidget {
   void keyAsked();
   void fillAsked();
   void setupAsked();
+  void recordAsked(const tactus::study::RecordId& person);
   void withdrawAsked(const tactus::study::RecordId& person);
 
  private:
@@ -81,6 +82,7 @@ class StudyHome : public QWidget {
   QStackedWidget* pages_;  ///< the table, or the invitation where it is empty
   QTableView* view_;
   QLabel* chosen_;
+  QPushButton* record_;
   QPushButton* withdraw_;
   std::optional<study::RecordId> newest_;  ///< added just now; its code is to be handed over
 };

@@ -1,5 +1,12 @@
 #include <QAction>
 #include <QCoreApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QVBoxLayout>
 #include <memory>
 #include <utility>
 
@@ -116,6 +123,22 @@ void CollectFeature::connectPersons(Bench& bench) {
     bench.window.enter(Stage::kCollect);
     bench.views.collect->askFill();
   });
+  QAction* const answers = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("&Import answer files…"));
+  const auto may_import = [&bench, answers] {
+    answers->setEnabled(bench.study.takesOrders() && !bench.collect.isSessionRunning());
+  };
+  may_import();
+  QObject::connect(&collect, &CollectController::changed, context, may_import);
+  QObject::connect(&bench.study, &StudyConnection::changed, context, may_import);
+  QObject::connect(answers, &QAction::triggered, context, [&bench] {
+    bench.window.enter(Stage::kCollect);
+    bench.views.collect->askAnswers();
+  });
+  QObject::connect(&collect, &CollectController::answersImported, context,
+                   [&bench](int files, int added, const QString& notes) {
+                     bench.window.banner().showNote(
+                         tr("%n answer file(s) read, %1 with new answers. %2", nullptr, files).arg(added).arg(notes));
+                   });
   QAction* const check = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("Check the set-&up…"));
   const auto may_check = [&bench, check] {
     check->setEnabled(bench.study.takesOrders() && !bench.collect.isSessionRunning());
@@ -169,7 +192,48 @@ struct LabsFeature {
  public:
   static void addExperts(Bench& bench);
   static void addMethod(Bench& bench);
+  static void askSignature(Bench& bench, const QString& what);
 };
+
+void LabsFeature::askSignature(Bench& bench, const QString& what) {
+  auto* const dialog = new QDialog(&bench.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Correct the data of a participant"));
+  auto* const text =
+      new QLabel(tr("%1. The old record stays in the file. Who corrects today, and why? It is asked once "
+                    "a day and stored with each correction.")
+                     .arg(what),
+                 dialog);
+  text->setWordWrap(true);
+  auto* const name = new QLineEdit(bench.author.name(), dialog);
+  auto* const why = new QLineEdit(dialog);
+  auto* const form = new QFormLayout;
+  form->addRow(tr("&Name"), name);
+  form->addRow(tr("&Reason"), why);
+  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
+  QPushButton* const store = buttons->button(QDialogButtonBox::Ok);
+  store->setText(tr("Store the correction"));
+  const auto may_store = [store, name, why] {
+    store->setEnabled(!name->text().trimmed().isEmpty() && !why->text().trimmed().isEmpty());
+  };
+  may_store();
+  QObject::connect(name, &QLineEdit::textChanged, dialog, may_store);
+  QObject::connect(why, &QLineEdit::textChanged, dialog, may_store);
+  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
+  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  Corrections& corrections = bench.labs.corrections;
+  QObject::connect(dialog, &QDialog::accepted, &corrections,
+                   [&corrections, name, why] { corrections.sign(name->text(), why->text()); });
+  QObject::connect(dialog, &QDialog::rejected, &corrections, [&corrections] { corrections.dropUnsigned(); });
+  auto* const column = new QVBoxLayout(dialog);
+  column->addWidget(text);
+  column->addLayout(form);
+  column->addWidget(buttons);
+  constexpr int kWidth = 480;
+  dialog->setMinimumWidth(kWidth);
+  why->setFocus();
+  dialog->open();
+}
 
 void LabsFeature::addExperts(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
@@ -248,6 +312,8 @@ void addLabs(Bench& bench) {
                    [&window = bench.window](const QString& what) {
                      window.say(LabsFeature::tr("Stored as a new record; the old one stays: %1").arg(what));
                    });
+  QObject::connect(&labs.corrections, &Corrections::signatureAsked, &bench.features,
+                   [&bench](const QString& what) { LabsFeature::askSignature(bench, what); });
   QObject::connect(&labs.corrections, &Corrections::refused, &bench.features,
                    [&window = bench.window](const QString& sentence, const MessageAct& act) {
                      window.banner().showRemedy(sentence, act);

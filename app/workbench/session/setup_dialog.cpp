@@ -71,17 +71,17 @@ SetupDialog::SetupDialog(StudyConnection& study, DeviceSession& device, QWidget*
     : QDialog(parent),
       check_(
           study, device, [parent] { return screensOf(*parent); }, utcNowMs),
-      instruction_(new WrappedLabel(this)),
+      instruction_(new QLabel(this)),
       directions_(new QWidget(this)),
       scale_acts_(new QWidget(this)),
       repeat_(new QPushButton(tr("&Repeat the self-test"), this)),
       push_(new QPushButton(tr("&Push with 0.5 N"), this)),
       scale_(new NumberBox(grams(), 1, this)),
-      verdict_(new WrappedLabel(this)),
+      verdict_(new QLabel(this)),
       again_(new QPushButton(tr("Check everything &again"), this)),
       close_(new QPushButton(tr("&Close"), this)) {
   setWindowTitle(tr("Check the set-up"));
-  setFixedWidth(kWidth);
+  setMinimumWidth(appearance::scaled(kWidth));
   build();
   connect(&check_, &SetupCheck::changed, this, &SetupDialog::showState);
   connect(&check_, &SetupCheck::done, this, &SetupDialog::certified);
@@ -95,11 +95,12 @@ void SetupDialog::look() { search_.search(); }
 void SetupDialog::build() {
   auto* title = new QLabel(tr("Is everything ready for a session?"), this);
   title->setFont(theme::titleFont());
-  auto* intro = new WrappedLabel(this);
+  auto* intro = new QLabel(this);
   intro->setText(
       tr("It takes about 90 seconds. The result is stored with each session of the next 12 hours on this "
          "device; sessions without it are marked."));
   setInk(*intro, theme::mutedInk());
+  for (QLabel* label : {intro, instruction_, verdict_}) label->setWordWrap(true);
 
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(theme::kGrid);
@@ -110,13 +111,14 @@ void SetupDialog::build() {
   int at = 0;
   for (const SetupItem item : session::kSetupItems) {
     Line& line = lines_[static_cast<std::size_t>(item)];
-    line = {new QLabel(this), new WrappedLabel(this)};
+    line = {new QLabel(this), new QLabel(this)};
     auto* name = new QLabel(nameOf(item), this);
     name->setFont(theme::headingFont());
     line.found->setTextFormat(Qt::PlainText);
+    line.found->setWordWrap(true);
     grid->addWidget(line.mark, at, 0, Qt::AlignTop);
     grid->addWidget(name, at, 1, Qt::AlignTop);
-    grid->addWidget(line.found, at++, 2);
+    grid->addWidget(line.found, at++, 2, Qt::AlignTop);
     if (item == SetupItem::kForce) grid->addWidget(makeForceActs(), at++, 2);
     if (item == SetupItem::kSound) grid->addWidget(makeSoundActs(), at++, 2);
   }

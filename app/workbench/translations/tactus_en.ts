@@ -10,6 +10,13 @@
             <numerusform>%n simulated nurses were added. They are marked as simulated.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n answer file(s) read, %1 with new answers. %2</source>
+        <translation>
+            <numerusform>%n answer file read, %1 with new answers. %2</numerusform>
+            <numerusform>%n answer files read, %1 with new answers. %2</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>CurveItems</name>
@@ -586,6 +593,23 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::RecordDialog</name>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s), none of them ever changed</source>
+        <translation>
+            <numerusform>%n line, which never changes</numerusform>
+            <numerusform>%n lines, none of them ever changed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ReferenceController</name>
     <message numerus="yes">
         <source>%1: found %n reference curve(s) together with those that are shown, wanted at most %2; remove some first.</source>
@@ -629,6 +653,23 @@
         <translation>
             <numerusform>%n cell apart by more than one just-noticeable difference</numerusform>
             <numerusform>%n cells apart by more than one just-noticeable difference</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::SetupCheck</name>
+    <message numerus="yes">
+        <source>%n screen(s), %1</source>
+        <translation>
+            <numerusform>%n screen, %1</numerusform>
+            <numerusform>%n screens, %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of 1000 ticks a second 99 % are at most %1 ms late, positions %2 ms old; %n missed</source>
+        <translation>
+            <numerusform>Of 1000 ticks a second 99 % are at most %1 ms late, positions %2 ms old; %n missed</numerusform>
+            <numerusform>Of 1000 ticks a second 99 % are at most %1 ms late, positions %2 ms old; %n missed</numerusform>
         </translation>
     </message>
 </context>

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "core/store/entries.h"
+#include "core/store/persons.h"
+#include "core/store/sessions.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
@@ -50,6 +52,57 @@ class CorrectionsTest : public testing::Test {
   LabData data{study};
   Corrections corrections{data};
 };
+
+// The data of a real person change only with a name and a reason, once a day; the demo's are simulated.
+TEST_F(CorrectionsTest, DataOfARealPersonAreCorrectedUnderANameAndAReason) {
+  const study::StrokeRecord simulated = strokeOf("fast", 2);
+  const auto person = std::find_if(data.study()->persons.begin(), data.study()->persons.end(), [&](const auto& one) {
+    return one.code == data.study()->codeOf(simulated.entry.session);
+  });
+  ASSERT_NE(person, data.study()->persons.end());
+  QString asked;
+  QObject::connect(&corrections, &Corrections::signatureAsked, [&asked](const QString& what) { asked = what; });
+  // A real person beside them, with a stroke of the same values.
+  study::StrokeRecord real;
+  readAgainAfter([&] {
+    study.order(
+        [&real, simulated](store::StudyFile& file, study::RecordIds& ids) -> base::Result<void> {
+          const study::Person someone{ids.next(), "real-person", false};
+          TACTUS_TRY(auto sessions, store::sessions(file));
+          auto session = sessions.front();
+          session.id = ids.next();
+          session.person = someone.id;
+          session.protocol.reset();
+          TACTUS_TRY(auto recording, store::recordingOf(file, simulated.entry.id));
+          real = simulated;
+          real.entry.id = ids.next();
+          real.entry.session = session.id;
+          real.recording = recording;
+          return store::append(file, someone).and_then([&] { return store::append(file, session); }).and_then([&] {
+            return store::append(file, real);
+          });
+        },
+        [this] { data.refresh(); }, [](const QString& sentence) { FAIL() << sentence.toStdString(); });
+  });
+  real.recording = {};
+  study::StrokeRecord shorter = real;
+  shorter.first += 40;
+  corrections.correct(real, shorter, QStringLiteral("marks"));
+  EXPECT_EQ(asked, QStringLiteral("marks"));
+  EXPECT_FALSE(corrections.isBusy());
+  corrections.dropUnsigned();
+  corrections.sign(QStringLiteral("Ann Lee"), QStringLiteral("heard the recording"));
+  EXPECT_FALSE(corrections.isBusy()) << "what was dropped is not stored";
+  asked.clear();
+  readAgainAfter(
+      [&] { corrections.correct(real, shorter, QStringLiteral("marks"), QStringLiteral("marks_corrected")); });
+  EXPECT_TRUE(asked.isEmpty()) << "once a day";
+  const auto& strokes = data.study()->strokes;
+  const auto stored = std::find_if(strokes.begin(), strokes.end(),
+                                   [&](const auto& one) { return one.entry.supersedes == real.entry.id; });
+  ASSERT_NE(stored, strokes.end());
+  EXPECT_EQ(stored->entry.reason, "marks_corrected; Ann Lee: heard the recording");
+}
 
 TEST_F(CorrectionsTest, MarksOfAStrokeAreANewRecordAndUndoBringsTheOldOnesBack) {
   const auto before = speeds();

@@ -1,6 +1,7 @@
 #include "app/workbench/labs/data/corrections.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <optional>
@@ -96,6 +97,11 @@ Corrections::Corrections(LabData& data, QObject* parent) : UndoSource(parent), d
 
 void Corrections::correct(Record before, Record wanted, const QString& what, const QString& reason) {
   if (busy_ || !data_.connection().takesOrders() || sameValues(before, wanted)) return;
+  if (needsSignature(before)) {
+    unsigned_ = [=, this] { correct(before, wanted, what, reason); };
+    emit signatureAsked(what);
+    return;
+  }
   const study::RecordId current = entryOf(before).id;
   study::RecordId chain = current;
   for (const auto& [first, newest] : newest_) {
@@ -105,6 +111,25 @@ void Corrections::correct(Record before, Record wanted, const QString& what, con
   steps_.resize(done_);
   steps_.push_back({chain, before, wanted, what, reason});
   write(chain, wanted, what, reason, done_ + 1, [=, this] { correct(before, wanted, what, reason); });
+}
+
+bool Corrections::needsSignature(const Record& record) const {
+  if (signed_on_ == QDate::currentDate() || !data_.study()) return false;
+  const LabStudy& study = *data_.study();
+  const std::string code = study.codeOf(entryOf(record).session);
+  return std::any_of(study.persons.begin(), study.persons.end(),
+                     [&](const study::Person& one) { return one.code == code && !one.simulated; });
+}
+
+void Corrections::sign(const QString& name, const QString& why) {
+  signature_ = tr("%1: %2").arg(name.trimmed(), why.trimmed());
+  signed_on_ = QDate::currentDate();
+  if (const auto again = std::exchange(unsigned_, {})) again();
+}
+
+QString Corrections::signedReason(const QString& reason) const {
+  if (signed_on_ != QDate::currentDate()) return reason;
+  return reason.isEmpty() ? signature_ : reason + QStringLiteral("; ") + signature_;
 }
 
 void Corrections::undo() {
@@ -133,7 +158,7 @@ void Corrections::write(const study::RecordId& chain, Record record, const QStri
       0};
   entry.entered_by = study::EnteredBy::kResearcher;
   entry.supersedes = newest_.at(chain);
-  entry.reason = reason.toStdString();
+  entry.reason = signedReason(reason).toStdString();
   busy_ = true;
   const auto id = std::make_shared<std::optional<study::RecordId>>();
   const QString path = data_.connection().path();
@@ -163,6 +188,8 @@ void Corrections::write(const study::RecordId& chain, Record record, const QStri
 }
 
 void Corrections::forget() {
+  signed_on_ = {};
+  unsigned_ = {};
   steps_.clear();
   newest_.clear();
   done_ = 0;

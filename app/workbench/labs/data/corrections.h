@@ -2,6 +2,7 @@
 // file. Undo is one more record, with the values of the old one.
 #pragma once
 
+#include <QDate>
 #include <QString>
 #include <functional>
 #include <map>
@@ -43,6 +44,12 @@ class Corrections : public UndoSource {
   /// `marks of stroke 2 of S1, fast`. Does nothing if the values are equal.
   void correct(Record before, Record wanted, const QString& what, const QString& reason = {});
 
+  /// Who corrects the data of real participants today, and why: asked once a day and stored with each correction.
+  /// Simulated data need none. A correction that waits for it is stored then.
+  void sign(const QString& name, const QString& why);
+  /// The correction that waits is dropped.
+  void dropUnsigned() { unsigned_ = {}; }
+
   bool canUndo() const override { return !busy_ && done_ > 0; }
   bool canRedo() const override { return !busy_ && done_ < steps_.size(); }
   QString undoText() const override { return done_ > 0 ? steps_[done_ - 1].what : QString(); }
@@ -57,6 +64,8 @@ class Corrections : public UndoSource {
  signals:
   /// A correction, an undo or a redo is written.
   void stored(const QString& what);
+  /// A correction waits for a name and a reason. `what`: the correction.
+  void signatureAsked(const QString& what);
   /// One sentence: what was not written, and why.
   void refused(const QString& sentence, const tactus::workbench::MessageAct& act);
 
@@ -74,6 +83,8 @@ class Corrections : public UndoSource {
   /// `again`: does the same once more, where it failed.
   void write(const study::RecordId& chain, Record record, const QString& what, const QString& reason,
              std::size_t done_after, std::function<void()> again);
+  bool needsSignature(const Record& record) const;
+  QString signedReason(const QString& reason) const;
   void forget();
 
   LabData& data_;
@@ -81,6 +92,9 @@ class Corrections : public UndoSource {
   std::size_t done_ = 0;
   bool busy_ = false;
   Newest newest_;
+  QDate signed_on_;
+  QString signature_;               ///< `Ann Lee: heard the recording`
+  std::function<void()> unsigned_;  ///< does the correction that waits once more
 };
 
 }  // namespace tactus::workbench
