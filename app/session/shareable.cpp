@@ -77,8 +77,8 @@ void startAtZero(std::vector<study::SpeedSample>& speeds) {
 std::string experienceBand(std::optional<double> years) {
   if (!years) return {};
   if (*years < 5) return "<5";
-  if (*years < 10) return "5-10";
-  return *years <= 15 ? "10-15" : ">15";
+  if (*years < 10) return "5-9";
+  return *years < 15 ? "10-14" : "15+";
 }
 
 std::vector<std::string> inputsOf(const study::Study& study) {

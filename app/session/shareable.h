@@ -11,7 +11,7 @@
 
 namespace tactus::session {
 
-/// The band of `years` of experience (>= 0): `<5`, `5-10` (10 excluded), `10-15` (15 included), `>15`; empty if
+/// The band of `years` of experience (>= 0), as the screens ask for it: `<5`, `5-9`, `10-14`, `15+`; empty if
 /// unknown.
 std::string experienceBand(std::optional<double> years);
 

@@ -61,7 +61,7 @@ std::vector<RecordTable> viewTables(const std::vector<std::string>& input_ids, b
        {"simulated", ColumnKind::kFlag, "", "1 where a program made all data of this participant"}}};
   if (shareable) {
     participants.columns.push_back({"years_experience_band", ColumnKind::kText, "years",
-                                    "Experience: <5, 5-10 (below 10), 10-15 (15 too) or >15", "", true});
+                                    "Experience: <5, 5-9 (below 10), 10-14 (below 15) or 15+", "", true});
   }
   RecordTable rules{
       study::kRulesTable,

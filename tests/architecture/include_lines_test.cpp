@@ -40,7 +40,7 @@ const std::map<std::string, Permission>& permissions() {
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
       joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/report", "app/session",
-              "app/devices", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
+              "app/devices", "app/webform", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
               "core/exchange/import", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   // Plots go through plot/; only what needs more of QCustomPlot than plot/ offers includes it.
@@ -199,7 +199,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/deliver/link", room({"base", "kit", "model"})},
       {"app/workbench/participant/kit", room({"base", "anatomy"})},
       {"app/workbench/participant/screens", room({"base", "anatomy", "participant/kit"})},
-      {"app/workbench/session", room({"base", "device", "collect", "shell", "study/connection", "participant",
+      {"app/workbench/session", room({"base", "kit", "device", "collect", "shell", "study/connection", "participant",
                                       "participant/kit", "participant/screens", "rehearsal"})},
       // The features join the rooms, and the root has the features.
       {"app/workbench/features", room(rooms)},

@@ -15,7 +15,7 @@ namespace {
 
 // "New" stands for "make a new", as in every program. Whoever writes a button with another verb adds it here.
 const QStringList kVerbs = {
-    "About",  "Accept",  "Add",     "Approve", "Arm",     "Begin",  "Build",   "Choose", "Close",    "Compare", "Copy",
+    "About",  "Accept",  "Add",     "Approve", "Arm",     "Begin",  "Build",   "Check", "Choose", "Close",    "Compare", "Copy",
     "Decide", "Disable", "Discard", "Edit",    "Enable",  "End",    "Explain", "Enter",  "Explore",  "Feel",    "Feels",
     "Fill",   "Finish",  "Flex",    "Forget",  "Go",      "Import", "Keep",    "Load",   "Look",     "Mark",    "Move",
     "Make",   "Measure", "Name",    "New",     "Open",    "Put",    "Quit",    "Raise",  "Read",     "Record",  "Redo",

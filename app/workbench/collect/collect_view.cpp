@@ -14,7 +14,6 @@
 #include "app/workbench/base/file_dialog.h"
 #include "app/workbench/collect/protocol_controller.h"
 #include "app/workbench/collect/protocol_view.h"
-#include "app/workbench/collect/record_dialog.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
 

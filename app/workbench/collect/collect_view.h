@@ -1,16 +1,44 @@
-// The screen of stage Collect: the study's home, and the pages behind it.
+// The screen of stage Collect: the study's home, the pages behind it, and the record of a participant.
 #pragma once
 
+#include <QDialog>
 #include <QStackedWidget>
 #include <functional>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/collect/collect_controller.h"
+
+class QCheckBox;
+class QLabel;
 
 namespace tactus::workbench {
 
 class ProtocolController;
 class ProtocolView;
 class StudyHome;
+
+/// The record of one participant as a table: what was asked, what was said, and what is remarkable about it.
+class RecordDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `collect` outlives this. Reads the record at once, and again when the study changes.
+  RecordDialog(CollectController& collect, const study::RecordId& person, QWidget* parent = nullptr);
+
+  const std::vector<RecordLine>& lines() const { return table_.rows(); }
+
+ private:
+  void read();
+  void take(std::vector<RecordLine> lines);
+  void filter();
+
+  CollectController& collect_;
+  const study::RecordId person_;
+  std::vector<RecordLine> all_;
+  Columns<RecordLine> table_;
+  QLabel* summary_;
+  QCheckBox* log_;
+};
 
 class CollectView : public QStackedWidget {
   Q_OBJECT

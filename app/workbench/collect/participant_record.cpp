@@ -1,5 +1,4 @@
-#include "app/workbench/collect/participant_record.h"
-
+// The record of one participant, in the order in which it was stored.
 #include <QCoreApplication>
 #include <QStringList>
 #include <algorithm>
@@ -7,6 +6,7 @@
 #include <set>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/collect/study_overview.h"
 #include "core/store/entries.h"
 #include "core/store/sessions.h"
 #include "core/store/words.h"

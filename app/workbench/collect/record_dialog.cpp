@@ -1,5 +1,4 @@
-#include "app/workbench/collect/record_dialog.h"
-
+// The dialog with the record of one participant.
 #include <QCheckBox>
 #include <QDateTime>
 #include <QHBoxLayout>
@@ -12,6 +11,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/collect_controller.h"
+#include "app/workbench/collect/collect_view.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/quiet_table.h"
 
@@ -61,10 +61,10 @@ RecordDialog::RecordDialog(CollectController& collect, const study::RecordId& pe
   QHeaderView* const head = view->horizontalHeader();
   keepFitted(*view, [view, head] {
     const QFontMetrics metrics(view->font());
-    const QString widest[] = {tr("Session"), timeText(0), tr("Questions"), QStringLiteral("item 45 of ngt-force-v1  ")};
+    const QString widest[] = {tr("Session"), timeText(0), tr("Questions"), tr("item %1 of %2").arg(45).arg(QStringLiteral("ngt-force-v1"))};
     for (int column = 0; column < 4; ++column)
       head->resizeSection(column, metrics.horizontalAdvance(widest[column]) + 3 * theme::kGrid);
-    head->resizeSection(5, metrics.horizontalAdvance(QStringLiteral("a correction: hesitated at the end")));
+    head->resizeSection(5, metrics.horizontalAdvance(tr("a correction: hesitated at the end")));
   });
   head->setSectionResizeMode(4, QHeaderView::Stretch);
   auto* close = new QPushButton(tr("&Close"), this);

@@ -1,4 +1,4 @@
-// The participants of a study and how far each has come: the rows of the study's home.
+// The participants of a study and how far each has come: the rows of the study's home; and the record of each.
 #pragma once
 
 #include <QString>
@@ -85,6 +85,23 @@ std::array<StepState, kCollectSteps> stepsOf(const session::SessionProgress& pro
 /// that the protocol puts later.
 std::optional<CollectStep> nextOf(const std::array<StepState, kCollectSteps>& steps,
                                   std::optional<session::Block> block = {});
+
+// The record of one participant: each line that the file holds about them.
+
+struct RecordLine {
+  int session = 1;            ///< from 1, by its start
+  std::int64_t utc_ms = 0;    ///< when it was stored
+  std::int64_t sequence = 0;  ///< its place in the file
+  QString part;               ///< Person, Speed, Forces, Questions, Rating, Log
+  QString asked;              ///< what it is about
+  QString said;               ///< what was answered or done
+  bool is_log = false;        ///< a line that the screens wrote, no answer
+  QString remark;             ///< not counted, corrected, the reason of a correction; may be empty
+};
+
+/// All lines of `person`, with those that were corrected. Reads no recordings. Thread: that of `file`.
+base::Result<std::vector<RecordLine>> readParticipantRecord(const store::StudyFile& file,
+                                                            const study::RecordId& person);
 
 // The words of stage Collect: steps of a participant and how far they are.
 

@@ -22,7 +22,7 @@
 #include "app/workbench/labs/method/method_lab_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
-#include "app/workbench/session/setup_dialog.h"
+#include "app/workbench/session/setup_check.h"
 #include "app/workbench/shell/frame_clock.h"
 #include "app/workbench/shell/operating_strip.h"
 

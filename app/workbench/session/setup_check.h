@@ -1,7 +1,8 @@
-// The check of the set-up before a session, without widgets: what the program can look at by itself, the guided
-// self-test of the device, and what only a person can say.
+// The check of the set-up before a session: what the program can look at by itself, the guided self-test of the device,
+// and what only a person can say; and its dialog.
 #pragma once
 
+#include <QDialog>
 #include <QObject>
 #include <QSize>
 #include <QString>
@@ -13,10 +14,16 @@
 
 #include "app/devices/guided_runs.h"
 #include "app/session/setup_certificate.h"
+#include "app/workbench/device/device_search.h"
 #include "app/workbench/device/device_session.h"
 #include "app/workbench/study/connection/study_connection.h"
 
+class QLabel;
+class QPushButton;
+
 namespace tactus::workbench {
+
+class NumberBox;
 
 /// Thread: gui.
 class SetupCheck : public QObject {
@@ -96,6 +103,45 @@ class SetupCheck : public QObject {
   bool needs_device_ = true;  ///< a part of the session is felt
   std::optional<devices::SelfTest> test_;
   bool told_ = false;  ///< `done` was emitted for these rows
+};
+
+/// "Check the set-up": one line for each thing that a session needs, with what a person has to do for it.
+class SetupDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// The study is open. Looks for the device at once. `study` and `device` outlive this.
+  SetupDialog(StudyConnection& study, DeviceSession& device, QWidget* parent);
+
+  SetupCheck& check() { return check_; }
+
+ signals:
+  void certified(const tactus::session::SetupCertificate& certificate);
+
+ private:
+  struct Line {
+    QLabel* mark;
+    QLabel* found;
+  };
+
+  void build();
+  QWidget* makeForceActs();
+  QWidget* makeSoundActs();
+  void look();
+  void showState();
+
+  DeviceSearch search_;
+  SetupCheck check_;
+  std::array<Line, session::kSetupItems.size()> lines_{};
+  QLabel* instruction_;
+  QWidget* directions_;
+  QWidget* scale_acts_;
+  QPushButton* repeat_;
+  QPushButton* push_;
+  NumberBox* scale_;
+  QLabel* verdict_;
+  QPushButton* again_;
+  QPushButton* close_;
 };
 
 }  // namespace tactus::workbench

@@ -1,5 +1,4 @@
-#include "app/workbench/session/setup_dialog.h"
-
+// The dialog that checks the set-up.
 #include <QApplication>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -12,6 +11,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/number_box.h"
+#include "app/workbench/session/setup_check.h"
 #include "app/workbench/session/take_part.h"
 
 namespace tactus::workbench {

@@ -280,7 +280,7 @@ TEST_F(StudyCommands, ShareableLeavesOutCodesAndYears) {
   const std::string participants = readText(path("out/participants.csv"));
   EXPECT_EQ(participants.find("S1"), std::string::npos);
   EXPECT_EQ(participants.find("12.25"), std::string::npos);
-  EXPECT_NE(participants.find("10-15"), std::string::npos);
+  EXPECT_NE(participants.find("10-14"), std::string::npos);
   EXPECT_FALSE(fs::exists(path("out/records")));
 }
 

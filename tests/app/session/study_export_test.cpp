@@ -256,7 +256,7 @@ TEST_F(ExportedStudy, ShareableTellsNothingOfPersonsAndPlaces) {
   }
   EXPECT_EQ(files.at("participants.csv"),
             "participant,years_experience,category,handedness,weight,simulated,years_experience_band\n"
-            "P1,,,left,,1,10-15\nP2,,,left,,1,10-15\n");
+            "P1,,,left,,1,10-14\nP2,,,left,,1,10-14\n");
   EXPECT_NE(files.at("speeds.csv").find("P2,medium,2,0,"), std::string::npos);
   EXPECT_NE(files.at("judgements.csv").find("P1,ascending,3,0.30000000000000004,small"), std::string::npos);
 }
@@ -290,11 +290,11 @@ TEST(Shareable, BandsOfExperience) {
   EXPECT_EQ(experienceBand(std::nullopt), "");
   EXPECT_EQ(experienceBand(0), "<5");
   EXPECT_EQ(experienceBand(4.9), "<5");
-  EXPECT_EQ(experienceBand(5), "5-10");
-  EXPECT_EQ(experienceBand(9.9), "5-10");
-  EXPECT_EQ(experienceBand(10), "10-15");
-  EXPECT_EQ(experienceBand(15), "10-15");
-  EXPECT_EQ(experienceBand(15.1), ">15");
+  EXPECT_EQ(experienceBand(5), "5-9");
+  EXPECT_EQ(experienceBand(9.9), "5-9");
+  EXPECT_EQ(experienceBand(10), "10-14");
+  EXPECT_EQ(experienceBand(14.9), "10-14");
+  EXPECT_EQ(experienceBand(15), "15+");
 }
 
 }  // namespace

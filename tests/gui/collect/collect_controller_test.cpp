@@ -8,7 +8,6 @@
 
 #include "app/session/study_protocol.h"
 #include "app/webform/answers.h"
-#include "app/workbench/collect/participant_record.h"
 #include "app/workbench/collect/participant_table.h"
 #include "core/base/files/file.h"
 #include "core/store/entries.h"

@@ -170,8 +170,11 @@ TEST_P(StylusSession, KilledAtEachScreenAndResumedOnTheNextDayInAnotherLanguage)
 
 // What waits for the button says so, and then that the researcher is needed; a handle that is moved is no handle held.
 TEST_P(StylusSession, NothingIsFeltUntilTheButtonIsPressed) {
-  for (int steps = 0; steps < 20 && at().screen != Screen::kDeviceCheck; ++steps) ASSERT_NO_FATAL_FAILURE(doIt());
-  settle();
+  for (int steps = 0; steps < 20; ++steps) {
+    settle();
+    if (at().screen == Screen::kDeviceCheck) break;
+    ASSERT_NO_FATAL_FAILURE(doIt());
+  }
   ASSERT_EQ(at().screen, Screen::kDeviceCheck);
   const auto says = [this](const char* id) {
     const auto labels = part->window().findChildren<QLabel*>();
