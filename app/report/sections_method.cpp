@@ -32,7 +32,7 @@ void addChoices(HtmlPage& page, const ReportContext& context) {
     page.paragraph(
         "Left out, because more than " + std::to_string(kMostCompared) +
         " participants take minutes here: some twenty models would have to be built. “tactus study compare STUDY” "
-        "prints this table, and the tab Method of stage Agree shows it.");
+        "prints this table, and the tab Method of stage Build shows it.");
     return;
   }
   const auto study =

@@ -221,7 +221,7 @@ Result<void> addCollectPictures(PictureAlbum& album, Workbench& bench, const QSt
   return home("home_empty");
 }
 
-// Pictures of stage Agree, for --screens: each lab with the demo study.
+// Pictures of stage Build, for --screens: each lab with the demo study.
 
 class PictureAlbum;
 struct Workbench;
@@ -251,7 +251,7 @@ void waitForLab(const LabScreen& screen) {
 
 base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
   LabScreen& screen = *bench.views.labs;
-  bench.window.enter(Stage::kAgree);
+  bench.window.enter(Stage::kBuild);
   bench.views.depth->showExample();
   for (QWidget* const lab : screen.labs()) {
     screen.reveal(lab);
@@ -260,7 +260,7 @@ base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
       lab->findChild<PrimaryButton*>()->click();
       waitForLab(screen);
     }
-    const QString title = stageName(Stage::kAgree) + QStringLiteral(": ") + lab->windowTitle();
+    const QString title = stageName(Stage::kBuild) + QStringLiteral(": ") + lab->windowTitle();
     // Pages inside a lab have pictures of their own.
     auto* const pages = lab->findChild<QTabWidget*>();
     const int count = pages == nullptr ? 1 : pages->count();
@@ -269,7 +269,7 @@ base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
       if (pages != nullptr) pages->setCurrentIndex(page);
       if (page > 0) name += QStringLiteral("_") + pages->widget(page)->objectName();
       waitForLab(screen);
-      if (auto added = album.add(stageId(Stage::kAgree), name, title, bench.window); !added) return added;
+      if (auto added = album.add(stageId(Stage::kBuild), name, title, bench.window); !added) return added;
     }
     if (pages != nullptr) pages->setCurrentIndex(0);
   }

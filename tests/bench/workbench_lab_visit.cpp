@@ -115,7 +115,7 @@ std::vector<LabVisit> visitLabs(const std::string& path) {
   TACTUS_CHECK(bench.study.isOpen());
   const auto ready = [&screen] { return !screen.isBusy(); };
   out.push_back(watch.wait(
-      "stage Agree", [&] { bench.window.enter(workbench::Stage::kAgree); }, ready));
+      "stage Build", [&] { bench.window.enter(workbench::Stage::kBuild); }, ready));
   workbench::SpeedLab& speed = bench.labs.speed;
   const std::map<const QWidget*, std::function<bool()>> shown = {
       {bench.views.speed, [&speed] { return speed.result() != nullptr; }},

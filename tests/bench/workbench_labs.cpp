@@ -126,7 +126,7 @@ void open(Workbench& bench, const QString& path) {
   bench.files.open(path);
   waitUntil([&] { return bench.study.isOpen() && !bench.study.isOpening(); });
   TACTUS_CHECK(bench.study.isOpen());
-  bench.window.enter(workbench::Stage::kAgree);
+  bench.window.enter(workbench::Stage::kBuild);
 }
 
 class Mover {

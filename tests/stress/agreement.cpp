@@ -186,7 +186,7 @@ double entryPointUlps(double a, double b, double output_min) {
   return std::abs(a - b) / ulpOf(magnitude);
 }
 
-Agreement checkAgreement(const ForceModel& model, base::Random& random, int points) {
+Agreement checkBuildment(const ForceModel& model, base::Random& random, int points) {
   return Checker(model, random).run(points);
 }
 

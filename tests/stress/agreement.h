@@ -20,7 +20,7 @@ struct Agreement {
 /// `evaluateBatch`, `Scene::evaluate` and `Scene::evaluateBatch`, a random subset of the inputs fixed in the scene, and
 /// at one point that is not finite. Bounds: `fired` as exact arithmetic says; the force within 1e-12 of the output's
 /// range and 2 ulp of the exact one; batch and scene within 4 ulp and the same bound of one point.
-Agreement checkAgreement(const fuzzy::ForceModel& model, base::Random& random, int points);
+Agreement checkBuildment(const fuzzy::ForceModel& model, base::Random& random, int points);
 
 /// How many ulps `a` and `b` are apart, both forces over a universe that begins at `output_min`. A force is the lower
 /// end of the universe and an offset; where these cancel, an ulp is one of the offset.

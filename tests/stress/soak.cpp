@@ -29,7 +29,7 @@ bool soakModels(const SoakOptions& options, int points) {
   const auto run = [&](std::uint64_t number) {
     base::Random random = caseRandom(options, number);
     const fuzzy::ForceModel model = modelNumber(number, random);
-    const Agreement found = checkAgreement(model, random, points);
+    const Agreement found = checkBuildment(model, random, points);
     const auto note = [&, share = found.largest_share, ulps = found.largest_ulps] {
       largest_share = std::max(largest_share, share);
       largest_ulps = std::max(largest_ulps, ulps);

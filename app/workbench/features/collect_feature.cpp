@@ -278,7 +278,7 @@ void timeSpeedLab(Bench& bench) {
     if (speed.isCurrent()) clock->sent();
   });
   QObject::connect(&bench.window, &MainWindow::entered, shown_time, [shown_time](Stage stage) {
-    if (stage != Stage::kAgree) shown_time->hide();
+    if (stage != Stage::kBuild) shown_time->hide();
   });
 }
 
@@ -304,7 +304,7 @@ void addLabs(Bench& bench) {
   screen.watch([&rules = labs.rules] { return rules.isComparing(); });
   LabsFeature::addExperts(bench);
   LabsFeature::addMethod(bench);
-  bench.window.addScreen(Stage::kAgree, views.labs, MainWindow::Needs::kStudy);
+  bench.window.addScreen(Stage::kBuild, views.labs, MainWindow::Needs::kStudy);
   timeSpeedLab(bench);
   QObject::connect(&bench.run, &SessionRun::changed, &bench.features,
                    [&bench] { bench.labs.data.setSessionRunning(bench.run.isRunning()); });

@@ -134,7 +134,7 @@ void addEditing(Bench& bench) {
   auto* const shown_time = new FrameStatus(*clock);
   window.strip().setFrameTime(shown_time);
   QObject::connect(&window, &MainWindow::entered, shown_time, [shown_time](Stage stage) {
-    if (stage == Stage::kAgree) shown_time->hide();  // the labs have a clock of their own
+    if (stage == Stage::kBuild) shown_time->hide();  // the labs have a clock of their own
   });
   new UndoKeys(context);
   show_undo();

@@ -46,7 +46,7 @@ void addStudy(Bench& bench);
 void addCollect(Bench& bench);
 /// The start screen: the demo study, new studies and models, imports, and recent files.
 void addStart(Bench& bench);
-/// Stage Agree: the labs, which lead from recordings to an agreed model.
+/// Stage Build: the labs, which lead from recordings to an agreed model.
 void addLabs(Bench& bench);
 /// "Where does this come from?" for the numbers of bench and labs.
 void addOrigins(Bench& bench);

@@ -114,7 +114,7 @@ void OriginsFeature::show(OriginQuestion question, const QString& not_of_study) 
 }
 
 void OriginsFeature::lead(const OriginRecord& record) {
-  bench_.window.enter(Stage::kAgree);
+  bench_.window.enter(Stage::kBuild);
   switch (record.kind) {
     case OriginRecord::Kind::kStroke:
       bench_.views.labs->reveal(bench_.views.speed);

@@ -22,7 +22,7 @@
 
 namespace tactus::workbench {
 
-// What the search (Ctrl+K) finds in stage Agree: the tables and figures of the paper by their numbers, and the labs'
+// What the search (Ctrl+K) finds in stage Build: the tables and figures of the paper by their numbers, and the labs'
 // pages.
 
 namespace {
@@ -60,7 +60,7 @@ QList<LabPlace> places() {
 }  // namespace
 
 void SearchFeature::showLab(const char* lab, const char* page) const {
-  bench_.window.enter(Stage::kAgree);
+  bench_.window.enter(Stage::kBuild);
   LabScreen& labs = *bench_.views.labs;
   for (QWidget* const one : labs.labs()) {
     if (one->objectName() != QLatin1String(lab)) continue;
@@ -72,15 +72,15 @@ void SearchFeature::showLab(const char* lab, const char* page) const {
   }
 }
 
-// None while stage Agree cannot be entered.
+// None while stage Build cannot be entered.
 QList<SearchEntry> SearchFeature::labs() const {
   QList<SearchEntry> entries;
-  if (!bench_.window.canEnter(Stage::kAgree)) return entries;
+  if (!bench_.window.canEnter(Stage::kBuild)) return entries;
   for (const LabPlace& place : places()) {
     // "Fig. 7" is found as "figure 7" too.
     const QString kind = place.text.startsWith(LabSearch::tr("Fig."))
-                             ? LabSearch::tr("Figure · %1").arg(stageName(Stage::kAgree))
-                             : stageName(Stage::kAgree);
+                             ? LabSearch::tr("Figure · %1").arg(stageName(Stage::kBuild))
+                             : stageName(Stage::kBuild);
     entries << SearchEntry{place.text, kind, [this, lab = place.lab, page = place.page] { showLab(lab, page); }};
   }
   return entries;

@@ -111,7 +111,7 @@ class WindowMenus {
   std::vector<Group> groups_;  ///< one for each slot
 };
 
-// The rail on the left: Collect, Understand, Tune, Agree, Deliver.
+// The rail on the left: Collect, Build, Understand, Tune, Deliver.
 
 class StageRail : public QWidget {
   Q_OBJECT

@@ -16,7 +16,7 @@ QString stageId(Stage stage) {
     case Stage::kCollect: return QStringLiteral("collect");
     case Stage::kUnderstand: return QStringLiteral("understand");
     case Stage::kTune: return QStringLiteral("tune");
-    case Stage::kAgree: return QStringLiteral("agree");
+    case Stage::kBuild: return QStringLiteral("build");
     case Stage::kDeliver: return QStringLiteral("deliver");
   }
   return {};
@@ -27,7 +27,7 @@ QString stageName(Stage stage) {
     case Stage::kCollect: return StageText::tr("Collect");
     case Stage::kUnderstand: return StageText::tr("Understand");
     case Stage::kTune: return StageText::tr("Tune");
-    case Stage::kAgree: return StageText::tr("Agree");
+    case Stage::kBuild: return StageText::tr("Build");
     case Stage::kDeliver: return StageText::tr("Deliver");
   }
   return {};
@@ -38,7 +38,7 @@ QString stageHint(Stage stage) {
     case Stage::kCollect: return StageText::tr("sessions with nurses");
     case Stage::kUnderstand: return StageText::tr("maps, curves and rules");
     case Stage::kTune: return StageText::tr("terms and their force");
-    case Stage::kAgree: return StageText::tr("experts side by side");
+    case Stage::kBuild: return StageText::tr("a model from the answers");
     case Stage::kDeliver: return StageText::tr("a bundle for a simulator");
   }
   return {};

@@ -6,9 +6,9 @@
 
 namespace tactus::workbench {
 
-enum class Stage { kCollect, kUnderstand, kTune, kAgree, kDeliver };
+enum class Stage { kCollect, kBuild, kUnderstand, kTune, kDeliver };
 
-inline constexpr std::array<Stage, 5> kStages = {Stage::kCollect, Stage::kUnderstand, Stage::kTune, Stage::kAgree,
+inline constexpr std::array<Stage, 5> kStages = {Stage::kCollect, Stage::kBuild, Stage::kUnderstand, Stage::kTune,
                                                  Stage::kDeliver};
 
 /// The name in settings; never translated.

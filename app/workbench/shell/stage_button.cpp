@@ -82,7 +82,7 @@ QPainterPath stagePicture(Stage stage) {
     case Stage::kCollect: return form();
     case Stage::kUnderstand: return curve();
     case Stage::kTune: return sliders();
-    case Stage::kAgree: return circles();
+    case Stage::kBuild: return circles();
     case Stage::kDeliver: return box();
   }
   return {};

@@ -72,7 +72,7 @@ void expectFastAndExact(const ForceModel& model, base::Random& random, int point
   const auto compiled = compile(model);
   ASSERT_TRUE(compiled.has_value()) << compiled.error().message();
   EXPECT_TRUE(compiled->tables().program.usable);
-  const auto found = stress::checkAgreement(model, random, points);
+  const auto found = stress::checkBuildment(model, random, points);
   ASSERT_FALSE(found.disagreement.has_value()) << *found.disagreement;
   EXPECT_LE(found.largest_ulps, 4);
 }
@@ -180,7 +180,7 @@ TEST(LargeModel, EverySubsetOfInputsCanBeFixed) {
     model.experts.push_back(variation(random, model.experts.front(), 1, 5));
     const auto compiled = compile(model);
     ASSERT_TRUE(compiled->tables().program.usable);
-    const auto found = stress::checkAgreement(model, random, 4);
+    const auto found = stress::checkBuildment(model, random, 4);
     ASSERT_FALSE(found.disagreement.has_value()) << *found.disagreement;
   }
 }

@@ -248,7 +248,7 @@ TEST(Numerics, WeightsAreNormalizedByAPowerOfTwo) {
 }
 
 void expectAgreement(const ForceModel& model, base::Random& random, int number) {
-  const auto found = stress::checkAgreement(model, random, 3);
+  const auto found = stress::checkBuildment(model, random, 3);
   ASSERT_FALSE(found.disagreement.has_value()) << "model " << number << ": " << *found.disagreement;
 }
 
@@ -273,7 +273,7 @@ TEST(Numerics, BatchAndSceneAgreeWithOnePointTo4UlpOnOrdinaryModels) {
   base::Random random(43);
   for (int m = 0; m < 1000; ++m) {
     const auto model = support::randomModel(random, {.gaussians = false, .adversarial = false});
-    ASSERT_LE(stress::checkAgreement(model, random, 3).largest_ulps, 4) << "model " << m;
+    ASSERT_LE(stress::checkBuildment(model, random, 3).largest_ulps, 4) << "model " << m;
   }
 }
 

@@ -1,4 +1,4 @@
-// Stages Agree and Collect and the dialogs of the window, with the demo's study: at no size of the text is anything cut
+// Stages Build and Collect and the dialogs of the window, with the demo's study: at no size of the text is anything cut
 // in a window of 1280 x 720 px, and what can be pressed says what it does.
 #include <QSettings>
 #include <QTabWidget>
@@ -57,7 +57,7 @@ class LabTexts : public testing::Test {
   /// Each lab and each page inside it comes to the front, complete.
   template <class Look>
   void showLabs(Look look) {
-    bench.window.enter(Stage::kAgree);
+    bench.window.enter(Stage::kBuild);
     bench.views.depth->showExample();
     for (QWidget* const lab : screen().labs()) {
       screen().reveal(lab);

@@ -1,4 +1,4 @@
-// Stage Agree in the window: where its labs lead.
+// Stage Build in the window: where its labs lead.
 #include <QFile>
 #include <QSettings>
 #include <QSignalSpy>
@@ -37,7 +37,7 @@ class LabsFeatureTest : public testing::Test {
 };
 
 TEST_F(LabsFeatureTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
-  bench.window.enter(Stage::kAgree);
+  bench.window.enter(Stage::kBuild);
   auto wanted = bench.labs.data.settings();
   wanted.force_terms = elicitation::ForceTermsFrom::kThresholds;
   bench.labs.data.setSettings(wanted);
@@ -70,7 +70,7 @@ TEST_F(LabsFeatureTest, TheSearchLeadsToTheTablesAndFiguresOfThePaper) {
     return widget != nullptr && widget->isVisible();
   };
   EXPECT_TRUE(first(QStringLiteral("table 3")).startsWith(QStringLiteral("Table 3")));
-  EXPECT_EQ(bench.window.stage(), Stage::kAgree);
+  EXPECT_EQ(bench.window.stage(), Stage::kBuild);
   EXPECT_TRUE(inFront("usability"));
   EXPECT_TRUE(first(QStringLiteral("fig. 6")).startsWith(QStringLiteral("Fig. 6")));
   EXPECT_TRUE(inFront("strokes"));

@@ -72,7 +72,7 @@ TEST_F(OriginsFeatureTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
   const QModelIndex sixth = view.table().model()->index(5, 1);
   view.table().setCurrentIndex(sixth);
   emit view.table().clicked(sixth);
-  EXPECT_EQ(bench.window.stage(), Stage::kAgree);
+  EXPECT_EQ(bench.window.stage(), Stage::kBuild);
   const StrokeInfluence& moves = bench.views.speed->strokes().influence();
   ASSERT_TRUE(QTest::qWaitFor([&] { return moves.asked() == key; }, kBuildMs));
   EXPECT_TRUE(QTest::qWaitFor([&] { return moves.sentence().contains(QStringLiteral(" rms")); }, kBuildMs));
@@ -80,7 +80,7 @@ TEST_F(OriginsFeatureTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
 
 // A header that hides asks for its columns again: the records are gone by then, and the table has to know it.
 TEST_F(OriginsFeatureTest, TheWindowClosesAndAnswersTheNextQuestion) {
-  bench.window.enter(Stage::kAgree);
+  bench.window.enter(Stage::kBuild);
   ForceLabView& lab = *bench.views.force;
   bench.views.labs->reveal(&lab);
   emit lab.votes().originAsked(0.9, "large");
@@ -100,7 +100,7 @@ TEST_F(OriginsFeatureTest, TheWindowClosesAndAnswersTheNextQuestion) {
 }
 
 TEST_F(OriginsFeatureTest, AVoteLeadsToItsJudgements) {
-  bench.window.enter(Stage::kAgree);
+  bench.window.enter(Stage::kBuild);
   ForceLabView& lab = *bench.views.force;
   bench.views.labs->reveal(&lab);
   emit lab.votes().originAsked(0.9, "large");

@@ -1,4 +1,4 @@
-// The screen of stage Agree: the labs behind tabs, with what is being computed, and undo.
+// The screen of stage Build: the labs behind tabs, with what is being computed, and undo.
 #pragma once
 
 #include <QHash>
