@@ -198,6 +198,22 @@ using fuzzy::Expert;
 using fuzzy::ForceModel;
 using Kind = analysis::Finding::Kind;
 
+/// The expert's hole that holds `point`.
+std::optional<analysis::Hole> holeAt(const ForceModel& model, const std::string& expert,
+                                     const std::vector<double>& point) {
+  for (std::size_t e = 0; e < model.experts.size(); ++e) {
+    if (model.experts[e].id != expert) continue;
+    for (const auto& hole : analysis::coverage(model, std::span(&e, 1)).holes) {
+      bool inside = true;
+      for (std::size_t i = 0; i < point.size(); ++i) {
+        inside = inside && point[i] >= hole.ranges[i].low && point[i] <= hole.ranges[i].high;
+      }
+      if (inside) return hole;
+    }
+  }
+  return std::nullopt;
+}
+
 class Fixes {
  public:
   Fixes(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding,
@@ -211,6 +227,11 @@ class Fixes {
     switch (finding_.kind) {
       case Kind::kHole:
       case Kind::kAbstentionJump: addHole(); break;
+      case Kind::kForceStep: addStep(); break;
+      case Kind::kRegionWithoutRule:
+        addTerm();
+        addHoleOfRegion();
+        break;
       case Kind::kConflict: addConflict(); break;
       case Kind::kRedundantRule:
       case Kind::kUnreachableRule:
@@ -218,8 +239,7 @@ class Fixes {
         break;
       case Kind::kUnusedTerm:
       case Kind::kUnreachableTerm: addTerm(); break;
-      case Kind::kDirectionChange:
-      case Kind::kDisagreement: break;
+      default: break;
     }
     return std::move(out_);
   }
@@ -231,10 +251,35 @@ class Fixes {
     out_.push_back({std::move(text), std::move(*edit), impact});
   }
 
+  void close(const analysis::Hole& hole) {
+    for (auto& [text, edit] : closeHole(model_, finding_.expert, hole, stop_)) add(text, std::move(edit));
+  }
+
   void addHole() {
-    const auto* const hole = std::get_if<analysis::Hole>(&finding_.where);
-    if (hole == nullptr) return;
-    for (auto& [text, edit] : closeHole(model_, finding_.expert, *hole, stop_)) add(text, std::move(edit));
+    if (const auto* const hole = std::get_if<analysis::Hole>(&finding_.where)) close(*hole);
+  }
+
+  /// The newtons of a region are those of the hole that it leaves.
+  void addHoleOfRegion() {
+    if (finding_.to.size() != model_.inputs.size()) return;
+    if (const auto hole = holeAt(model_, finding_.expert, finding_.to)) close(*hole);
+  }
+
+  void addStep() {
+    const auto* const where = std::get_if<analysis::CliffPlace>(&finding_.where);
+    const auto& from = finding_.from;
+    const auto& to = finding_.to;
+    const std::size_t inputs = model_.inputs.size();
+    if (where == nullptr || where->input >= inputs || from.size() != inputs || to.size() != inputs) return;
+    const bool of_mean = finding_.expert.empty();
+    std::vector<std::size_t> experts;
+    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
+      const auto& expert = model_.experts[e];
+      if (of_mean ? expert.weight > 0 : expert.id == finding_.expert) experts.push_back(e);
+    }
+    for (auto& [text, edit] : widenStep(model_, experts, of_mean, {where->input, from, to}, stop_)) {
+      add(std::move(text), std::move(edit));
+    }
   }
 
   void disable(std::size_t rule, std::string text) {
@@ -270,89 +315,11 @@ class Fixes {
   std::vector<Fix> out_;
 };
 
-/// The expert's hole that holds `point`.
-std::optional<analysis::Hole> holeAt(const ForceModel& model, const std::string& expert,
-                                     const std::vector<double>& point) {
-  for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    if (model.experts[e].id != expert) continue;
-    for (const auto& hole : analysis::coverage(model, std::span(&e, 1)).holes) {
-      bool inside = true;
-      for (std::size_t i = 0; i < point.size(); ++i) {
-        inside = inside && point[i] >= hole.ranges[i].low && point[i] <= hole.ranges[i].high;
-      }
-      if (inside) return hole;
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<Kind> kindOf(elicitation::RuleFinding::Kind kind) {
-  using From = elicitation::RuleFinding::Kind;
-  switch (kind) {
-    case From::kHole: return Kind::kHole;
-    case From::kAbstentionJump: return Kind::kAbstentionJump;
-    case From::kConflict: return Kind::kConflict;
-    case From::kRedundantRule: return Kind::kRedundantRule;
-    case From::kUnreachableRule: return Kind::kUnreachableRule;
-    case From::kUnusedTerm:
-    case From::kRegionWithoutRule: return Kind::kUnusedTerm;
-    case From::kUnreachableTerm: return Kind::kUnreachableTerm;
-    default: return std::nullopt;
-  }
-}
-
-std::vector<Fix> fixesForStep(const ForceModel& model, const CompiledModel& compiled,
-                              const elicitation::RuleFinding& finding, const std::stop_token& stop) {
-  const auto* const where = std::get_if<analysis::CliffPlace>(&finding.where);
-  const std::size_t inputs = model.inputs.size();
-  std::vector<Fix> out;
-  if (where == nullptr || where->input >= inputs || finding.from.size() != inputs || finding.to.size() != inputs) {
-    return out;
-  }
-  const bool of_mean = finding.experts.empty();
-  std::vector<std::size_t> experts;
-  for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    const auto& expert = model.experts[e];
-    if (of_mean ? expert.weight > 0 : expert.id == finding.experts.front()) experts.push_back(e);
-  }
-  for (auto& [text, edit] : widenStep(model, experts, of_mean, {where->input, finding.from, finding.to}, stop)) {
-    if (!edit || stop.stop_requested()) continue;
-    const auto impact = editImpact(model, compiled, edit->model, edit->compiled);
-    out.push_back({std::move(text), std::move(*edit), impact});
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled, const analysis::Finding& finding,
                           const std::stop_token& stop) {
   return Fixes(model, compiled, finding, stop).run();
-}
-
-std::vector<Fix> fixesFor(const ForceModel& model, const CompiledModel& compiled,
-                          const elicitation::RuleFinding& finding, const std::stop_token& stop) {
-  if (finding.kind == elicitation::RuleFinding::Kind::kForceStep) return fixesForStep(model, compiled, finding, stop);
-  const auto kind = kindOf(finding.kind);
-  if (!kind) return {};
-  analysis::Finding plain;
-  plain.kind = *kind;
-  if (!finding.experts.empty()) plain.expert = finding.experts.front();
-  plain.where = finding.where;
-  for (const auto& source : finding.sources) {
-    if (source.rule) plain.rules.push_back(*source.rule);
-  }
-  auto out = fixesFor(model, compiled, plain, stop);
-  if (finding.kind == elicitation::RuleFinding::Kind::kRegionWithoutRule && finding.to.size() == model.inputs.size()) {
-    // Its newtons are those of the hole that it leaves.
-    plain.kind = Kind::kHole;
-    auto hole = holeAt(model, plain.expert, finding.to);
-    if (!hole) return out;
-    plain.where = std::move(*hole);
-    auto of_hole = fixesFor(model, compiled, plain, stop);
-    std::move(of_hole.begin(), of_hole.end(), std::back_inserter(out));
-  }
-  return out;
 }
 
 }  // namespace tactus::editing

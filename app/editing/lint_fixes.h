@@ -10,7 +10,6 @@
 #include "app/editing/edit_impact.h"
 #include "core/analysis/coverage.h"
 #include "core/analysis/lint.h"
-#include "elicitation/rules/rule_finding.h"
 
 namespace tactus::editing {
 
@@ -47,12 +46,9 @@ struct Fix {
 ///   conflict            disable one of the two rules, or the other
 ///   redundant rule, unreachable rule    disable it
 ///   unused or unreachable term          remove it; if the terms sum to one, also with the neighbors closing the gap
+///   region without a rule               the same for its term, and the fixes of the hole that it leaves
 /// Returns soon after `stop` is requested; the result is then incomplete and must not be used.
 std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                           const analysis::Finding& finding, const std::stop_token& stop = {});
-/// The same for a finding of the rule lint. A region without a rule is treated as an unused term with the hole that it
-/// leaves. Other kinds that the model's own lint does not know have no fix.
-std::vector<Fix> fixesFor(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                          const elicitation::RuleFinding& finding, const std::stop_token& stop = {});
 
 }  // namespace tactus::editing

@@ -429,13 +429,19 @@ std::string_view name(Kind kind) noexcept {
   switch (kind) {
     case Kind::kHole: return "hole";
     case Kind::kAbstentionJump: return "abstention_jump";
+    case Kind::kForceStep: return "force_step";
+    case Kind::kRegionWithoutRule: return "region_without_rule";
+    case Kind::kMissingItem: return "missing_item";
     case Kind::kConflict: return "conflict";
-    case Kind::kRedundantRule: return "redundant_rule";
+    case Kind::kExpertsApart: return "experts_apart";
+    case Kind::kAgainstDeclaration: return "against_declaration";
+    case Kind::kLevelJump: return "level_jump";
     case Kind::kDirectionChange: return "direction_change";
     case Kind::kDisagreement: return "disagreement";
-    case Kind::kUnusedTerm: return "unused_term";
-    case Kind::kUnreachableTerm: return "unreachable_term";
+    case Kind::kRedundantRule: return "redundant_rule";
     case Kind::kUnreachableRule: return "unreachable_rule";
+    case Kind::kUnreachableTerm: return "unreachable_term";
+    case Kind::kUnusedTerm: return "unused_term";
   }
   return "";
 }

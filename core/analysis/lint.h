@@ -57,19 +57,31 @@ std::optional<BoundaryJump> jumpToDefault(ForceProbe& probe, const Hole& hole, s
 /// The search is that of jumpToDefault. Nothing if no other expert fires inside the hole at the tried settings.
 std::optional<BoundaryJump> jumpOfMean(ForceProbe& probe, const Hole& hole, std::size_t expert, std::size_t samples);
 
+/// A place in a model's rules to look at. The model's own lint finds some of the kinds; the others need the study's
+/// items, lines or declared directions (elicitation/rules/rule_lint.h).
 struct Finding {
   enum class Kind {
-    kHole,            ///< a region where no rule fires; newtons: the jump to the default force at its boundary
-    kAbstentionJump,  ///< an expert starts to abstain while others continue; newtons: the jump of the mean there
-    kConflict,        ///< two rules with the same conditions and different consequents; newtons: between the two
-    kRedundantRule,  ///< another rule has the same consequent and fewer conditions; newtons: 0, the rule can be removed
-    kDirectionChange,  ///< a step against the direction of most steps of the same expert and input; newtons: the
-                       ///< change of the expert's force along the step
-    kDisagreement,     ///< an expert whose direction for an input is opposite to that of most experts; newtons: the
-                       ///< difference between its change of force over the input and that of the others
-    kUnusedTerm,       ///< an input term that occurs in no enabled rule of the expert
-    kUnreachableTerm,  ///< an input term outside its universe, or an output term that is no rule's consequent
-    kUnreachableRule,  ///< a rule with conditions that cannot all be true
+    kHole,                ///< a region where no rule of the expert, or of any expert, fires; newtons: the jump of that
+                          ///< force to the default force at the boundary
+    kAbstentionJump,      ///< an expert abstains while others continue; newtons: the jump of the mean at the boundary
+    kForceStep,           ///< a step of the mean or of an expert's force along an input: more than one just-noticeable
+                          ///< difference within 1 mm, or steeper than the renderer's stiffness; newtons: the change
+    kRegionWithoutRule,   ///< a region of the expert that occurs in no rule; newtons: of a hole inside it
+    kMissingItem,         ///< an item without an answer; newtons: the range of the expert's force over the possible
+                          ///< answers, at a point that fully meets the item
+    kConflict,            ///< two rules with the same conditions and different consequents; newtons: between the two
+    kExpertsApart,        ///< two experts more than two just-noticeable differences apart; newtons: between them
+    kAgainstDeclaration,  ///< the force moves against the direction that the study declares; newtons: the expert's
+                          ///< change
+    kLevelJump,           ///< neighboring answers some levels apart; newtons: the change of the expert's force
+    kDirectionChange,     ///< a step against the direction of most steps of the same expert and input; newtons: the
+                          ///< change of the expert's force along the step
+    kDisagreement,        ///< an expert whose direction for an input is opposite to that of most experts; newtons: the
+                          ///< difference between its change of force over the input and that of the others
+    kRedundantRule,       ///< another rule has the same consequent and fewer conditions; newtons: 0, it can be removed
+    kUnreachableRule,     ///< a rule with conditions that cannot all be true
+    kUnreachableTerm,     ///< an input term outside its universe, or an output term that is no rule's consequent
+    kUnusedTerm,          ///< an input term that occurs in no enabled rule of the expert
   };
   Kind kind = Kind::kHole;
   std::string expert;  ///< expert id; empty for the averaged model
@@ -79,14 +91,16 @@ struct Finding {
   /// The difference of forces in question, the largest found if it depends on further inputs. Nothing if a force makes
   /// no sense here or no such setting was found.
   std::optional<double> newtons;
-  std::vector<double> from;  ///< two points between which the force changes by `newtons`; empty if there are none
+  /// The two points between which the force changes by `newtons`. Equal if the experts, or the possible answers, differ
+  /// at one point. Empty if there is no such point.
+  std::vector<double> from;
   std::vector<double> to;
   /// The rules concerned, by index in Expert::rules. kConflict: both. kRedundantRule, kUnreachableRule: the rule
   /// itself. kDirectionChange: the first, then the second. kDisagreement: those of the steps in the expert's direction.
   std::vector<std::size_t> rules;
 };
 
-/// `hole`, `conflict`, …
+/// `hole`, `missing_item`, …
 std::string_view name(Finding::Kind kind) noexcept;
 
 /// Smallest and largest force found.

@@ -111,28 +111,6 @@ std::string counted(const std::string& word, const std::vector<std::string>& num
 
 }  // namespace
 
-std::string_view name(RuleFinding::Kind kind) noexcept {
-  using Kind = RuleFinding::Kind;
-  switch (kind) {
-    case Kind::kHole: return "hole";
-    case Kind::kAbstentionJump: return "abstention_jump";
-    case Kind::kForceStep: return "force_step";
-    case Kind::kRegionWithoutRule: return "region_without_rule";
-    case Kind::kMissingItem: return "missing_item";
-    case Kind::kConflict: return "conflict";
-    case Kind::kExpertsApart: return "experts_apart";
-    case Kind::kAgainstDeclaration: return "against_declaration";
-    case Kind::kLevelJump: return "level_jump";
-    case Kind::kDirectionChange: return "direction_change";
-    case Kind::kDisagreement: return "disagreement";
-    case Kind::kRedundantRule: return "redundant_rule";
-    case Kind::kUnreachableRule: return "unreachable_rule";
-    case Kind::kUnreachableTerm: return "unreachable_term";
-    case Kind::kUnusedTerm: return "unused_term";
-  }
-  return "";
-}
-
 std::string describe(const std::vector<Source>& sources) {
   if (sources.empty()) return {};
   const bool items = sources.front().origin.item > 0;

@@ -22,22 +22,6 @@ namespace {
 using Kind = RuleFinding::Kind;
 using Source = RuleFinding::Source;
 
-Kind kindOf(analysis::Finding::Kind kind) {
-  using From = analysis::Finding::Kind;
-  switch (kind) {
-    case From::kHole: return Kind::kHole;
-    case From::kAbstentionJump: return Kind::kAbstentionJump;
-    case From::kConflict: return Kind::kConflict;
-    case From::kRedundantRule: return Kind::kRedundantRule;
-    case From::kDirectionChange: return Kind::kDirectionChange;
-    case From::kDisagreement: return Kind::kDisagreement;
-    case From::kUnusedTerm: return Kind::kUnusedTerm;
-    case From::kUnreachableTerm: return Kind::kUnreachableTerm;
-    case From::kUnreachableRule: return Kind::kUnreachableRule;
-  }
-  return Kind::kHole;
-}
-
 /// Newtons that come from looking at settings and not from a formula.
 bool isSampled(Kind kind) { return kind != Kind::kConflict && kind != Kind::kRedundantRule; }
 
@@ -53,21 +37,13 @@ class ModelFindings {
 
  private:
   void add(const analysis::Finding& from) {
-    RuleFinding finding;
-    finding.kind = kindOf(from.kind);
-    finding.where = from.where;
-    finding.place = from.place;
-    finding.text = from.text;
-    finding.newtons = from.newtons;
-    finding.at_least = from.newtons && isSampled(finding.kind);
-    finding.from = from.from;
-    finding.to = from.to;
+    RuleFinding finding{from, {}, {}, from.newtons && isSampled(from.kind)};
     const auto expert = std::find_if(model_.experts.begin(), model_.experts.end(),
                                      [&from](const fuzzy::Expert& one) { return one.id == from.expert; });
     if (expert != model_.experts.end()) {
       finding.experts = {expert->id};
       const auto index = static_cast<std::size_t>(expert - model_.experts.begin());
-      if (from.kind == analysis::Finding::Kind::kDirectionChange && told_.contains({index, from.rules})) return;
+      if (from.kind == Kind::kDirectionChange && told_.contains({index, from.rules})) return;
       for (const std::size_t rule : from.rules) finding.sources.push_back(context_.source(index, rule));
       link(finding, index);
     }
@@ -117,8 +93,7 @@ class ModelFindings {
     }
     const auto membership = fuzzy::MembershipFunction::of(*findTerm(termsFor(model_.experts[expert], input), region));
     for (const auto& hole : lint_.findings) {
-      const Kind kind = kindOf(hole.kind);
-      const bool jump = kind == Kind::kHole || kind == Kind::kAbstentionJump;
+      const bool jump = hole.kind == Kind::kHole || hole.kind == Kind::kAbstentionJump;
       if (!jump || hole.expert != model_.experts[expert].id || !hole.newtons) continue;
       if (membership(hole.to[*context_.region_input]) == 0) continue;
       if (finding.newtons && *finding.newtons >= *hole.newtons) continue;
@@ -196,18 +171,18 @@ std::vector<RuleFinding> findingsOfSteps(const RuleContext& context, analysis::F
         finding.to = change->to;
       }
     }
-    const auto add = [&](RuleFinding::Kind kind, const std::string& says) {
+    const auto add = [&](Kind kind, const std::string& says) {
       finding.kind = kind;
       finding.text = says + ": " + finding.place + "; " + describe(finding.sources);
       out.push_back(finding);
     };
     if (isAgainst(context, step)) {
       told.insert({e, {step.before, step.after}});
-      add(RuleFinding::Kind::kAgainstDeclaration, "against the declared direction");
+      add(Kind::kAgainstDeclaration, "against the declared direction");
     }
     if (isJump(context, step)) {
       const int levels = std::abs(step.levels);
-      add(RuleFinding::Kind::kLevelJump, std::to_string(levels) + (levels == 1 ? " level" : " levels") + " at once");
+      add(Kind::kLevelJump, std::to_string(levels) + (levels == 1 ? " level" : " levels") + " at once");
     }
   }
   return out;
@@ -257,7 +232,7 @@ std::vector<RuleFinding> findingsOfExperts(const RuleContext& context, analysis:
     const std::string& low = context.model.experts[spread.low].id;
     const std::string& high = context.model.experts[spread.high].id;
     auto& finding = out.emplace_back();
-    finding.kind = RuleFinding::Kind::kExpertsApart;
+    finding.kind = Kind::kExpertsApart;
     finding.experts = {low, high};
     finding.sources = strongestRules(context, spread);
     analysis::ConditionPlace where;
@@ -317,8 +292,9 @@ std::vector<RuleFinding> findingsOfCliffs(const RuleContext& context, analysis::
   for (const auto& step : analysis::forceSteps(probe, limits, forces)) {
     const fuzzy::Variable& input = context.model.inputs[step.input];
     auto& finding = out.emplace_back();
-    finding.kind = RuleFinding::Kind::kForceStep;
-    if (step.expert) finding.experts = {context.model.experts[*step.expert].id};
+    finding.kind = Kind::kForceStep;
+    if (step.expert) finding.expert = context.model.experts[*step.expert].id;
+    if (step.expert) finding.experts = {finding.expert};
     setPlace(finding, analysis::CliffPlace{step.input, step.from[step.input], step.to[step.input]}, context.model);
     finding.text = "the force steps from " + newtonsText(step.from_n) + " to " + newtonsText(step.to_n) + " within " +
                    withUnit(trimmedNumber(step.to[step.input] - step.from[step.input], 2), input.unit) + ", " +
@@ -354,7 +330,7 @@ std::vector<RuleFinding> findingsOfMissingItems(const RuleContext& context, cons
   for (std::size_t e = 0; e < context.model.experts.size(); ++e) {
     for (const auto& item : context.missing(e)) {
       auto& finding = out.emplace_back();
-      finding.kind = RuleFinding::Kind::kMissingItem;
+      finding.kind = Kind::kMissingItem;
       finding.experts = {context.model.experts[e].id};
       finding.sources = {{{}, item.origin}};
       setPlace(finding, analysis::ConditionPlace{item.conditions}, context.model);
