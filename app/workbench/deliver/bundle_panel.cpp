@@ -4,14 +4,12 @@
 #include <QDesktopServices>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QUrl>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
@@ -21,6 +19,7 @@
 #include "app/workbench/deliver/readiness_panel.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/kit/quiet_table.h"
 
@@ -46,15 +45,8 @@ BundlePanel::BundlePanel(BundleMaker& maker, const ReadinessController& readines
   make_->setObjectName(QStringLiteral("make_bundle"));
   setMuted(*waits_for_);
   for (QWidget* page : {contents_ = makeContents(), work_ = makeWork(), result_ = makeResult()}) body_->addWidget(page);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(2 * theme::kGrid);
-  head->addWidget(make_);
-  head->addWidget(waits_for_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid);
-  layout->setSpacing(2 * theme::kGrid);
-  layout->addLayout(head);
-  layout->addWidget(body_, 1);
+  makeColumn(this, {makeRow({make_, {waits_for_, 1}}, 2 * theme::kGrid), {body_, 1}}, 2 * theme::kGrid,
+             inset(2 * theme::kGrid));
 
   connect(make_, &QPushButton::clicked, this, &BundlePanel::wanted);
   auto* refresh = new Refresh(this, [this] { showState(); });
@@ -100,15 +92,7 @@ QWidget* BundlePanel::makeWork() {
   progress_->setTextVisible(false);
   progress_->setAccessibleName(tr("Progress of the bundle"));
   cancel_ = new QPushButton(tr("Cancel"), page);
-  auto* bar = new QHBoxLayout;
-  bar->setSpacing(theme::kGrid);
-  bar->addWidget(progress_, 1);
-  bar->addWidget(cancel_);
-  auto* layout = new QVBoxLayout(page);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(doing_);
-  layout->addLayout(bar);
-  layout->addStretch(1);
+  makeColumn(page, {doing_, makeRow({{progress_, 1}, cancel_}), spring(1)}, kStyleGap);
   connect(cancel_, &QPushButton::clicked, &maker_, &BundleMaker::cancel);
   return page;
 }

@@ -1,7 +1,6 @@
 #include "app/workbench/deliver/readiness_panel.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
@@ -14,6 +13,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/readiness.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 namespace {
@@ -108,10 +108,7 @@ ReadinessRow::ReadinessRow(QWidget* parent)
   hole_lines_->setSpacing(theme::kGrid / 2);
   holes_->hide();
 
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
-  words->addWidget(name_);
-  words->addWidget(sentence_);
+  auto* words = makeColumn({name_, sentence_}, 2);
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, theme::kGrid, 0, theme::kGrid);
   layout->setHorizontalSpacing(theme::kGrid + theme::kGrid / 2);
@@ -149,10 +146,7 @@ void ReadinessRow::showHoles(const std::vector<DeliverFindings::Hole>& holes) {
     accept->setAccessibleName(tr("Accept the hole %1").arg(holes[i].words));
     accept->setToolTip(tr("Accept that there is no force here; the model keeps the name of the hole (undo: Ctrl+Z)"));
     connect(accept, &QPushButton::clicked, this, [this, name = holes[i].name] { emit holeAccepted(name); });
-    auto* layout = new QHBoxLayout(line);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(words, 1);
-    layout->addWidget(accept);
+    makeRow(line, {{words, 1}, accept}, kStyleGap);
     hole_lines_->addWidget(line);
   }
   if (holes.size() > kMostHoles) {
@@ -169,9 +163,7 @@ ReadinessPanel::ReadinessPanel(ReadinessController& readiness, QWidget* parent)
   summary_->setFont(theme::titleFont());
   summary_->setTextFormat(Qt::PlainText);
   auto* list = new QWidget;
-  auto* lines = new QVBoxLayout(list);
-  lines->setContentsMargins(0, 0, theme::kGrid, 0);
-  lines->setSpacing(0);
+  auto* lines = makeColumn(list, {}, 0, {0, 0, theme::kGrid, 0});
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i] = new ReadinessRow(list);
     lines->addWidget(rows_[i]);
@@ -185,11 +177,8 @@ ReadinessPanel::ReadinessPanel(ReadinessController& readiness, QWidget* parent)
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(list);
   for (QWidget* surface : {scroll->viewport(), list}) surface->setAutoFillBackground(false);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(summary_);
-  layout->addWidget(scroll, 1);
+  makeColumn(this, {summary_, {scroll, 1}}, theme::kGrid,
+             {2 * theme::kGrid, 2 * theme::kGrid, theme::kGrid, theme::kGrid});
 
   auto* refresh = new Refresh(this, [this] { showLines(); });
   connect(&readiness_, &ReadinessController::changed, refresh, &Refresh::request);

@@ -1,11 +1,9 @@
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +14,7 @@
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 
 namespace tactus::workbench {
@@ -82,28 +81,16 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   setInk(*simulated_, theme::warningInk());
   state_->setFont(theme::smallFont());
 
-  auto* message_row = new QHBoxLayout(message_card_);
-  message_row->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
-  message_row->addWidget(message_, 1);
-  message_row->addWidget(rearm_);
-  message_row->addWidget(again_);
-  auto* choice = new QHBoxLayout;
-  choice->setSpacing(theme::kGrid);
+  makeRow(message_card_, {{message_, 1}, rearm_, again_}, kStyleGap, inset(theme::kGrid, 4));
+  auto* choice = makeRow({});
   for (QWidget* part : std::initializer_list<QWidget*>{chip_, devices_, look_, start_, grip_, zone_})
     choice->addWidget(part);
-  auto* state_row = new QHBoxLayout;
-  state_row->setSpacing(theme::kGrid);
-  state_row->addWidget(simulated_);
-  state_row->addWidget(state_, 1);
+  auto* state_row = makeRow({simulated_, {state_, 1}});
   line_ = new QBoxLayout(QBoxLayout::LeftToRight);
   line_->setSpacing(theme::kGrid);
   line_->addLayout(choice);
   line_->addLayout(state_row, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addLayout(line_);
-  layout->addWidget(message_card_);
+  makeColumn(this, {line_, message_card_}, 4);
 
   connect(devices_, &QComboBox::currentIndexChanged, this, &DeviceBar::showState);
   connect(chip_, &QToolButton::toggled, this, &DeviceBar::showChoice);

@@ -17,6 +17,7 @@
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -151,17 +152,12 @@ void FeelPanel::build() {
   follow_->setChecked(feel_.followsHand());
   showLegend();
 
-  auto* number_row = new QHBoxLayout;
-  number_row->setSpacing(theme::kGrid);
-  number_row->addWidget(force_, 0, Qt::AlignTop);
-  number_row->addWidget(bar_, 1);
-  auto* options = new QHBoxLayout;
-  options->setSpacing(theme::kGrid);
-  options->addWidget(split_);
-  options->addWidget(follow_);
-  options->addWidget(limits_, 1);
-  options->addWidget(new PlotMenu(
-      *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this));
+  auto* number_row = makeRow({{force_, 0, Qt::AlignTop}, {bar_, 1}});
+  auto* options = makeRow({split_,
+                           follow_,
+                           {limits_, 1},
+                           new PlotMenu(
+                               *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this)});
   hand_ = new QVBoxLayout;
   hand_->setSpacing(4);
   hand_->addWidget(pad_);
@@ -176,22 +172,15 @@ void FeelPanel::build() {
   foot_ = new QHBoxLayout;
   foot_->addWidget(procedure_, 1);
   picture_->addLayout(foot_, 0);
-  auto* patient = new QVBoxLayout;
-  patient->setSpacing(4);
-  patient->addWidget(patient_);
-  patient->addLayout(picture_, 1);
+  auto* patient = makeColumn({patient_, {picture_, 1}}, 4);
 
   auto* content = new Card;
   halves_ = new QBoxLayout(QBoxLayout::LeftToRight);
   halves_->setSpacing(2 * theme::kGrid);
   halves_->addLayout(hand_, 1);
   halves_->addLayout(patient, 1);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(theme::kGrid, theme::kGrid - 2, theme::kGrid, theme::kGrid - 2);
-  column->setSpacing(theme::kGrid - 2);
-  column->addWidget(device_);
-  column->addLayout(halves_, 1);
-  column->addWidget(placement_);
+  auto* column =
+      makeColumn(content, {device_, {halves_, 1}, placement_}, theme::kGrid - 2, inset(theme::kGrid, theme::kGrid - 2));
   cards_ = column;
 
   auto* scroll = new QScrollArea(this);
@@ -199,17 +188,13 @@ void FeelPanel::build() {
   scroll->setWidgetResizable(true);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(scroll);
+  makeColumn(this, {scroll});
   arrange();
 }
 
 void FeelPanel::addCard(const QString& name, QWidget* card) {
   auto* holder = new CardHolder;
-  auto* layout = new QVBoxLayout(holder);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(card);
+  makeColumn(holder, {card});
   auto* drawer = new DrawerButton(name, holder, *cards_);
   foot_->addWidget(drawer, 0, Qt::AlignBottom);
   drawer->setFolded(low_);

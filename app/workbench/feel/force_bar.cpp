@@ -1,6 +1,5 @@
 #include <QPainter>
 #include <QPainterPath>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/placement.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/plot_style.h"
@@ -36,9 +36,7 @@ ForceTracePlot::ForceTracePlot(QWidget* parent)
       ranges_(new ShownRanges(this)),
       zoom_(new AxisZoom(*plot_, *ranges_)),
       force_name_(tr("Force").toStdString()) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumWidth(200);
   setAccessibleName(tr("Force of the last ten seconds"));
 

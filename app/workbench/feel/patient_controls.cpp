@@ -9,6 +9,7 @@
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
 
@@ -37,14 +38,8 @@ PatientControls::PatientControls(SceneController& scene, FeelController& feel, Q
   neck_->setFocusPolicy(Qt::TabFocus);
   neck_->setToolTip(tr("Flex the neck or raise the head within a second; the force follows (F8)"));
 
-  auto* lubrication = new QHBoxLayout;
-  lubrication->setSpacing(theme::kGrid / 2);
-  lubrication->addWidget(lubrication_);
-  lubrication->addWidget(terms_);
-  lubrication->addStretch(1);
-  auto* neck = new QHBoxLayout;
-  neck->addWidget(neck_);
-  neck->addStretch(1);
+  auto* lubrication = makeRow({lubrication_, terms_, spring(1)}, theme::kGrid / 2);
+  auto* neck = makeRow({neck_, spring(1)}, kStyleGap);
   rows_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(theme::kGrid / 2);

@@ -1,13 +1,13 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 namespace {
@@ -119,12 +119,7 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
   }
   text_->setFont(theme::smallFont());
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addWidget(list_);
-  layout->addWidget(head_);
-  layout->addWidget(text_, 1);
+  makeColumn(this, {list_, head_, {text_, 1}}, 4);
   head_->setFont(theme::headingFont());
   setInk(*head_, theme::accent());
   setDetail(Detail::kList);

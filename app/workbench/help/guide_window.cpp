@@ -1,7 +1,6 @@
 #include "app/workbench/help/guide_window.h"
 
 #include <QDesktopServices>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QListWidget>
 #include <QPixmap>
@@ -10,6 +9,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/help/guide_pages.h"
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 namespace {
@@ -62,11 +62,7 @@ GuideWindow::GuideWindow(QWidget* parent)
     auto* item = new QListWidgetItem(page.title, pages_);
     item->setData(Qt::UserRole, page.url);
   }
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(pages_);
-  layout->addWidget(browser_, 1);
+  makeRow(this, {pages_, {browser_, 1}}, theme::kGrid, inset(theme::kGrid));
   resize(980, 640);
   connect(pages_, &QListWidget::currentRowChanged, this,
           [this](int row) { browser_->showPage(pages_->item(row)->data(Qt::UserRole).toUrl()); });

@@ -1,19 +1,18 @@
 #include "app/workbench/help/tour.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QTimer>
-#include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
 #include <utility>
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 namespace {
@@ -36,20 +35,8 @@ TourCard::TourCard(QWidget* parent)
   text_->setWordWrap(true);
   setMuted(*place_);
   end_->setFlat(true);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(theme::kGrid);
-  buttons->addWidget(end_);
-  buttons->addStretch(1);
-  buttons->addWidget(back_);
-  buttons->addWidget(next_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, theme::kGrid + theme::kGrid / 2);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(place_);
-  layout->addWidget(title_);
-  layout->addWidget(text_);
-  layout->addSpacing(theme::kGrid / 2);
-  layout->addLayout(buttons);
+  makeColumn(this, {place_, title_, text_, gap(theme::kGrid / 2), makeRow({end_, spring(1), back_, next_})},
+             theme::kGrid, {2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, theme::kGrid + theme::kGrid / 2});
   connect(back_, &QPushButton::clicked, this, &TourCard::backRequested);
   connect(next_, &QPushButton::clicked, this, &TourCard::nextRequested);
   connect(end_, &QPushButton::clicked, this, &TourCard::endRequested);

@@ -5,10 +5,10 @@
 #include <QPainterPath>
 #include <QScreen>
 #include <QStringList>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
 
 namespace tactus::workbench {
@@ -109,8 +109,7 @@ DrawerButton::DrawerButton(const QString& name, QWidget* content, QBoxLayout& pl
   setFocusPolicy(Qt::TabFocus);
   drawer_->setFrameShape(QFrame::StyledPanel);
   drawer_->setBackgroundRole(QPalette::Base);
-  auto* layout = new QVBoxLayout(drawer_);
-  layout->setContentsMargins(theme::kGrid / 2, theme::kGrid / 2, theme::kGrid / 2, theme::kGrid / 2);
+  makeColumn(drawer_, {}, theme::kGrid, inset(theme::kGrid / 2));
   place_.addWidget(content);
   hide();
   connect(this, &QToolButton::clicked, this, &DrawerButton::open);

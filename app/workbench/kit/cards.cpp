@@ -7,11 +7,11 @@
 #include <QPainter>
 #include <QPushButton>
 #include <QScreen>
-#include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 
 namespace tactus::workbench {
 namespace {
@@ -65,16 +65,7 @@ PopupForm::PopupForm(const QString& title, const QString& accept, QWidget* paren
   note_->setWordWrap(true);
   note_->hide();
 
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch(1);
-  buttons->addWidget(accept_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(12, 12, 12, 12);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(head);
-  layout->addWidget(note_);
-  layout->addLayout(fields_);
-  layout->addLayout(buttons);
+  makeColumn(this, {head, note_, fields_, makeRow({spring(1), accept_}, kStyleGap)}, theme::kGrid, inset(12));
   connect(accept_, &QPushButton::clicked, this, &PopupForm::accepted);
 }
 

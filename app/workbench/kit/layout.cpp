@@ -6,12 +6,70 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QWidget>
 #include <algorithm>
 
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
+namespace {
+
+template <class Layout>
+Layout* filled(Layout* layout, std::initializer_list<LayoutPart> parts, int between, QMargins around) {
+  layout->setContentsMargins(around);
+  layout->setSpacing(between);
+  for (const LayoutPart& part : parts) {
+    if (part.widget != nullptr) {
+      layout->addWidget(part.widget, part.stretch, part.at);
+    } else if (part.layout != nullptr) {
+      layout->addLayout(part.layout, part.stretch);
+    } else if (part.gap_px > 0) {
+      layout->addSpacing(part.gap_px);
+    } else {
+      layout->addStretch(part.stretch);
+    }
+  }
+  return layout;
+}
+
+}  // namespace
+
+LayoutPart spring(int share) { return {static_cast<QWidget*>(nullptr), share}; }
+
+LayoutPart gap(int px) {
+  LayoutPart part = spring();
+  part.gap_px = px;
+  return part;
+}
+
+QHBoxLayout* makeRow(QWidget* owner, std::initializer_list<LayoutPart> parts, int between, QMargins around) {
+  return filled(new QHBoxLayout(owner), parts, between, around);
+}
+
+QHBoxLayout* makeRow(std::initializer_list<LayoutPart> parts, int between, QMargins around) {
+  return makeRow(nullptr, parts, between, around);
+}
+
+QVBoxLayout* makeColumn(QWidget* owner, std::initializer_list<LayoutPart> parts, int between, QMargins around) {
+  return filled(new QVBoxLayout(owner), parts, between, around);
+}
+
+QVBoxLayout* makeColumn(std::initializer_list<LayoutPart> parts, int between, QMargins around) {
+  return makeColumn(nullptr, parts, between, around);
+}
+
+QSplitter* makeSplit(Qt::Orientation along, std::initializer_list<LayoutPart> widgets) {
+  auto* split = new QSplitter(along);
+  split->setChildrenCollapsible(false);
+  split->setHandleWidth(theme::kGrid);
+  for (const LayoutPart& part : widgets) {
+    split->addWidget(part.widget);
+    split->setStretchFactor(split->count() - 1, part.stretch);
+  }
+  return split;
+}
+
 namespace {
 
 bool canScroll(const QScrollArea& area) {
@@ -205,6 +263,13 @@ void TabLook::show() {
     const QColor ink = i == bar_.currentIndex() ? theme::ink() : theme::mutedInk();
     if (bar_.tabTextColor(i) != ink) bar_.setTabTextColor(i, ink);
   }
+}
+
+QTabWidget* makeTabs(QWidget* parent) {
+  auto* tabs = new QTabWidget(parent);
+  new TabLook(*tabs->tabBar());
+  tabs->setDocumentMode(true);
+  return tabs;
 }
 
 }  // namespace tactus::workbench

@@ -1,16 +1,57 @@
-// Layout and keyboard: page stacks, tabs, rows that are one stop, the order of Tab.
+// Layout and keyboard: rows, columns and splitters in one expression, page stacks, tabs, rows that are one stop, the
+// order of Tab.
 #pragma once
 
+#include <QBoxLayout>
 #include <QList>
 #include <QObject>
 #include <QPointer>
+#include <QSplitter>
 #include <QStackedWidget>
+#include <initializer_list>
+
+#include "app/workbench/base/theme.h"
 
 class QKeyEvent;
 class QTabBar;
-class QWidget;
+class QTabWidget;
 
 namespace tactus::workbench {
+
+// Rows, columns and splitters. Example: makeColumn(this, {title, {plot, 1}, makeRow({spring(), ok, cancel})});
+
+/// A part of a row, a column or a splitter: a widget, a layout or empty room.
+struct LayoutPart {
+  LayoutPart(QWidget* one, int share = 0, Qt::Alignment side = {})  // NOLINT(google-explicit-constructor)
+      : widget(one), stretch(share), at(side) {}
+  LayoutPart(QLayout* inner, int share = 0) : layout(inner), stretch(share) {}  // NOLINT(google-explicit-constructor)
+
+  QWidget* widget = nullptr;
+  QLayout* layout = nullptr;
+  int stretch = 0;  ///< share of the room that is left
+  Qt::Alignment at;
+  int gap_px = 0;  ///< of empty room
+};
+
+/// Empty room that takes what is left, or its share of it.
+LayoutPart spring(int share = 0);
+/// Empty room of `px`.
+LayoutPart gap(int px);
+
+inline constexpr int kStyleGap = -1;  ///< between parts: as in the layout around them, or as the style has it
+
+inline QMargins inset(int px) { return {px, px, px, px}; }
+inline QMargins inset(int across, int down) { return {across, down, across, down}; }
+
+/// `between`: px from part to part. With `owner` it is the layout of that widget.
+QHBoxLayout* makeRow(QWidget* owner, std::initializer_list<LayoutPart> parts, int between = theme::kGrid,
+                     QMargins around = {});
+QHBoxLayout* makeRow(std::initializer_list<LayoutPart> parts, int between = theme::kGrid, QMargins around = {});
+QVBoxLayout* makeColumn(QWidget* owner, std::initializer_list<LayoutPart> parts, int between = theme::kGrid,
+                        QMargins around = {});
+QVBoxLayout* makeColumn(std::initializer_list<LayoutPart> parts, int between = theme::kGrid, QMargins around = {});
+/// Widgets with handles between them. None of them can be closed with a handle.
+QSplitter* makeSplit(Qt::Orientation along, std::initializer_list<LayoutPart> widgets);
 
 // The Tab order of a window: reading order, group by group, from top to bottom and from left to right. The order of
 // creation does not matter.
@@ -72,6 +113,9 @@ class TabLook : public QObject {
 
   QTabBar& bar_;
 };
+
+/// Pages with tabs of this look, without a frame.
+QTabWidget* makeTabs(QWidget* parent = nullptr);
 
 // Pages on each other, of which one is in sight.
 

@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <QFrame>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QScreen>
@@ -15,6 +14,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "core/base/error.h"
 
 namespace tactus::workbench {
@@ -32,10 +32,8 @@ MessageBanner::MessageBanner(QWidget* parent)
   close_->setToolTip(tr("Close this message"));
   close_->setAccessibleName(tr("Close this message"));
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(label_, 1);
+  auto* layout =
+      makeRow(this, {{label_, 1}}, theme::kGrid, {2 * theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2});
   for (QPushButton* button : buttons_) layout->addWidget(button, 0, Qt::AlignVCenter);
   layout->addWidget(close_, 0, Qt::AlignVCenter);
   hide();
@@ -166,9 +164,7 @@ void showNotesPopup(QWidget& parent, const QPoint& corner, const QVector<NoteGro
   popup->setFrameShape(QFrame::StyledPanel);
   popup->setBackgroundRole(QPalette::Base);
   auto* list = new QWidget;
-  auto* lines = new QVBoxLayout(list);
-  lines->setContentsMargins(0, 0, theme::kGrid, 0);
-  lines->setSpacing(theme::kGrid);
+  auto* lines = makeColumn(list, {}, theme::kGrid, {0, 0, theme::kGrid, 0});
   for (const NoteGroup& group : groups) {
     if (group.sentences.isEmpty()) continue;
     if (lines->count() > 0) lines->addSpacing(theme::kGrid);

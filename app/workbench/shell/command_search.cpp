@@ -7,12 +7,12 @@
 #include <QListWidget>
 #include <QMenu>
 #include <QMenuBar>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/panel_area.h"
 
@@ -115,11 +115,7 @@ CommandSearch::CommandSearch(const std::vector<SearchSource>& sources, SearchRea
   list_->setWordWrap(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   list_->setSpacing(2);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(line_);
-  layout->addWidget(list_, 1);
+  makeColumn(this, {line_, {list_, 1}}, theme::kGrid, inset(theme::kGrid));
   resize(kSearchSize);
   connect(line_, &QLineEdit::textChanged, this, &CommandSearch::find);
   connect(line_, &QLineEdit::returnPressed, this, &CommandSearch::choose);

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QDialogButtonBox>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -15,6 +14,7 @@
 
 #include "app/version.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/main_window.h"
 
 namespace tactus::workbench {
@@ -103,9 +103,7 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   qsizetype height = 0;
   for (const Section& section : sections) height += heightOf(section);
   auto* sheet = new QWidget;
-  auto* columns = new QHBoxLayout(sheet);
-  columns->setContentsMargins(0, 0, 0, 0);
-  columns->setSpacing(4 * theme::kGrid);
+  auto* columns = makeRow(sheet, {}, 4 * theme::kGrid);
   QVBoxLayout* column = nullptr;
   qsizetype filled = 0;
   for (const Section& section : sections) {
@@ -123,9 +121,8 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
   column->addStretch(1);
   auto* close = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect(close, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid, 2 * theme::kGrid);
-  layout->setSpacing(3 * theme::kGrid);
+  auto* layout =
+      makeColumn(this, {}, 3 * theme::kGrid, {3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid, 2 * theme::kGrid});
   // With large text it is larger than a small screen.
   auto* area = new QScrollArea(this);
   area->setFrameShape(QFrame::NoFrame);

@@ -5,7 +5,6 @@
 #include <QCloseEvent>
 #include <QCoreApplication>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QScreen>
@@ -80,9 +79,7 @@ void WindowMenus::insert(MenuSlot slot, QAction* action) {
 }
 
 StageRail::StageRail(QWidget* parent) : QWidget(parent) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
+  auto* layout = makeColumn(this, {}, 4);
   for (const Stage stage : kStages) {
     auto* button = new StageButton(stage, this);
     buttons_.insert(stage, button);
@@ -124,11 +121,7 @@ void StageRail::fitWidth() { setFixedWidth(buttons_.first()->sizeHint().width())
 
 BenchView::BenchView(SceneController& scene, QSettings& settings, QWidget* parent)
     : QWidget(parent), header_(new ModelHeader(scene, this)), panels_(new PanelArea(settings, this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(header_);
-  layout->addWidget(panels_, 1);
+  makeColumn(this, {header_, {panels_, 1}});
 }
 
 HeaderPlace::HeaderPlace(QMenuBar& menus, BenchView& bench, QObject* parent)
@@ -210,15 +203,8 @@ MainWindow::MainWindow(const ModelController& models, SceneController& scene, QS
   column_->setSpacing(theme::kGrid);
   column_->addWidget(banner_);
   column_->addWidget(screens_, 1);
-  auto* stage = new QHBoxLayout;
-  stage->setSpacing(theme::kGrid);
-  stage->addWidget(rail_);
-  stage->addLayout(column_, 1);
-  auto* layout = new QVBoxLayout(content);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  layout->setSpacing(theme::kGrid / 2);
-  layout->addLayout(stage, 1);
-  layout->addWidget(strip_);
+  auto* stage = makeRow({rail_, {column_, 1}});
+  makeColumn(content, {{stage, 1}, strip_}, theme::kGrid / 2, inset(theme::kGrid, theme::kGrid / 2));
   setCentralWidget(content);
   // There is nothing to do in a stage before a model or a study is open.
   rail_->hide();

@@ -10,6 +10,7 @@
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/model/scene_controller.h"
 
@@ -50,25 +51,15 @@ ModelHeader::ModelHeader(SceneController& scene, QWidget* parent)
   badge_text->setFont(bold);
   setInk(*badge_text, theme::warningInk());
   simulated_->setColors(theme::warningFill(), theme::warningFill());
-  auto* badge_layout = new QHBoxLayout(simulated_);
-  badge_layout->setContentsMargins(theme::kGrid, 4, theme::kGrid, 4);
-  badge_layout->addWidget(badge_text);
+  makeRow(simulated_, {badge_text}, theme::kGrid, inset(theme::kGrid, 4));
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(4, 0, 0, 0);
-  layout->setSpacing(theme::kGrid + 4);
-  layout->addWidget(name_);
-  layout->addWidget(simulated_, 0, Qt::AlignVCenter);
-  layout->addWidget(summary_);
-  layout->addWidget(lock_);
-  layout->addWidget(study_);
   // What a number is trusted for stands together, closer than the rest.
   buttons_->setSpacing(theme::kGrid / 2);
   for (NotesButton* button : {notices_, data_, notes_, all_}) buttons_->addWidget(button);
-  layout->addLayout(buttons_);
-  layout->addStretch(1);
-  layout->addWidget(terms_label_);
-  layout->addWidget(terms_of_);
+  makeRow(
+      this,
+      {name_, {simulated_, 0, Qt::AlignVCenter}, summary_, lock_, study_, buttons_, spring(1), terms_label_, terms_of_},
+      theme::kGrid + 4, {4, 0, 0, 0});
 
   connect(&scene_, &SceneController::modelChanged, this, &ModelHeader::adoptModel);
   connect(&scene_, &SceneController::modelEdited, this, &ModelHeader::countRules);

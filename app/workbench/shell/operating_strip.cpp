@@ -9,6 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/scene_controller.h"
@@ -97,9 +98,7 @@ void OperatingStrip::build() {
   layout_->insertWidget(0, point_);
   names_.clear();
   numbers_.clear();
-  auto* row = new QHBoxLayout(point_);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(theme::kGrid);
+  auto* row = makeRow(point_, {});
   const std::vector<fuzzy::Variable>& inputs = scene_.model()->model.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     auto* label = new QLabel(point_);

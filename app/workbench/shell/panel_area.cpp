@@ -3,14 +3,12 @@
 #include <QAction>
 #include <QContextMenuEvent>
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QPainter>
 #include <QScrollArea>
 #include <QSettings>
 #include <QTabBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -81,12 +79,7 @@ PanelTitle::PanelTitle(QDockWidget& panel)
   name_->setFullText(panel.windowTitle());
   close_->setToolTip(tr("Close this panel; View ▸ Panels brings it back"));
   close_->setAccessibleName(tr("Close %1").arg(panel.windowTitle()));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(4, 0, 0, 0);
-  layout->setSpacing(2);
-  layout->addWidget(name_, 1);
-  layout->addWidget(float_);
-  layout->addWidget(close_);
+  makeRow(this, {{name_, 1}, float_, close_}, 2, {4, 0, 0, 0});
   showFloating(panel.isFloating());
   connect(&panel_, &QDockWidget::topLevelChanged, this, &PanelTitle::showFloating);
   connect(&panel_, &QDockWidget::windowTitleChanged, this, [this](const QString& title) { name_->setFullText(title); });
@@ -133,9 +126,7 @@ QWidget* scrollable(QWidget* panel) {
 // hidden content may not have any size.
 QWidget* holderOf(QWidget* panel) {
   auto* holder = new QWidget;
-  auto* layout = new QVBoxLayout(holder);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(panel);
+  makeColumn(holder, {panel});
   return holder;
 }
 

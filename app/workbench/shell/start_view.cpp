@@ -2,7 +2,6 @@
 
 #include <QDir>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
@@ -12,6 +11,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/recent_files.h"
 
@@ -126,22 +126,13 @@ StartView::StartView(const RecentFiles& recent, const DemoMaker& demo, QWidget* 
   auto* title = new QLabel(tr("From what nurses know by feel to a force that a simulator can run"), panel_);
   title->setFont(theme::titleFont());
   setInk(*title, theme::ink());
-  auto* columns = new QHBoxLayout;
-  columns->setSpacing(4 * theme::kGrid);
-  auto* column = new QVBoxLayout(panel_);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(3 * theme::kGrid);
-  column->addWidget(title, 0, Qt::AlignLeft);
-  column->addLayout(columns, 1);
+  makeColumn(panel_, {{title, 0, Qt::AlignLeft}, {makeRow({}, 4 * theme::kGrid), 1}}, 3 * theme::kGrid);
   buildTry();
   buildStart();
   buildContinue();
 
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(6 * theme::kGrid, 5 * theme::kGrid, 6 * theme::kGrid, 5 * theme::kGrid);
-  layout->addStretch(1);
-  layout->addWidget(panel_, 100, Qt::AlignVCenter);
-  layout->addStretch(1);
+  makeRow(this, {spring(1), {panel_, 100, Qt::AlignVCenter}, spring(1)}, kStyleGap,
+          inset(6 * theme::kGrid, 5 * theme::kGrid));
   showDemo();
   listRecent();
   connect(&demo_, &DemoMaker::changed, this, &StartView::showDemo);
@@ -149,8 +140,7 @@ StartView::StartView(const RecentFiles& recent, const DemoMaker& demo, QWidget* 
 }
 
 QVBoxLayout* StartView::addColumn(const QString& title) {
-  auto* column = new QVBoxLayout;
-  column->setSpacing(theme::kGrid);
+  auto* column = makeColumn({});
   auto* head = new QLabel(title, panel_);
   head->setFont(theme::headingFont());
   setInk(*head, theme::mutedInk());

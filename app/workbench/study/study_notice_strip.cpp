@@ -1,12 +1,12 @@
 #include "app/workbench/study/study_notice_strip.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
@@ -49,10 +49,7 @@ void StudyNoticeStrip::addLine(const StudyNotice& notice) {
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   setInk(*label, theme::warningInk());
-  auto* layout = new QHBoxLayout(line);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(label, 1);
+  auto* layout = makeRow(line, {{label, 1}});
   if (notice.can_be_finished) {
     auto* finish = new QPushButton(study_.isErasing() ? tr("Erasing…") : tr("Finish the erasure"), line);
     finish->setEnabled(!study_.isErasing());

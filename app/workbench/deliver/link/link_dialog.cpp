@@ -5,19 +5,18 @@
 #include <QCoreApplication>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
 
 namespace tactus::workbench {
@@ -69,15 +68,7 @@ LinkRow::LinkRow(const LinkController& link, QWidget* parent)
   name->setFont(theme::headingFont());
   state_->setTextFormat(Qt::PlainText);
   state_->setWordWrap(true);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
-  words->addWidget(name);
-  words->addWidget(state_);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2 * theme::kGrid);
-  layout->addLayout(words, 1);
-  layout->addWidget(open_, 0, Qt::AlignVCenter);
+  makeRow(this, {{makeColumn({name, state_}, 2), 1}, {open_, 0, Qt::AlignVCenter}}, 2 * theme::kGrid);
   connect(open_, &QPushButton::clicked, this, &LinkRow::asked);
   connect(&link_, &LinkController::changed, this, &LinkRow::showState);
   showState();
@@ -167,9 +158,7 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
     link_.isServing() ? link_.stop() : link_.start();
   });
 
-  auto* head = new QHBoxLayout;
-  head->addWidget(state_, 1);
-  head->addWidget(toggle_);
+  auto* head = makeRow({{state_, 1}, toggle_}, kStyleGap);
 
   auto* fields = new QGridLayout;
   fields->setHorizontalSpacing(2 * theme::kGrid);
@@ -194,24 +183,14 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
   fields->setColumnStretch(1, 1);
 
   auto* card = new Card(this);
-  auto* inside = new QVBoxLayout(card);
-  inside->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid);
-  inside->setSpacing(2 * theme::kGrid);
-  inside->addLayout(head);
-  inside->addLayout(fields);
-  inside->addWidget(count_);
+  auto* inside = makeColumn(card, {head, fields, count_}, 2 * theme::kGrid, inset(2 * theme::kGrid));
   clients_->setMinimumHeight(kClientsHeight);
   clients_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   clients_->setTextFormat(Qt::PlainText);
   setInk(*clients_, theme::mutedInk());
   inside->addWidget(clients_, 1);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid, 3 * theme::kGrid);
-  layout->setSpacing(2 * theme::kGrid);
-  layout->addWidget(what);
-  layout->addWidget(failure_);
-  layout->addWidget(card, 1);
+  makeColumn(this, {what, failure_, {card, 1}}, 2 * theme::kGrid, inset(3 * theme::kGrid));
 
   connect(&link_, &LinkController::changed, this, &LinkDialog::showState);
   connect(&link_, &LinkController::failed, this, &LinkDialog::showFailure);

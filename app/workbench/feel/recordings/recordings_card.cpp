@@ -3,13 +3,11 @@
 #include <QComboBox>
 #include <QDateTime>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QIcon>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -18,6 +16,7 @@
 #include "app/workbench/feel/feel_controller.h"
 #include "app/workbench/feel/recordings/feel_store.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/study/connection/study_connection.h"
 
 namespace tactus::workbench {
@@ -123,15 +122,8 @@ void RecordingsCard::build() {
   grid_->setHorizontalSpacing(theme::kGrid);
   grid_->setVerticalSpacing(4);
   arrange();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid);
-  auto* offer = new QHBoxLayout;
-  offer->setSpacing(theme::kGrid);
-  offer->addWidget(hint_, 1);
-  offer->addWidget(into_, 0, Qt::AlignVCenter);
-  layout->addLayout(offer);
-  layout->addWidget(where_);
-  layout->addWidget(content_);
+  makeColumn(this, {makeRow({{hint_, 1}, {into_, 0, Qt::AlignVCenter}}), where_, content_}, kStyleGap,
+             inset(theme::kGrid + 4, theme::kGrid));
 }
 
 void RecordingsCard::arrange() {

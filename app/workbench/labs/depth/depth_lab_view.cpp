@@ -4,7 +4,6 @@
 #include <QComboBox>
 #include <QFile>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QImageReader>
 #include <QInputDialog>
 #include <QLabel>
@@ -13,9 +12,7 @@
 #include <QScrollBar>
 #include <QStandardItemModel>
 #include <QStringList>
-#include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -50,9 +47,7 @@ constexpr int kLabelRows = 2;
 }  // namespace
 
 DepthTermPlot::DepthTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumHeight(150);
   setAccessibleName(tr("Terms of the depth"));
   labels_ = new TermLabels(*plot_, kLabelRows);
@@ -115,13 +110,8 @@ DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
   choice_->setToolTip(tr("Choose which depths the study's model has, here, in the report and in the bench."));
   auto* menu = new PlotMenu(
       *plot_, [this] { return termTable(lab_); }, this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, theme::kGrid, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(pageHead(tr("De&pths of the model"), choice_, menu));
-  layout->addWidget(plot_, 3);
-  layout->addWidget(numbers_);
-  layout->addStretch(1);
+  makeColumn(this, {pageHead(tr("De&pths of the model"), choice_, menu), {plot_, 3}, numbers_, spring(1)}, theme::kGrid,
+             {0, theme::kGrid, 0, 0});
   connect(choice_, &QComboBox::activated, this, [this](int item) {
     lab_.setDepthsFrom(item == kMeasuredItem ? DepthsFrom::kMeasured : DepthsFrom::kTemplate);
   });
@@ -253,19 +243,8 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   auto* hint = new ElidedLabel(image);
   hint->setFullText(tr("Wheel: zoom · right button: move the image"));
   setMuted(*hint);
-  auto* foot = new QHBoxLayout;
-  foot->addWidget(hint, 1);
-  foot->addWidget(fit);
-  auto* inside = new QVBoxLayout(image);
-  inside->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  inside->addWidget(canvas_, 1);
-  inside->addLayout(foot);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(beside);
-  layout->addWidget(image, 5);
-  layout->addWidget(makePages(), 4);
+  makeColumn(image, {{canvas_, 1}, makeRow({{hint, 1}, fit}, kStyleGap)}, kStyleGap, inset(theme::kGrid));
+  makeRow(this, {beside, {image, 5}, {makePages(), 4}});
   connect(fit, &QPushButton::clicked, canvas_, &DepthCanvas::zoomToAll);
   connect(settings, &DepthSettingsPanel::loadAsked, this, &DepthLabView::chooseImage);
   connect(settings, &DepthSettingsPanel::exampleAsked, this, &DepthLabView::showExample);
@@ -285,9 +264,7 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
 
 QWidget* DepthLabView::makePages() {
   auto* card = new Card(this);
-  auto* pages = new QTabWidget(card);
-  new TabLook(*pages->tabBar());
-  pages->setDocumentMode(true);
+  auto* pages = makeTabs(card);
   pages->addTab(new DepthTermPage(lab_), tr("Terms"));
   // With large text the table of the formulas is wider than the page.
   auto* length = new QScrollArea;
@@ -303,9 +280,7 @@ QWidget* DepthLabView::makePages() {
     length->setMinimumWidth(std::min(length_page->minimumSizeHint().width(), kWidestLength));
   });
   pages->addTab(length, tr("Insertion length"));
-  auto* inside = new QVBoxLayout(card);
-  inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid);
-  inside->addWidget(pages);
+  makeColumn(card, {pages}, theme::kGrid, {theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid});
   return card;
 }
 

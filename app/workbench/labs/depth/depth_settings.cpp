@@ -8,6 +8,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/frame/lab_card.h"
@@ -17,12 +18,7 @@ namespace tactus::workbench {
 QHBoxLayout* pageHead(const QString& name, QWidget* field, QWidget* menu) {
   auto* label = new QLabel(name, field->parentWidget());
   label->setBuddy(field);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(label);
-  head->addWidget(field);
-  head->addStretch(1);
-  head->addWidget(menu);
+  auto* head = makeRow({label, field, spring(1), menu});
   return head;
 }
 

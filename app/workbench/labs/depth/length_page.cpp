@@ -1,15 +1,14 @@
 #include "app/workbench/labs/depth/length_page.h"
 
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"
@@ -41,9 +40,7 @@ QString formulaName(elicitation::LengthFormula formula) {
 }
 
 LengthPlot::LengthPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(280, 170);
   setAccessibleName(tr("Length of the tube by each formula"));
   plot_->yAxis->setVisible(false);
@@ -162,22 +159,22 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
          "tube."));
   auto* menu = new PlotMenu(
       *plot_, [this] { return lengthTable(lab_, lab_.measurement().nose_ear_xiphoid_mm.value_or(kExampleMm)); }, this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, theme::kGrid, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(pageHead(tr("&Nose – ear – xiphoid of a person"), length_, menu));
-  layout->addWidget(example_);
   plot_->setMaximumHeight(kHighestPlot);
-  layout->addWidget(plot_, 1);
-  layout->addWidget(makeTable());
-  layout->addWidget(target_);
-  layout->addWidget(
+  auto* sources =
       mutedWords(tr("Hanson: 0.38696 × length + 30.37 cm; corrected: 0.38696 × length + 36.37 cm (Hanson 1979, "
                     "biblio.ugent.be/publication/8599660). The plain length is too short in 96.7 % of people, "
                     "gauged by the tip (Chen 2014, PMC3919749). Target: Boeykens 2023, Crit Care 27:317. The "
                     "tilt of the head can change the needed length by up to 5 cm."),
-                 this));
-  layout->addStretch();
+                 this);
+  makeColumn(this,
+             {pageHead(tr("&Nose – ear – xiphoid of a person"), length_, menu),
+              example_,
+              {plot_, 1},
+              makeTable(),
+              target_,
+              sources,
+              spring()},
+             theme::kGrid, {0, theme::kGrid, 0, 0});
   connect(length_, &QDoubleSpinBox::valueChanged, this, [this] {
     auto wanted = lab_.measurement();
     wanted.nose_ear_xiphoid_mm = length_->exact() * kCm;

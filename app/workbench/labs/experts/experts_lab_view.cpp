@@ -4,11 +4,8 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSplitter>
 #include <QStandardItemModel>
-#include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -55,9 +52,7 @@ LeaveOneOutPlot::LeaveOneOutPlot(QWidget* parent) : QWidget(parent), plot_(makeP
     for (QCPAxis* axis : area->axes()) axis->setLayer(QStringLiteral("axes"));
     for (QCPAxis* axis : area->axes()) axis->grid()->setLayer(QStringLiteral("grid"));
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid / 2, theme::kGrid / 2, theme::kGrid / 2, theme::kGrid / 2);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_}, theme::kGrid, inset(theme::kGrid / 2));
   setMinimumSize(320, 220);
   setAccessibleName(tr("Averaged force and the experts' distances from it"));
 }
@@ -310,22 +305,12 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
       band_(new QComboBox),
       band_text_(new WrappedLabel),
       settings_(new QWidget) {
-  auto* both = new QSplitter(Qt::Horizontal);
-  both->setChildrenCollapsible(false);
-  both->setHandleWidth(theme::kGrid);
-  both->addWidget(makeLeft());
-  both->addWidget(makeRight());
-  both->setStretchFactor(0, 9);
-  both->setStretchFactor(1, 10);
+  auto* both = makeSplit(Qt::Horizontal, {{makeLeft(), 9}, {makeRight(), 10}});
   failure_->setWordWrap(true);
   failure_->setTextFormat(Qt::PlainText);
   setInk(*failure_, theme::errorInk());
   failure_->hide();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(failure_);
-  layout->addWidget(both, 1);
+  makeColumn(this, {failure_, {both, 1}});
 
   connect(policy_, &QComboBox::activated, this,
           [this](int index) { lab_.setPolicy(kPolicies[static_cast<std::size_t>(index)]); });
@@ -348,9 +333,7 @@ QWidget* ExpertsLabView::makeLeft() {
                   makeLabTable(*weights_, -1, tr("Weights and what leaving one expert out changes"), nullptr));
   weights->addTool(policy_);
   weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
-  auto* details = new QTabWidget;
-  new TabLook(*details->tabBar());
-  details->setDocumentMode(true);
+  auto* details = makeTabs();
   auto* policies = makeLabTable(*policies_, -1, tr("Weight policies beside equal weights"), nullptr);
   policies->setObjectName(QStringLiteral("policies"));
   auto* pairs = makeLabTable(*pairs_, -1, tr("Distances between experts"), nullptr);
@@ -361,25 +344,13 @@ QWidget* ExpertsLabView::makeLeft() {
   details->addTab(policies, tr("Choice of weights"));
   details->addTab(pairs, tr("Between experts"));
   auto* below = new Card;
-  auto* inside = new QVBoxLayout(below);
-  inside->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  inside->addWidget(details);
-  auto* column = new QSplitter(Qt::Vertical);
-  column->setChildrenCollapsible(false);
-  column->setHandleWidth(theme::kGrid);
-  column->addWidget(weights);
-  column->addWidget(below);
-  return column;
+  makeColumn(below, {details}, theme::kGrid, inset(theme::kGrid, theme::kGrid / 2));
+  return makeSplit(Qt::Vertical, {weights, below});
 }
 
 QWidget* ExpertsLabView::makeRight() {
   auto* page = new QWidget;
-  auto* rows = new QVBoxLayout(settings_);
-  rows->setContentsMargins(theme::kGrid, 0, theme::kGrid, 0);
-  rows->setSpacing(theme::kGrid / 2);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(theme::kGrid);
+  makeColumn(settings_, {}, theme::kGrid / 2, inset(theme::kGrid, 0));
   band_->setAccessibleName(tr("Band around the averaged force"));
   band_->setToolTip(tr("Choose the band that says how far the averaged force can be trusted."));
   band_->addItem(tr("Band: the experts"));
@@ -391,9 +362,7 @@ QWidget* ExpertsLabView::makeRight() {
   band_text_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   band_text_->setMinimumHeight(3 * QFontMetrics(band_text_->font()).lineSpacing());
   band_text_->hide();
-  column->addWidget(plot_, 1);
-  column->addWidget(band_text_);
-  column->addWidget(settings_);
+  makeColumn(page, {{plot_, 1}, band_text_, settings_});
   open_->setToolTip(tr("Add the averaged model to the study as another model, and go on to tuning."));
   connect(open_, &QPushButton::clicked, this, &ExpertsLabView::benchAsked);
   auto* card = new LabCard(tr("Who pulls where"), page);

@@ -2,14 +2,10 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QSplitter>
 #include <QStyledItemDelegate>
-#include <QTabBar>
 #include <QTabWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -81,14 +77,9 @@ DeliveredForces deliveredForces(const std::vector<session::JudgedForce>& all) {
 }
 
 DeliveredPlot::DeliveredPlot(QWidget* parent)
-    : QWidget(parent), plot_(makePlot(this)), summary_(new QLabel(this)), head_(new QHBoxLayout) {
+    : QWidget(parent), plot_(makePlot(this)), summary_(new QLabel(this)), head_(makeRow({{summary_, 1}}, kStyleGap)) {
   setMuted(*summary_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  head_->addWidget(summary_, 1);
-  layout->addLayout(head_);
-  layout->addWidget(plot_, 1);
+  makeColumn(this, {head_, {plot_, 1}}, theme::kGrid, inset(theme::kGrid));
   setAccessibleName(tr("Delivered against commanded force"));
 }
 
@@ -220,9 +211,8 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
       judgements_(new JudgementView),
       checks_(new Columns<ParticipantChecks>(checkColumns(), this)),
       delivered_(new DeliveredPlot),
-      details_(new QTabWidget),
-      series_(new QComboBox),
-      top_(new QSplitter(Qt::Horizontal)) {
+      details_(makeTabs()),
+      series_(new QComboBox) {
   judgements_->setObjectName(QStringLiteral("judgements"));
   delivered_->setObjectName(QStringLiteral("delivered"));
   series_->setAccessibleName(tr("Series that votes"));
@@ -235,41 +225,21 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
     terms_->addTool(from, new PlotMenu(
                               terms_->plot(from), [this, from] { return forceTermsTable(lab_, from); }, terms_));
   }
-  top_->addWidget(table);
-  top_->addWidget(words);
-  top_->setStretchFactor(0, 0);
-  top_->setStretchFactor(1, 1);
-  new TabLook(*details_->tabBar());
-  details_->setDocumentMode(true);
+  top_ = makeSplit(Qt::Horizontal, {table, {words, 1}});
   details_->addTab(judgements_, tr("Judgements"));
   auto* checks = new QWidget;
   checks->setObjectName(QStringLiteral("checks"));
   QTableView* const participants = makeLabTable(*checks_, -1, tr("Checks of the judgements"), checks);
   participants->setItemDelegate(new NotableDelegate(participants));
-  auto* around = new QVBoxLayout(checks);
-  around->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  around->addWidget(participants);
+  makeColumn(checks, {participants}, theme::kGrid, inset(theme::kGrid));
   details_->addTab(checks, tr("Checks"));
   details_->addTab(delivered_, tr("Delivered force"));
   details_->setCornerWidget(new StatisticHelp({Statistic::kWeightedKappa, Statistic::kInterval}));
   delivered_->addTool(new PlotMenu(
       *delivered_, [this] { return deliveredTable(lab_); }, delivered_));
   auto* below = new Card;
-  auto* inside = new QVBoxLayout(below);
-  inside->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  inside->addWidget(details_);
-  auto* all = new QSplitter(Qt::Vertical);
-  all->addWidget(top_);
-  all->addWidget(below);
-  all->setStretchFactor(0, 3);
-  all->setStretchFactor(1, 2);
-  for (QSplitter* splitter : {top_, all}) {
-    splitter->setChildrenCollapsible(false);
-    splitter->setHandleWidth(theme::kGrid);
-  }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(all);
+  makeColumn(below, {details_}, theme::kGrid, inset(theme::kGrid, theme::kGrid / 2));
+  makeColumn(this, {makeSplit(Qt::Vertical, {{top_, 3}, {below, 2}})});
   divide();
 
   connect(votes_, &VotesView::forceChosen, judgements_, &JudgementView::showForce);

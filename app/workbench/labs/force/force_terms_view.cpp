@@ -3,17 +3,16 @@
 #include <QButtonGroup>
 #include <QEvent>
 #include <QFontMetrics>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QRadioButton>
 #include <QTimer>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <numeric>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_style.h"
@@ -37,9 +36,7 @@ ForceTermsPlot::ForceTermsPlot(QWidget* parent)
       plot_(makePlot(this)),
       corners_(new VertexPick(*plot_, tr("Click: where does this corner come from?"))) {
   connect(corners_, &VertexPick::picked, this, &ForceTermsPlot::vertexAsked);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(120, 96);
   plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, theme::kGrid + 4, 0));
   setAccessibleName(tr("Words of the force"));
@@ -152,19 +149,17 @@ double commonEnd(const ForceVotes& votes) {
 }  // namespace
 
 ForceTermsView::ForceTermsView(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  row->setSpacing(theme::kGrid);
+  auto* row = makeRow(this, {}, theme::kGrid, inset(theme::kGrid));
   auto* group = new QButtonGroup(this);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    row->addWidget(makeColumn(i), 1);
+    row->addWidget(makeMethodColumn(i), 1);
     group->addButton(columns_[i].choice, static_cast<int>(i));
   }
   connect(group, &QButtonGroup::idClicked, this,
           [this](int index) { emit chosen(kForceMethods[static_cast<std::size_t>(index)]); });
 }
 
-QWidget* ForceTermsView::makeColumn(std::size_t index) {
+QWidget* ForceTermsView::makeMethodColumn(std::size_t index) {
   Column& made = columns_[index];
   auto* column = new QWidget(this);
   made.choice = new QRadioButton(methodName(kForceMethods[index]), column);
@@ -186,15 +181,8 @@ QWidget* ForceTermsView::makeColumn(std::size_t index) {
   made.corners->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   made.corners->setTextInteractionFlags(Qt::TextSelectableByMouse);
   setMuted(*made.corners);
-  auto* layout = new QVBoxLayout(column);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid / 2);
-  made.head = new QHBoxLayout;
-  made.head->addWidget(made.choice, 1);
-  layout->addLayout(made.head);
-  layout->addWidget(made.rule);
-  layout->addWidget(made.plot, 1);
-  layout->addWidget(made.corners);
+  made.head = makeRow({{made.choice, 1}}, kStyleGap);
+  makeColumn(column, {made.head, made.rule, {made.plot, 1}, made.corners}, theme::kGrid / 2);
   return column;
 }
 

@@ -83,7 +83,7 @@ class ForceTermsView : public QWidget {
     QLabel* corners = nullptr;
     std::vector<fuzzy::Term> terms;
   };
-  QWidget* makeColumn(std::size_t index);
+  QWidget* makeMethodColumn(std::size_t index);
   Column& columnOf(elicitation::ForceTermsFrom from);
   void tellCorners(const Column& column);
   void fitTexts();

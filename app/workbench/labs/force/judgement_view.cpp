@@ -1,13 +1,11 @@
 #include "app/workbench/labs/force/judgement_view.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
 #include <QPainter>
 #include <QPainterPath>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +14,7 @@
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/judgement_grid.h"
@@ -116,15 +115,7 @@ JudgementView::JudgementView(QWidget* parent)
   series_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   setMuted(*hint_);
   tell({});
-  auto* top = new QHBoxLayout;
-  top->setSpacing(theme::kGrid);
-  top->addWidget(series_);
-  top->addWidget(hint_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(top);
-  layout->addWidget(view_, 1);
+  makeColumn(this, {makeRow({series_, {hint_, 1}}), {view_, 1}}, theme::kGrid, inset(theme::kGrid));
   connect(series_, &QComboBox::activated, this, &JudgementView::showSeries);
   connect(view_, &QTableView::activated, this, &JudgementView::openMenu);
   connect(view_, &QTableView::doubleClicked, this, &JudgementView::openMenu);

@@ -4,12 +4,12 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPainter>
-#include <QVBoxLayout>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/force/force_lab.h"
 
@@ -106,12 +106,7 @@ VotesView::VotesView(QWidget* parent)
   setMuted(*refusal_);
   refusal_->setWordWrap(true);
   refusal_->setAlignment(Qt::AlignCenter);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(summary_);
-  layout->addWidget(view_, 1);
-  layout->addWidget(refusal_, 1);
+  makeColumn(this, {summary_, {view_, 1}, {refusal_, 1}}, theme::kGrid, inset(theme::kGrid));
   refusal_->hide();
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex& index) {
     if (index.isValid()) emit forceChosen(table_->row(index.row()).force_n);

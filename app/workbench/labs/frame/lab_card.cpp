@@ -10,7 +10,6 @@
 #include <QProxyStyle>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -18,6 +17,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/kit/quiet_table.h"
 
@@ -171,11 +171,7 @@ LabCard::LabCard(const QString& title, QWidget* content, QWidget* parent) : Card
   head_->setContentsMargins(theme::kGrid, 0, 0, 0);
   head_->setSpacing(theme::kGrid);
   head_->addWidget(heading, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(0);
-  layout->addLayout(head_);
-  layout->addWidget(content, 1);
+  makeColumn(this, {head_, {content, 1}}, 0, inset(theme::kGrid));
 }
 
 void LabCard::addTool(QWidget* tool) { head_->addWidget(tool); }

@@ -1,12 +1,10 @@
 #include "app/workbench/labs/frame/lab_screen.h"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QTabBar>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -44,26 +42,12 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
   setInk(*failure_, theme::errorInk());
   undo_->setText(tr("Undo"));
   redo_->setText(tr("Redo"));
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(tabs_);
-  head->addStretch(1);
-  head->addWidget(state_);
-  head->addWidget(cancel_);
+  auto* head = makeRow({tabs_, spring(1), state_, cancel_});
   for (QToolButton* button : {undo_, redo_}) {
     button->setMinimumHeight(3 * theme::kGrid + 4);
     head->addWidget(button);
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(head);
-  auto* failed = new QHBoxLayout;
-  failed->setSpacing(theme::kGrid);
-  failed->addWidget(failure_, 1);
-  failed->addWidget(read_again_);
-  layout->addLayout(failed);
-  layout->addWidget(pages_, 1);
+  makeColumn(this, {head, makeRow({{failure_, 1}, read_again_}), {pages_, 1}});
 
   connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
     pages_->setCurrentIndex(index);

@@ -1,14 +1,11 @@
 #include "app/workbench/labs/method/method_lab_view.h"
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
 #include <QProgressBar>
-#include <QSplitter>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -19,6 +16,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -35,9 +33,7 @@ constexpr double kOtherPx = 2.2;
 }  // namespace
 
 MethodPlot::MethodPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid / 2, theme::kGrid / 2, theme::kGrid / 2, theme::kGrid / 2);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_}, theme::kGrid, inset(theme::kGrid / 2));
   plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
   setMinimumSize(320, 220);
   setAccessibleName(tr("Averaged force as it is and with another choice"));
@@ -167,19 +163,9 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
       progress_(new QProgressBar),
       state_(new WrappedLabel),
       place_(new WrappedLabel) {
-  auto* both = new QSplitter(Qt::Horizontal);
-  both->setChildrenCollapsible(false);
-  both->setHandleWidth(theme::kGrid);
-  both->addWidget(makeLeft());
-  both->addWidget(makeRight());
-  both->setStretchFactor(0, 1);
-  both->setStretchFactor(1, 1);
+  auto* both = makeSplit(Qt::Horizontal, {{makeLeft(), 1}, {makeRight(), 1}});
   both->setSizes({kLeftShare, kRightShare});
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(makeHead());
-  layout->addWidget(both, 1);
+  makeColumn(this, {makeHead(), {both, 1}});
 
   connect(button_, &QPushButton::clicked, this, [this] { lab_.isBusy() ? lab_.cancel() : lab_.compare(); });
   auto* refresh = new Refresh(this, [this] { refreshState(); });
@@ -204,12 +190,7 @@ QWidget* MethodLabView::makeHead() {
   progress_->setRange(0, 100);
   progress_->setFixedWidth(20 * theme::kGrid);
   progress_->setAccessibleName(tr("How much of the comparison is done"));
-  auto* row = new QHBoxLayout(head);
-  row->setContentsMargins(2 * theme::kGrid, theme::kGrid, 2 * theme::kGrid, theme::kGrid);
-  row->setSpacing(2 * theme::kGrid);
-  row->addWidget(button_);
-  row->addWidget(progress_);
-  row->addWidget(state_, 1);
+  makeRow(head, {button_, progress_, {state_, 1}}, 2 * theme::kGrid, inset(2 * theme::kGrid, theme::kGrid));
   return head;
 }
 
@@ -223,15 +204,10 @@ QWidget* MethodLabView::makeLeft() {
   factor_view_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   variant_view_ = makeLabTable(*variants_, variants_->columnCount() - 1, tr("Values of the choice"), nullptr);
   variant_view_->verticalHeader()->setDefaultSectionSize(kValueRow);
-  auto* column = new QSplitter(Qt::Vertical);
-  column->setChildrenCollapsible(false);
-  column->setHandleWidth(theme::kGrid);
-  column->addWidget(new LabCard(tr("Does the choice matter here?"), factor_view_));
+  auto* choices = new LabCard(tr("Does the choice matter here?"), factor_view_);
   auto* values = new LabCard(tr("Every value of this choice"), variant_view_);
   values->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
-  column->addWidget(values);
-  column->setStretchFactor(0, 5);
-  column->setStretchFactor(1, 2);
+  auto* column = makeSplit(Qt::Vertical, {{choices, 5}, {values, 2}});
   column->setSizes({kUpperShare, kLowerShare});
   return column;
 }
@@ -241,11 +217,7 @@ QWidget* MethodLabView::makeRight() {
   setMuted(*place_);
   place_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   place_->setMinimumHeight(3 * QFontMetrics(place_->font()).lineSpacing());
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(theme::kGrid);
-  column->addWidget(plot_, 1);
-  column->addWidget(place_);
+  makeColumn(page, {{plot_, 1}, place_});
   auto* card = new LabCard(tr("Where it moves the force most"), page);
   card->addTool(new PlotMenu(
       *plot_, [this] { return methodCurvesTable(lab_); }, card));

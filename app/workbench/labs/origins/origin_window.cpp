@@ -7,9 +7,9 @@
 #include <QPushButton>
 #include <QSortFilterProxyModel>
 #include <QTableView>
-#include <QVBoxLayout>
 
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/origins/origin_finder.h"
@@ -90,14 +90,7 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   buttons->addButton(lead_, QDialogButtonBox::ActionRole);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid, 2 * theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(title_);
-  layout->addWidget(notes_);
-  layout->addWidget(view_, 1);
-  layout->addWidget(moved_);
-  layout->addWidget(buttons);
+  makeColumn(this, {title_, notes_, {view_, 1}, moved_, buttons}, theme::kGrid, inset(2 * theme::kGrid));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(lead_, &QPushButton::clicked, this, &OriginWindow::lead);
   connect(view_, &QTableView::clicked, this, &OriginWindow::lead);

@@ -1,15 +1,11 @@
 #include "app/workbench/labs/rules/rules_lab_view.h"
 
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QSortFilterProxyModel>
-#include <QSplitter>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -234,12 +230,10 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       agreement_(new Columns<AgreementRow>(agreementColumns(), this)),
       usability_(new Columns<UsabilityRow>(usabilityColumns(), this)),
       usability_note_(new ElidedLabel),
-      details_(new QTabWidget) {
+      details_(makeTabs()) {
   setMuted(*spread_);
   auto* grids = new LabCard(tr("What each expert says, and what it costs"), grids_);
   grids->addTool(spread_);
-  new TabLook(*details_->tabBar());
-  details_->setDocumentMode(true);
   details_->addTab(makeCell(), tr("Chosen cell"));
   details_->addTab(makeFindings(), tr("Findings"));
   auto* agreement = makeLabTable(*agreement_, 0, tr("Measures of agreement"), nullptr);
@@ -249,19 +243,8 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
                                                Statistic::kKendallW, Statistic::kKappa, Statistic::kNoticeable}));
   details_->addTab(makeUsability(), tr("Usability (Table 3)"));
   auto* below = new Card;
-  auto* inside = new QVBoxLayout(below);
-  inside->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  inside->addWidget(details_);
-  auto* all = new QSplitter(Qt::Vertical);
-  all->setChildrenCollapsible(false);
-  all->setHandleWidth(theme::kGrid);
-  all->addWidget(grids);
-  all->addWidget(below);
-  all->setStretchFactor(0, 5);
-  all->setStretchFactor(1, 3);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(all);
+  makeColumn(below, {details_}, theme::kGrid, inset(theme::kGrid, theme::kGrid / 2));
+  makeColumn(this, {makeSplit(Qt::Vertical, {{grids, 5}, {below, 3}})});
 
   auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &RulesLab::changed, refresh, &Refresh::request);
@@ -276,21 +259,14 @@ QWidget* RulesLabView::makeCell() {
   cell_title_->setFont(theme::headingFont());
   cell_title_->setTextFormat(Qt::PlainText);
   cell_summary_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(theme::kGrid);
-  words->addWidget(cell_title_);
-  words->addWidget(cell_summary_, 1);
-  auto* row = new QHBoxLayout(page);
-  row->setContentsMargins(theme::kGrid, theme::kGrid / 2, theme::kGrid, 0);
-  row->setSpacing(2 * theme::kGrid);
-  row->addLayout(words, 1);
   auto* const sorted = new QSortFilterProxyModel(this);
   sorted->setSourceModel(cell_);
   sorted->setSortRole(kOrderRole);
   experts_ = makeLabTable(*sorted, cell_->columnCount() - 1, tr("Experts in the chosen cell"), page);
   experts_->verticalHeader()->setDefaultSectionSize(kExpertRow);
   sortByHeads(*experts_);
-  row->addWidget(experts_, 2);
+  makeRow(page, {{makeColumn({cell_title_, {cell_summary_, 1}}), 1}, {experts_, 2}}, 2 * theme::kGrid,
+          {theme::kGrid, theme::kGrid / 2, theme::kGrid, 0});
   return page;
 }
 
@@ -306,11 +282,7 @@ QWidget* RulesLabView::makeFindings() {
     const QString sentence = (*lab_.findings())[finding].sentence;
     findings_note_->setFullText(lab_.chooseFinding(finding) ? sentence : tr("%1 (in no single cell)").arg(sentence));
   });
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, theme::kGrid, 0, 0);
-  column->setSpacing(theme::kGrid / 2);
-  column->addWidget(table, 1);
-  column->addWidget(findings_note_);
+  makeColumn(page, {{table, 1}, findings_note_}, theme::kGrid / 2, {0, theme::kGrid, 0, 0});
   return page;
 }
 
@@ -318,13 +290,9 @@ QWidget* RulesLabView::makeUsability() {
   auto* page = new QWidget;
   page->setObjectName(QStringLiteral("usability"));
   setMuted(*usability_note_);
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, theme::kGrid, 0, 0);
-  column->setSpacing(theme::kGrid / 2);
   auto* const table = makeLabTable(*usability_, 0, tr("Usability scale"), page);
   table->verticalHeader()->setDefaultSectionSize(kExpertRow);
-  column->addWidget(table, 1);
-  column->addWidget(usability_note_);
+  makeColumn(page, {{table, 1}, usability_note_}, theme::kGrid / 2, {0, theme::kGrid, 0, 0});
   return page;
 }
 

@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QString>
-#include <QVBoxLayout>
 #include <array>
 #include <cstddef>
 #include <limits>
@@ -17,6 +16,7 @@
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/speed/speed_clusters.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/plot/plot_marks.h"
@@ -47,9 +47,7 @@ std::vector<VertexPick::Vertex> innerCorners(const fuzzy::Variable& speed) {
 }  // namespace
 
 SpeedTermPlot::SpeedTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumHeight(120);
   setAccessibleName(tr("Speed terms of each participant and their average"));
   labels_ = new TermLabels(*plot_, kLabelRows);
@@ -186,15 +184,7 @@ ClusterPlot::ClusterPlot(QWidget* parent)
   warnings_->setTextFormat(Qt::PlainText);
   warnings_->setFont(theme::smallFont());
   setInk(*warnings_, theme::warningInk());
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(title_, 1);
-  head->addWidget(warnings_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(2);
-  layout->addLayout(head);
-  layout->addWidget(plot_, 1);
+  makeColumn(this, {makeRow({{title_, 1}, warnings_}), {plot_, 1}}, 2);
   setMinimumSize(200, 130);
   fuzzy::Variable membership;
   membership.min = 0;
@@ -323,17 +313,10 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
   setMuted(*waiting_);
   waiting_->setText(tr("The strokes of the study are being read and clustered…"));
   waiting_->setAlignment(Qt::AlignCenter);
-  auto* inside = new QVBoxLayout(clusters);
-  inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  inside->setSpacing(theme::kGrid / 2);
-  inside->addLayout(head);
-  inside->addLayout(grid, 1);
-  inside->addWidget(waiting_, 1);  // not over the cells of the grid, which would have no space between them then
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(clusters, 7);
-  layout->addWidget(makeTerms(), 4);
+  // It does not wait over the cells of the grid, which would have no space between them then.
+  makeColumn(clusters, {head, {grid, 1}, {waiting_, 1}}, theme::kGrid / 2,
+             {theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2});
+  makeColumn(this, {{clusters, 7}, {makeTerms(), 4}});
   auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &SpeedLab::resultChanged, refresh, &Refresh::request);
   connect(&lab_, &SpeedLab::pageChanged, refresh, &Refresh::request);
@@ -347,17 +330,13 @@ QWidget* ClusterPage::makeTerms() {
   auto* title = new ElidedLabel(card);
   title->setFullText(tr("Terms: each participant’s and the average"), tr("Terms"));
   title->setFont(theme::headingFont());
-  auto* head = new QHBoxLayout;
-  head->addWidget(title);
-  head->addSpacing(theme::kGrid);
-  head->addWidget(said_, 1);
-  head->addWidget(new PlotMenu(
-      *terms_, [this] { return termTable(); }, card));
-  auto* inside = new QVBoxLayout(card);
-  inside->setContentsMargins(theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2);
-  inside->setSpacing(2);
-  inside->addLayout(head);
-  inside->addWidget(terms_, 1);
+  auto* head = makeRow({title,
+                        gap(theme::kGrid),
+                        {said_, 1},
+                        new PlotMenu(
+                            *terms_, [this] { return termTable(); }, card)},
+                       kStyleGap);
+  makeColumn(card, {head, {terms_, 1}}, 2, {theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid / 2});
   return card;
 }
 

@@ -4,7 +4,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/cards.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/plot/plot_style.h"
@@ -112,9 +112,7 @@ std::vector<Column<SubjectRow>> speedColumns(const fuzzy::Variable& speed) {
 }  // namespace
 
 ObjectivePlot::ObjectivePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(220, 140);
   setAccessibleName(tr("Objective against iteration"));
   plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
@@ -160,11 +158,8 @@ Card* titled(const QString& title, QWidget* content, QWidget* parent) {
   auto* card = new Card(parent);
   auto* heading = new QLabel(title, card);
   heading->setFont(theme::headingFont());
-  auto* layout = new QVBoxLayout(card);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid / 2);
-  layout->addWidget(heading);
-  layout->addWidget(content, 1);
+  makeColumn(card, {heading, {content, 1}}, theme::kGrid / 2,
+             {theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid});
   return card;
 }
 

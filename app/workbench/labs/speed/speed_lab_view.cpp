@@ -1,11 +1,9 @@
 #include "app/workbench/labs/speed/speed_lab_view.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -47,10 +45,7 @@ StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections,
   hint->setWordWrap(true);
   choice_->setAccessibleName(tr("Strokes that are shown"));
   choice_->setMinimumWidth(26 * theme::kGrid);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(2 * theme::kGrid);
-  head->addWidget(choice_);
-  head->addWidget(hint, 1);
+  auto* head = makeRow({choice_, {hint, 1}}, 2 * theme::kGrid);
   column_->setSpacing(theme::kGrid / 2);
   for (std::size_t i = 0; i < kMostRows; ++i) {
     auto* row = new TraceRow(this);
@@ -62,12 +57,8 @@ StrokePage::StrokePage(SpeedLab& lab, LabModel& model, Corrections& corrections,
     column_->addWidget(row, 1);
     rows_.push_back(row);
   }
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid / 2);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(head);
-  layout->addLayout(column_, 1);
-  layout->addWidget(moved_);
+  makeColumn(this, {head, {column_, 1}, moved_}, theme::kGrid,
+             {theme::kGrid + 4, theme::kGrid, theme::kGrid + 4, theme::kGrid / 2});
   setMuted(*moved_);
   moved_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -264,18 +255,10 @@ SpeedSettingsPanel::SpeedSettingsPanel(SpeedLab& lab, QWidget* parent)
   auto* title = new QLabel(tr("Settings"), this);
   title->setFont(theme::headingFont());
   auto* defaults = new QPushButton(tr("Reset to &defaults"), this);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, theme::kGrid + 4, 2 * theme::kGrid, 2 * theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(title);
-  for (QWidget* row : {clusters_, fuzziness_, alpha_, trim_}) layout->addWidget(row);
-  layout->addWidget(makeCaption(tr("Centers"), centres_, this));
-  layout->addWidget(centres_);
-  layout->addWidget(makeCaption(tr("Average"), averaging_, this));
-  layout->addWidget(averaging_);
-  layout->addWidget(defaults);
-  layout->addWidget(note_);
-  layout->addStretch(1);
+  makeColumn(this,
+             {title, clusters_, fuzziness_, alpha_, trim_, makeCaption(tr("Centers"), centres_, this), centres_,
+              makeCaption(tr("Average"), averaging_, this), averaging_, defaults, note_, spring(1)},
+             theme::kGrid, {2 * theme::kGrid, theme::kGrid + 4, 2 * theme::kGrid, 2 * theme::kGrid});
 
   connect(clusters_, &SettingRow::changed, this,
           [this](double value) { lab_.setClusters(static_cast<std::size_t>(value)); });
@@ -321,15 +304,13 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& correcti
       lab_(lab),
       terms_(nullptr),
       strokes_(new StrokePage(lab, model, corrections, this)),
-      pages_(new QTabWidget(this)),
+      pages_(makeTabs(this)),
       back_(new QToolButton(this)),
       on_(new QToolButton(this)),
       place_(new QLabel(this)),
       nothing_(new QLabel(this)) {
   auto* settings = new SpeedSettingsPanel(lab, this);
   keepFitted(*settings, [settings] { settings->setFixedWidth(appearance::scaled(kSettingsWidth)); });
-  new TabLook(*pages_->tabBar());
-  pages_->setDocumentMode(true);
   auto* const numbers = new NumberPage(lab, this);
   strokes_->setObjectName(QStringLiteral("strokes"));
   numbers->setObjectName(QStringLiteral("table"));
@@ -343,12 +324,7 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& correcti
   nothing_->setAlignment(Qt::AlignCenter);
   nothing_->setWordWrap(true);
   nothing_->hide();
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(settings);
-  layout->addWidget(pages_, 1);
-  layout->addWidget(nothing_, 1);
+  makeRow(this, {settings, {pages_, 1}, {nothing_, 1}});
   connect(&lab_, &SpeedLab::resultChanged, this, &SpeedLabView::refreshState);
   connect(&lab_, &SpeedLab::pageChanged, this, &SpeedLabView::refreshState);
   refreshState();
@@ -361,12 +337,7 @@ QWidget* SpeedLabView::makePager() {
   on_->setArrowType(Qt::RightArrow);
   on_->setAccessibleName(tr("Further participants"));
   setMuted(*place_);
-  auto* row = new QHBoxLayout(pager);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(theme::kGrid / 2);
-  row->addWidget(back_);
-  row->addWidget(place_);
-  row->addWidget(on_);
+  makeRow(pager, {back_, place_, on_}, theme::kGrid / 2);
   connect(back_, &QToolButton::clicked, this, [this] { lab_.setPage(lab_.page() - 1); });
   connect(on_, &QToolButton::clicked, this, [this] { lab_.setPage(lab_.page() + 1); });
   return pager;

@@ -7,21 +7,19 @@
 #include <QPainter>
 #include <QPolygonF>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "experiments/stroke.h"
 
 namespace tactus::workbench {
 
 StrokePreview::StrokePreview(LabData& lab_data, QWidget* parent)
     : QWidget(parent), traces_(lab_data), row_(new TraceRow(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(row_);
+  makeColumn(this, {row_});
   row_->setReadOnly();
   connect(&traces_, &StrokeTraces::arrived, this, &StrokePreview::refreshState);
 }

@@ -10,7 +10,6 @@
 #include <QStackedWidget>
 #include <QTimer>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <map>
 
@@ -61,19 +60,8 @@ FixCard::FixCard(FindingsController& findings, QWidget* parent)
   grid_->setVerticalSpacing(theme::kGrid / 2);
   grid_->setColumnStretch(1, 1);
 
-  auto* places = new QHBoxLayout;
-  places->setSpacing(theme::kGrid / 2);
-  places->addWidget(other_end_);
-  places->addWidget(here_);
-  places->addLayout(rules_);
-  places->addStretch(1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, theme::kGrid / 2, 0, 0);
-  layout->setSpacing(theme::kGrid / 2);
-  layout->addWidget(sentence_);
-  layout->addLayout(places);
-  layout->addWidget(note_);
-  layout->addWidget(fixes_);
+  makeColumn(this, {sentence_, makeRow({other_end_, here_, rules_, spring(1)}, theme::kGrid / 2), note_, fixes_},
+             theme::kGrid / 2, {0, theme::kGrid / 2, 0, 0});
 
   connect(here_, &QToolButton::clicked, this, [this] { findings_.goTo(false); });
   connect(other_end_, &QToolButton::clicked, this, [this] { findings_.goTo(true); });
@@ -199,20 +187,9 @@ FindingsPanel::FindingsPanel(FindingsController& findings, QWidget* parent)
   body_->addWidget(list_);
   body_->addWidget(empty_);
 
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(kind_, 30);
-  head->addWidget(who_, 20);
-  head->addWidget(order_, 20);
-  head->addStretch(1);  // with much room the choices stay at the left
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(head);
-  layout->addWidget(state_);
-  layout->addWidget(body_, 1);
-  layout->addWidget(new FixCard(findings_, this));
-  layout->addWidget(range_);
+  // With much room the choices stay at the left.
+  auto* head = makeRow({{kind_, 30}, {who_, 20}, {order_, 20}, spring(1)});
+  makeColumn(this, {head, state_, {body_, 1}, new FixCard(findings_, this), range_}, theme::kGrid, inset(theme::kGrid));
   new RowStop({kind_, who_, order_}, this);
 
   connect(kind_, &QComboBox::activated, this, [this] {

@@ -1,6 +1,5 @@
 #include "app/workbench/tune/history/compare_strip.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -9,6 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/recovery_controller.h"
 
@@ -26,10 +26,8 @@ RecoveryStrip::RecoveryStrip(RecoveryController& recovery, QWidget* parent)
   restore_->setToolTip(tr("Show the last state of the model; every edit can be undone"));
   discard_->setToolTip(tr("Keep the model as its file has it; the edits stay in the history of the file"));
   later_->setToolTip(tr("Ask again when you open this model"));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(label_, 1);
+  auto* layout =
+      makeRow(this, {{label_, 1}}, theme::kGrid, {2 * theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid});
   for (QPushButton* button : {restore_, discard_, later_}) {
     button->setAccessibleName(button->text());
     layout->addWidget(button, 0, Qt::AlignVCenter);
@@ -88,11 +86,7 @@ CompareSwitch::CompareSwitch(CompareController& compare, QWidget* parent)
       compare_(compare),
       a_(addButton(QStringLiteral("A"), CompareSide::kA)),
       b_(addButton(QStringLiteral("B"), CompareSide::kB)) {
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(a_);
-  layout->addWidget(b_);
+  makeRow(this, {a_, b_}, 0);
   setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   connect(&compare_, &CompareController::shownChanged, this, &CompareSwitch::showSide);
   connect(&compare_, &CompareController::choicesChanged, this, &CompareSwitch::showSide);
@@ -129,14 +123,8 @@ CompareStrip::CompareStrip(CompareController& compare, QWidget* parent)
   shown_->setFont(theme::headingFont());
   end_->setText(tr("End comparison"));
   end_->setToolTip(tr("Show and feel the open model again (Ctrl+Shift+B)"));
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(2 * theme::kGrid, 4, theme::kGrid, 4);
-  layout->setSpacing(2 * theme::kGrid);
-  layout->addWidget(new CompareSwitch(compare_, this));
-  layout->addWidget(shown_);
-  layout->addWidget(other_);
-  layout->addStretch(1);
-  layout->addWidget(end_);
+  makeRow(this, {new CompareSwitch(compare_, this), shown_, other_, spring(1), end_}, 2 * theme::kGrid,
+          {2 * theme::kGrid, 4, theme::kGrid, 4});
   hide();
   connect(end_, &QToolButton::clicked, &compare_, &CompareController::end);
   connect(&compare_, &CompareController::shownChanged, this, &CompareStrip::showState);

@@ -3,7 +3,6 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -13,7 +12,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
@@ -191,25 +189,10 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
   name_it_->setToolTip(tr("Keep the current state under this name (Ctrl+Shift+N)"));
   name_it_->setEnabled(false);
 
-  auto* naming = new QHBoxLayout;
-  naming->setSpacing(theme::kGrid);
-  naming->addWidget(snapshot_, 1);
-  naming->addWidget(name_it_);
-  auto* left = new QVBoxLayout(versions_);
-  left->setContentsMargins(0, 0, 0, 0);
-  left->setSpacing(theme::kGrid);
-  left->addWidget(view_, 1);
-  left->addLayout(naming);
+  makeColumn(versions_, {{view_, 1}, makeRow({{snapshot_, 1}, name_it_})});
   side_ = makeSide(compare, scene);
-  auto* both = new QHBoxLayout;
-  both->setSpacing(2 * theme::kGrid);
-  both->addWidget(versions_, 1);
-  both->addWidget(side_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(4);
-  layout->addWidget(switch_, 0, Qt::AlignRight);
-  layout->addLayout(both, 1);
+  makeColumn(this, {{switch_, 0, Qt::AlignRight}, {makeRow({{versions_, 1}, side_}, 2 * theme::kGrid), 1}}, 4,
+             inset(theme::kGrid));
   new RowStop({snapshot_, name_it_}, this);
 
   connect(&edits_, &EditController::historyChanged, refresh_, &Refresh::request);
@@ -267,21 +250,13 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   author_field_->setMaxLength(kLongestName);
 
   auto* side = new QWidget;
-  auto* signing = new QHBoxLayout;
-  signing->setSpacing(theme::kGrid);
-  signing->addWidget(expert_, 1);
-  signing->addWidget(sign_off_);
+  auto* signing = makeRow({{expert_, 1}, sign_off_});
   new RowStop({expert_, sign_off_}, this);
   auto* form = new QFormLayout;
   form->setSpacing(theme::kGrid);
   form->addRow(tr("Sign-off"), signing);
   form->addRow(tr("Edits by"), author_field_);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 0, theme::kGrid, 0);
-  column->setSpacing(2 * theme::kGrid);
-  column->addWidget(new CompareCard(compare, scene, side));
-  column->addLayout(form);
-  column->addStretch(1);
+  makeColumn(side, {new CompareCard(compare, scene, side), form, spring(1)}, 2 * theme::kGrid, {0, 0, theme::kGrid, 0});
   // A low panel scrolls it.
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);

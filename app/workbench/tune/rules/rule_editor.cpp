@@ -9,7 +9,6 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabBar>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
@@ -123,17 +122,7 @@ RuleCellBar::RuleCellBar(RuleController& rules, QWidget* parent)
   enabled_->setAccessibleName(tr("The selected rule is enabled"));
   // A click leaves the keys with the grids.
   enabled_->setFocusPolicy(Qt::TabFocus);
-  auto* first = new QHBoxLayout;
-  first->setSpacing(theme::kGrid);
-  first->addWidget(conditions_, 1);
-  first->addWidget(new QLabel(tr("Weight"), this));
-  first->addWidget(weight_);
-  first->addWidget(enabled_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(4);
-  layout->addLayout(first);
-  layout->addWidget(words_);
+  makeColumn(this, {makeRow({{conditions_, 1}, new QLabel(tr("Weight"), this), weight_, enabled_}), words_}, 4);
 
   connect(words_, &WordBar::chosen, &rules_, &RuleController::answerAndGoOn);
   connect(words_, &WordBar::cleared, &rules_, [this] { rules_.answer(std::nullopt); });
@@ -198,12 +187,7 @@ RuleGridPane::RuleGridPane(RuleController& rules, QWidget* parent)
   hint_->setFont(theme::smallFont());
   hint_->setForegroundRole(QPalette::PlaceholderText);
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addWidget(area_, 1);
-  layout->addWidget(cell_);
-  layout->addWidget(hint_);
+  makeColumn(this, {{area_, 1}, cell_, hint_}, 6);
 
   connect(&rules_, &RuleController::rulesChanged, refresh_, &Refresh::request);
   connect(&rules_, &RuleController::hereChanged, refresh_, &Refresh::request);
@@ -282,17 +266,7 @@ RuleEditor::RuleEditor(RuleController& rules, QWidget* parent)
   panes_->setHandleWidth(theme::kGrid);
   panes_->widget(1)->hide();
 
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(experts_);
-  head->addWidget(columns_);
-  head->addStretch(1);
-  head->addWidget(tabs_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(6);
-  layout->addLayout(head);
-  layout->addWidget(panes_, 1);
+  makeColumn(this, {makeRow({experts_, columns_, spring(1), tabs_}), {panes_, 1}}, 6, inset(theme::kGrid));
 
   connect(tabs_, &QTabBar::currentChanged, this, &RuleEditor::arrange);
   connect(experts_, &QComboBox::activated, this,

@@ -5,11 +5,11 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/rules/rule_editor.h"
 #include "app/workbench/tune/rules/rule_weight.h"
@@ -58,25 +58,10 @@ RuleForm::RuleForm(RuleController& rules, QWidget* parent)
   close->setToolTip(tr("Close the form"));
   close->setAccessibleName(tr("Close the form"));
 
-  auto* head = new QHBoxLayout;
-  head->addWidget(title_, 1);
-  head->addWidget(close);
-  auto* last = new QHBoxLayout;
-  last->setSpacing(theme::kGrid);
-  last->addWidget(then_label_);
-  last->addWidget(then_);
-  last->addSpacing(theme::kGrid);
-  last->addWidget(new QLabel(tr("Weight"), this));
-  last->addWidget(weight_);
-  last->addStretch(1);
-  last->addWidget(accept_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, 4, theme::kGrid, theme::kGrid);
-  layout->setSpacing(6);
-  layout->addLayout(head);
-  layout->addWidget(lines_place_);
-  layout->addLayout(last);
-  layout->addWidget(message_);
+  auto* head = makeRow({{title_, 1}, close}, kStyleGap);
+  auto* last =
+      makeRow({then_label_, then_, gap(theme::kGrid), new QLabel(tr("Weight"), this), weight_, spring(1), accept_});
+  makeColumn(this, {head, lines_place_, last, message_}, 6, {theme::kGrid, 4, theme::kGrid, theme::kGrid});
   hide();
 
   connect(close, &QToolButton::clicked, this, &QWidget::hide);

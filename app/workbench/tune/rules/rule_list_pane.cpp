@@ -7,7 +7,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/base/display_text.h"
@@ -100,27 +99,12 @@ void RuleListPane::buildTable() {
 }
 
 void RuleListPane::buildPlace() {
-  auto* filter = new QHBoxLayout;
-  filter->setSpacing(theme::kGrid);
-  filter->addWidget(text_, 1);
-  filter->addWidget(only_);
-  filter->addWidget(count_);
-  auto* actions = new QHBoxLayout;
-  actions->setSpacing(4);
-  actions->addWidget(add_);
-  actions->addWidget(edit_);
-  actions->addWidget(go_);
-  actions->addStretch(1);
-  actions->addWidget(enable_);
-  actions->addWidget(disable_);
-  actions->addWidget(remove_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(6);
-  layout->addLayout(filter);
-  layout->addWidget(table_, 1);
-  layout->addLayout(actions);
-  layout->addWidget(form_);
+  makeColumn(this,
+             {makeRow({{text_, 1}, only_, count_}),
+              {table_, 1},
+              makeRow({add_, edit_, go_, spring(1), enable_, disable_, remove_}, 4),
+              form_},
+             6);
   new RowStop({text_, only_}, this);
   new RowStop({add_, edit_, go_, enable_, disable_, remove_}, this);
   setFocusProxy(table_);

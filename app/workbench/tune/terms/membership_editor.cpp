@@ -8,7 +8,6 @@
 #include <QTabBar>
 #include <QTimer>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/editing/edit.h"
@@ -90,34 +89,12 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
 }
 
 void MembershipEditor::buildPlace() {
-  auto* modes = new QHBoxLayout;
-  modes->setSpacing(theme::kGrid);
-  modes->addWidget(whose_);
-  modes->addWidget(own_);
-  modes->addWidget(scope_);
-  modes->addWidget(for_one_);
-  modes->addWidget(for_all_);
-  modes->addWidget(keeps_sum_);
-  modes->addStretch(1);
-  modes->addWidget(add_);
-  modes->addWidget(new PlotMenu(
-      *plot_, [this] { return table(); }, this));
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(4);
-  layout->addWidget(variables_);
-  layout->addLayout(modes);
-  layout->addWidget(plot_, 1);
+  auto* modes = makeRow({whose_, own_, scope_, for_one_, for_all_, keeps_sum_, spring(1), add_,
+                         new PlotMenu(
+                             *plot_, [this] { return table(); }, this)});
   // Beside the hint: the row above is full while the scope is one expert.
-  auto* hints = new QHBoxLayout;
-  hints->setSpacing(theme::kGrid);
-  hints->addWidget(hint_, 1);
-  hints->addWidget(origin_);
-  hints->addWidget(notes_button_);
-  layout->addLayout(hints);
-  layout->addWidget(sliders_);
-  layout->addWidget(table_);
+  auto* hints = makeRow({{hint_, 1}, origin_, notes_button_});
+  makeColumn(this, {variables_, modes, {plot_, 1}, hints, sliders_, table_}, 4, inset(theme::kGrid));
 }
 
 void MembershipEditor::connectAll() {

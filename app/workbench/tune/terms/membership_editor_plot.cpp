@@ -1,7 +1,6 @@
 #include <QFontMetricsF>
 #include <QKeyEvent>
 #include <QMenu>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -9,6 +8,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/axis_zoom.h"
@@ -126,9 +126,7 @@ constexpr double kDragFrom = 3;            // px that tell a drag from a click
 
 MembershipEditorPlot::MembershipEditorPlot(ShownRanges& ranges, QWidget* parent)
     : QWidget(parent), ranges_(ranges), plot_(makePlot(this)), zoom_(new AxisZoom(*plot_, ranges)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(320, 168);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("Membership functions"));

@@ -3,7 +3,6 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QStyle>
-#include <QVBoxLayout>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 
@@ -157,11 +157,7 @@ void TermSliders::build(const fuzzy::Term& term) {
     part.name = new ElidedLabel(part.cell);
     part.name->setFont(theme::smallFont());
     part.slider = new VertexSlider(part.cell);
-    auto* column = new QVBoxLayout(part.cell);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(part.name);
-    column->addWidget(part.slider);
+    makeColumn(part.cell, {part.name, part.slider}, 0);
     layout_->addWidget(part.cell, 1);
     const auto grip = [this, p] { return Grip{term_, Grip::Part::kVertex, p, false}; };
     connect(part.slider, &VertexSlider::moveBegun, this, [this, grip] {

@@ -305,9 +305,7 @@ void TermTable::buildRow(QGridLayout& grid, std::size_t index) {
   colors.setColor(QPalette::Window, termFill(terms_.variable(), terms_.terms(), index));
   swatch->setPalette(colors);
   auto* framed = new QWidget;
-  auto* frame = new QHBoxLayout(framed);
-  frame->setContentsMargins(6, 0, 2, 0);
-  frame->addWidget(swatch);
+  makeRow(framed, {swatch}, theme::kGrid, {6, 0, 2, 0});
   grid.addWidget(framed, place, kSwatch);
 
   row.name = new ElidedEdit;
@@ -366,11 +364,7 @@ TermTable::Point TermTable::buildPoint(QGridLayout& grid, std::size_t index, std
   out.lock->setToolTip(tr("Lock the %1 in place").arg(name));
 
   auto* cell = new QWidget;
-  auto* layout = new QHBoxLayout(cell);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(out.number);
-  layout->addWidget(out.lock);
+  makeRow(cell, {out.number, out.lock}, 0);
   grid.addWidget(cell, static_cast<int>(index) + 1, columnOf(term.shape, point));
 
   const std::string id = term.id;

@@ -1,13 +1,13 @@
 #include "app/workbench/understand/curves/curve_plot.h"
 
 #include <QMenu>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/landmark_marks.h"
@@ -76,9 +76,7 @@ CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
     menu->addAction(tr("Where does the force here come from?"), this,
                     [this, x = plot_->xAxis->pixelToCoord(place.x())] { emit originAsked(x); });
   });
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(360, 160);
   setAccessibleName(tr("Force curves"));
 

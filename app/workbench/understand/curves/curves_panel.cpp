@@ -5,14 +5,12 @@
 #include <QDropEvent>
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QUrl>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -23,6 +21,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
@@ -227,24 +226,11 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   step_->hide();
   for (ElidedLabel* label : {difference_, step_}) label->setHint(explained(Statistic::kNoticeable));
 
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(title_);
-  head->addWidget(x_input_);
-  // A hidden label takes no room; then the stretch does.
-  head->addWidget(step_, 100);
-  head->addStretch(1);
-  head->addWidget(new FigureButton(scene, this));
-  head->addWidget(menu_);
-
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid / 2);
+  // A hidden label takes no room; then the spring does.
+  auto* head = makeRow({title_, x_input_, {step_, 100}, spring(1), new FigureButton(scene, this), menu_});
   legend_->setTail({ghost_chip_, go_there_, difference_});
-  layout->addLayout(head);
-  layout->addWidget(legend_);
-  layout->addWidget(plot_, 1);
-  layout->addWidget(reference_bar_);
+  makeColumn(this, {head, legend_, {plot_, 1}, reference_bar_}, theme::kGrid / 2,
+             {theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid});
 
   connect(x_input_, &QComboBox::activated, this, &CurvesPanel::onXInputChosen);
   connect(plot_, &CurvePlot::hovered, &scene_, &SceneController::setHover);

@@ -2,7 +2,6 @@
 
 #include <QHeaderView>
 #include <QLabel>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/model/scene_controller.h"
 
@@ -39,12 +39,7 @@ ReadingPanel::ReadingPanel(const SceneController& scene, ReadingModel& readings,
   table_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored);
   table_->setMinimumHeight(2 * table_->verticalHeader()->defaultSectionSize());
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid + 4, theme::kGrid + 4, theme::kGrid + 4);
-  layout->setSpacing(theme::kGrid);
-  layout->addWidget(place_);
-  layout->addWidget(table_, 1);
-  layout->addWidget(hint_);
+  makeColumn(this, {place_, {table_, 1}, hint_}, theme::kGrid, inset(theme::kGrid + 4));
 
   connect(&scene_, &SceneController::modelChanged, this, &ReadingPanel::showPlace);
   auto* refresh = new Refresh(this, [this, &readings] {

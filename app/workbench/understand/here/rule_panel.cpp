@@ -1,7 +1,6 @@
 #include "app/workbench/understand/here/rule_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPaintEvent>
@@ -10,7 +9,6 @@
 #include <QScrollBar>
 #include <QStackedWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/figures/colors.h"
@@ -18,6 +16,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
 #include "app/workbench/plot/plot_caption.h"
@@ -157,9 +156,7 @@ constexpr std::size_t kMostFills = 12;
 }  // namespace
 
 OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(200, 120);
   setAccessibleName(tr("Clipped sets of the output and their centroid"));
   cursor_ = new ReadingCursor(*plot_);
@@ -270,22 +267,14 @@ RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget
   area_->viewport()->setAutoFillBackground(false);
   flows_->setAutoFillBackground(false);
 
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid);
-  head->addWidget(who_);
-  head->addWidget(summary_, 1);
-  head->addWidget(edit_);
-  head->addWidget(new PlotMenu(
-      *sets_, [this] { return table(); }, this));
-  auto* body = new QHBoxLayout;
-  body->setSpacing(theme::kGrid);
-  body->addWidget(area_, 2);
-  body->addWidget(sets_, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid);
-  layout->addLayout(head);
-  layout->addLayout(body, 1);
+  makeColumn(this,
+             {makeRow({who_,
+                       {summary_, 1},
+                       edit_,
+                       new PlotMenu(
+                           *sets_, [this] { return table(); }, this)}),
+              {makeRow({{area_, 2}, {sets_, 1}}), 1}},
+             theme::kGrid, {theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid});
 
   edit_->setToolTip(tr("Open the selected rule in the rule editor (Enter, or a double click on it)"));
   connect(who_, &QComboBox::activated, this, &RulePanel::chooseByHand);

@@ -1,14 +1,12 @@
 #include "app/workbench/understand/here/variable_row.h"
 
 #include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QStyle>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -17,6 +15,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/label_layout.h"
@@ -120,9 +119,7 @@ QString pointsText(const std::vector<fuzzy::Term>& terms) {
 
 MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
     : QWidget(parent), variable_(variable), plot_(makePlot(this)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumHeight(112);
   setAccessibleName(tr("Terms of %1").arg(labelOf(variable_)));
 
@@ -225,31 +222,19 @@ InputCard::InputCard(SceneController& scene, std::size_t input, QWidget* parent)
   slider_->setPageStep(10);
   slider_->setAccessibleName(labelOf(variable_));
 
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(theme::kGrid, 0, theme::kGrid, 0);
-  head->setSpacing(4);
-  head->addWidget(title_, 1);
-  head->addWidget(number_);
+  auto* head = makeRow({{title_, 1}, number_}, 4, inset(theme::kGrid, 0));
 
   // The handle stands below the marker of the plot.
-  auto* slider_row = new QHBoxLayout;
   const int half_handle = slider_->style()->pixelMetric(QStyle::PM_SliderLength, nullptr, slider_) / 2;
-  slider_row->setContentsMargins(MembershipPlot::kLeftMargin - half_handle, 0,
-                                 MembershipPlot::kRightMargin - half_handle, 0);
-  slider_row->addWidget(slider_);
+  auto* slider_row =
+      makeRow({slider_}, kStyleGap,
+              {MembershipPlot::kLeftMargin - half_handle, 0, MembershipPlot::kRightMargin - half_handle, 0});
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, theme::kGrid, 4, theme::kGrid);
-  layout->setSpacing(4);
-  layout->addLayout(head);
-  layout->addWidget(plot_, 1);
-  layout->addLayout(slider_row);
-  auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(0, 0, theme::kGrid - 4, 0);
-  foot->addWidget(terms_, 1);
-  foot->addWidget(new PlotMenu(
-      *plot_, [this] { return table(); }, this));
-  layout->addLayout(foot);
+  auto* foot = makeRow({{terms_, 1},
+                        new PlotMenu(
+                            *plot_, [this] { return table(); }, this)},
+                       kStyleGap, {0, 0, theme::kGrid - 4, 0});
+  makeColumn(this, {head, {plot_, 1}, slider_row, foot}, 4, inset(4, theme::kGrid));
 
   showTerms();
 
@@ -311,25 +296,16 @@ OutputCard::OutputCard(SceneController& scene, QWidget* parent)
   terms_->setFont(theme::smallFont());
   terms_->setIndent(MembershipPlot::kLeftMargin - theme::kGrid);
 
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(theme::kGrid, 0, theme::kGrid, 0);
-  head->addWidget(title_, 1);
-  head->addWidget(number_);
+  auto* head = makeRow({{title_, 1}, number_}, kStyleGap, inset(theme::kGrid, 0));
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(4, theme::kGrid, 4, theme::kGrid);
-  layout->setSpacing(4);
-  layout->addLayout(head);
-  layout->addWidget(plot_, 1);
-  // The plot stands in line with those of the inputs, which have a slider below.
   number_->setMinimumHeight(QDoubleSpinBox().sizeHint().height());
-  layout->addSpacing(QSlider(Qt::Horizontal).sizeHint().height() + layout->spacing());
-  auto* foot = new QHBoxLayout;
-  foot->setContentsMargins(0, 0, theme::kGrid - 4, 0);
-  foot->addWidget(terms_, 1);
-  foot->addWidget(new PlotMenu(
-      *plot_, [this] { return table(); }, this));
-  layout->addLayout(foot);
+  auto* foot = makeRow({{terms_, 1},
+                        new PlotMenu(
+                            *plot_, [this] { return table(); }, this)},
+                       kStyleGap, {0, 0, theme::kGrid - 4, 0});
+  // The plot stands in line with those of the inputs, which have a slider below.
+  const int below = QSlider(Qt::Horizontal).sizeHint().height() + 4;
+  makeColumn(this, {head, {plot_, 1}, gap(below), foot}, 4, inset(4, theme::kGrid));
 
   plot_->setTerms(scene_.terms(variable_));
   auto* reading = new Refresh(this, [this] { showReading(); });
@@ -397,9 +373,7 @@ QSize VariableRow::minimumSizeHint() const { return {appearance::scaled(kNarrowe
 void VariableRow::build() {
   const fuzzy::ForceModel& model = scene_.model()->model;
   auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid);
+  auto* layout = makeRow(row, {});
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     auto* card = new InputCard(scene_, i, row);
     keepReadable(*card);

@@ -1,7 +1,6 @@
 #include "app/workbench/understand/map/map_panel.h"
 
 #include <QFontMetricsF>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -10,6 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/axis_zoom.h"
 #include "app/workbench/plot/label_board.h"
@@ -158,9 +158,7 @@ QCPColorGradient forceColors() {
 
 ForceMapPlot::ForceMapPlot(ShownRanges& ranges, QWidget* parent)
     : QWidget(parent), plot_(makePlot(this)), zoom_(new AxisZoom(*plot_, ranges)) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(plot_);
+  makeColumn(this, {plot_});
   setMinimumSize(260, 180);
   setAccessibleName(tr("Force over two inputs as a map"));
 

@@ -1,9 +1,7 @@
 #include "app/workbench/understand/map/map_view_panel.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -11,6 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -42,15 +41,10 @@ MapChoice::MapChoice(const SceneController& scene, ForceMapController& map, QWid
     choice->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     choice->setMaximumWidth(200);
   }
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(theme::kGrid / 2);
-  layout->addWidget(who_, 2);
-  layout->addWidget(new QLabel(tr("over"), this));
-  layout->addWidget(x_input_, 3);
-  layout->addWidget(new QLabel(tr("and"), this));
-  layout->addWidget(y_input_, 3);
-  layout->addStretch(0);
+  makeRow(
+      this,
+      {{who_, 2}, new QLabel(tr("over"), this), {x_input_, 3}, new QLabel(tr("and"), this), {y_input_, 3}, spring()},
+      theme::kGrid / 2);
 
   connect(who_, &QComboBox::activated, this, [this](int row) {
     map_.setExpert(row == 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row) - 1));
@@ -114,15 +108,9 @@ MapViewPanel::MapViewPanel(const SceneController& scene, ForceMapController& map
       draw_map_(new Refresh(this, [this] { showMap(); })),
       draw_point_(new Refresh(this, [this] { showPoint(); })) {
   missing_->setAlignment(Qt::AlignCenter);
-  auto* head = new QHBoxLayout;
-  head->setSpacing(theme::kGrid / 2);
-  head->addWidget(new MapChoice(scene, map, this), 1);
-  head->addWidget(menu_);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid);
-  layout->setSpacing(theme::kGrid / 2);
-  layout->addLayout(head);
-  layout->addWidget(content_.plot, 1);
+  auto* layout =
+      makeColumn(this, {makeRow({{new MapChoice(scene, map, this), 1}, menu_}, theme::kGrid / 2), {content_.plot, 1}},
+                 theme::kGrid / 2, {theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid});
   if (content_.below) layout->addWidget(content_.below);
   layout->addWidget(missing_, 1);
   missing_->hide();
