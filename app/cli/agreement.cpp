@@ -127,11 +127,6 @@ std::string asText(const AgreementData& data, const elicitation::Agreement& agre
   return text;
 }
 
-void writeNumber(JsonWriter& json, std::string_view key, const OrReason<double>& value) {
-  json.key(key);
-  value ? json.value(*value) : json.null();
-}
-
 void writeItems(JsonWriter& json, const AgreementData& data, const elicitation::Agreement& agreement) {
   json.key("items").beginArray();
   for (std::size_t i = 0; i < data.units.size(); ++i) {
@@ -175,10 +170,8 @@ std::string asJson(const Rated& rated, const AgreementOptions& options, const el
   json.beginObject().key("fleiss_kappa");
   kappa ? json.value(kappa->kappa) : json.null();
   json.key("krippendorff_alpha").beginObject(JsonWriter::Layout::kInline);
-  writeNumber(json, "nominal", agreement.alpha_nominal);
-  writeNumber(json, "ordinal", agreement.alpha_ordinal);
-  writeNumber(json, "interval", agreement.alpha_interval);
-  json.endObject().key("kendall_w");
+  json.key("nominal").value(agreement.alpha_nominal).key("ordinal").value(agreement.alpha_ordinal);
+  json.key("interval").value(agreement.alpha_interval).endObject().key("kendall_w");
   w ? json.value(w->w) : json.null();
 
   json.key("source").value(rated.source);

@@ -91,9 +91,7 @@ void writeLevels(const ParticipantSpeeds& one, JsonWriter& json) {
     json.key("mean_mm_s").value(level.mean_mm_s).key("sd_mm_s").value(level.sd_mm_s).endObject();
   }
   json.endArray().key("separations").beginArray(JsonWriter::Layout::kInline);
-  for (const auto& separation : one.diagnostics.separations) {
-    separation ? json.value(*separation) : json.null();
-  }
+  for (const auto& separation : one.diagnostics.separations) json.value(separation);
   json.endArray().key("jonckheere_terpstra");
   if (const auto& trend = one.diagnostics.trend) {
     json.beginObject(JsonWriter::Layout::kInline).key("j").value(trend->j).key("most_j").value(trend->most_j);

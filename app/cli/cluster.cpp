@@ -40,24 +40,17 @@ Result<Column> readColumn(const ClusterOptions& options) {
   return column;
 }
 
-void addOptional(JsonWriter& json, const char* key, const std::optional<double>& value) {
-  json.key(key);
-  value ? json.value(*value) : json.null();
-}
-
 std::string asJson(const elicitation::FcmResult& result, const elicitation::FcmValidity& validity,
                    const std::vector<std::string>& warnings) {
   JsonWriter json;
-  json.beginObject().key("centres").values(result.centres);
-  addOptional(json, "objective", result.objective);
-  if (!result.objective) addOptional(json, "objective_log10", result.objective_log10);
+  json.beginObject().key("centres").values(result.centres).key("objective").value(result.objective);
+  if (!result.objective) json.key("objective_log10").value(result.objective_log10);
   json.key("iterations").value(result.iterations).key("stop_reason").value(std::string(name(result.stop)));
   json.key("validity").beginObject().key("partition_coefficient").value(validity.partition_coefficient);
-  addOptional(json, "modified_partition_coefficient", validity.modified_coefficient);
-  json.key("partition_entropy").value(validity.partition_entropy);
-  addOptional(json, "xie_beni", validity.xie_beni);
-  addOptional(json, "fuzzy_silhouette", validity.fuzzy_silhouette);
-  addOptional(json, "crisp_silhouette", validity.crisp_silhouette);
+  json.key("modified_partition_coefficient").value(validity.modified_coefficient);
+  json.key("partition_entropy").value(validity.partition_entropy).key("xie_beni").value(validity.xie_beni);
+  json.key("fuzzy_silhouette").value(validity.fuzzy_silhouette);
+  json.key("crisp_silhouette").value(validity.crisp_silhouette);
   json.key("sizes").beginArray(JsonWriter::Layout::kInline);
   for (const std::size_t size : validity.sizes) json.value(size);
   json.endArray().endObject().key("other_minima").beginArray();

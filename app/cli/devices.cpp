@@ -242,9 +242,7 @@ std::string asJson(const DeviceList& list) {
   for (const auto& device : list.devices) {
     json.beginObject().key("id").value(device.id).key("name").value(device.name).key("serial").value(device.serial);
     json.key("backend").value(device.backend).key("simulated").value(device.simulated);
-    json.key("usable").value(device.usable).key("calibrated");
-    device.calibrated ? json.value(*device.calibrated) : json.null();
-    json.key("used_by");
+    json.key("usable").value(device.usable).key("calibrated").value(device.calibrated).key("used_by");
     device.used_by.empty() ? json.null() : json.value(device.used_by);
     json.key("reason").value(device.reason).key("advice").value(device.advice).endObject();
   }

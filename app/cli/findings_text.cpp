@@ -93,9 +93,8 @@ void writeFindings(std::span<const RuleFinding> findings, base::JsonWriter& json
     json.beginObject(base::JsonWriter::Layout::kInline).key("kind").value(name(finding.kind)).key("expert");
     finding.experts.empty() ? json.null() : json.value(finding.experts.front());
     json.key("experts").values(finding.experts);
-    json.key("place").value(finding.place).key("text").value(finding.text).key("newtons");
-    finding.newtons ? json.value(*finding.newtons) : json.null();
-    json.key("at_least").value(finding.at_least);
+    json.key("place").value(finding.place).key("text").value(finding.text);
+    json.key("newtons").value(finding.newtons).key("at_least").value(finding.at_least);
     if (!finding.from.empty()) json.key("from").values(finding.from).key("to").values(finding.to);
     writeSources(finding, json);
     json.endObject();

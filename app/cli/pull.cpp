@@ -182,13 +182,8 @@ std::string asText(const CurveQuestion& question, const analysis::CurvePull& pul
 
 std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
   base::JsonWriter json;
-  json.beginObject().key("before_n");
-  question.before_n ? json.value(*question.before_n) : json.null();
-  json.key("target_n");
-  question.target_n ? json.value(*question.target_n) : json.null();
-  json.key("residual_n").value(pull.residual_n).key("reachable").null().key("blocker");
-  const auto left = leftOver(pull);
-  left ? json.value(*left) : json.null();
+  json.beginObject().key("before_n").value(question.before_n).key("target_n").value(question.target_n);
+  json.key("residual_n").value(pull.residual_n).key("reachable").null().key("blocker").value(leftOver(pull));
   writeSignOffs(json, notes.sign_offs);
   json.key("candidates").beginArray();
   for (const analysis::CurveCandidate& one : pull.candidates) {

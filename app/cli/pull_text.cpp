@@ -286,9 +286,7 @@ std::string asText(const fuzzy::ForceModel& model, const analysis::Pull& pull, b
 
 std::string asJson(const fuzzy::ForceModel& model, const analysis::Pull& pull, const PullNotes& notes) {
   base::JsonWriter json;
-  json.beginObject().key("before_n");
-  pull.before_n ? json.value(*pull.before_n) : json.null();
-  json.key("target_n").value(pull.target_n).key("reachable");
+  json.beginObject().key("before_n").value(pull.before_n).key("target_n").value(pull.target_n).key("reachable");
   if (pull.reachable) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("min_n").value(pull.reachable->min_n);
     json.key("max_n").value(pull.reachable->max_n).endObject();

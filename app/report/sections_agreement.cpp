@@ -71,17 +71,6 @@ std::string reasons(const Agreement& agreement) {
   return out.empty() ? std::string() : " None: " + base::joined(out, "; ") + ".";
 }
 
-std::string meanConsensus(const Agreement& agreement) {
-  double sum = 0;
-  int items = 0;
-  for (const auto& item : agreement.items) {
-    if (!item) continue;
-    sum += item->consensus;
-    ++items;
-  }
-  return items > 0 ? base::formatFixed(sum / items, 3) : "none";
-}
-
 /// One row of the table of measures.
 std::vector<Cell> measures(const Markup& what, const AgreementData& data, const Agreement& agreement) {
   const auto& kappa = agreement.fleiss_kappa;
@@ -89,7 +78,7 @@ std::vector<Cell> measures(const Markup& what, const AgreementData& data, const 
   return {headingCell(what),
           numberCell(std::to_string(data.units.size()) + " × " + std::to_string(data.raters.size())),
           numberCell(strong(numberOr(agreement.alpha_ordinal)), true),
-          numberCell(meanConsensus(agreement)),
+          numberCell(agreement.mean_consensus ? base::formatFixed(*agreement.mean_consensus, 3) : "none"),
           numberCell(numberOr(agreement.alpha_interval), true),
           numberCell(numberOr(agreement.alpha_nominal)),
           numberCell(w ? Markup(base::formatFixed(w->w, 3)) : muted("none")),

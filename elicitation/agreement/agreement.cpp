@@ -183,10 +183,15 @@ Agreement agreement(const AgreementData& data) {
                     std::string("a table of counts does not say who chose what, and the measure compares persons")),
                 .items = {}};
   if (data.ratings) out.kendall_w = kendallW(*data.ratings);
+  double sum = 0;
+  int count = 0;
   for (const auto& unit : data.counts.units) {
-    out.items.push_back(itemConsensus(unit));
+    const auto& item = out.items.emplace_back(itemConsensus(unit));
+    if (item) sum += item->consensus;
+    if (item) ++count;
     out.ratings += ratingsOf(unit);
   }
+  if (count > 0) out.mean_consensus = sum / count;
   return out;
 }
 

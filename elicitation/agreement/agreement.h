@@ -65,6 +65,7 @@ struct Agreement {
   OrReason<double> alpha_interval;
   OrReason<KendallW> kendall_w;
   std::vector<std::optional<ItemConsensus>> items;  ///< one per unit of the data; empty for fewer than two ratings
+  std::optional<double> mean_consensus = {};        ///< over the units that have one
   long long ratings = 0;
 };
 

@@ -36,6 +36,10 @@ class JsonWriter {
   JsonWriter& value(std::size_t number) { return raw(std::to_string(number)); }
   JsonWriter& value(bool flag) { return raw(flag ? "true" : "false"); }
   JsonWriter& null() { return raw("null"); }
+  /// An optional or a result: `null` where there is no value.
+  template <class Maybe>
+  requires requires(const Maybe& maybe) { maybe.has_value(); }
+  JsonWriter& value(const Maybe& maybe) { return maybe ? value(*maybe) : null(); }
   /// Numbers on one line.
   JsonWriter& values(std::span<const double> numbers);
   /// Strings on one line.

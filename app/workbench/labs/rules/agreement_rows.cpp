@@ -69,7 +69,9 @@ std::vector<Column<AgreementRow>> agreementColumns() {
         Qt::AlignHCenter,
         AgreementWords::tr("95 % of 2,000 draws of the forces or items; the participants stay the same.")},
        {AgreementWords::tr("Consensus"),
-        [](const Row& row) { return row.refusal.isEmpty() && row.consensus ? fixed(*row.consensus) : kNoValue; },
+        [](const Row& row) {
+          return row.refusal.isEmpty() && row.measures.mean_consensus ? fixed(*row.measures.mean_consensus) : kNoValue;
+        },
         Qt::AlignHCenter,
         AgreementWords::tr(
             "Tastle and Wierman: 1 if all say the same, 0 if half are at each end; mean of the forces or items.")},
@@ -98,17 +100,6 @@ std::vector<Column<UsabilityRow>> usabilityColumns() {
 
 namespace {
 
-std::optional<double> meanConsensus(const elicitation::Agreement& measures) {
-  double sum = 0;
-  int count = 0;
-  for (const auto& item : measures.items) {
-    if (!item) continue;
-    sum += item->consensus;
-    ++count;
-  }
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
 AgreementRow rowOf(const QString& ratings, const base::Result<elicitation::AgreementData>& data,
                    const std::stop_token& stop) {
   AgreementRow row;
@@ -120,7 +111,6 @@ AgreementRow rowOf(const QString& ratings, const base::Result<elicitation::Agree
   row.units = data->units.size();
   row.raters = data->raters.size();
   row.measures = elicitation::agreement(*data);
-  row.consensus = meanConsensus(row.measures);
   row.interval = elicitation::alphaInterval(data->counts, elicitation::AlphaLevel::kOrdinal, {.stop = stop});
   return row;
 }

@@ -20,7 +20,6 @@ struct AgreementRow {
   std::size_t units = 0;  ///< forces or items
   std::size_t raters = 0;
   elicitation::Agreement measures;
-  std::optional<double> consensus;                     ///< mean over the units
   std::optional<elicitation::AlphaInterval> interval;  ///< of the ordinal alpha
   QString refusal;                                     ///< why there are no measures; empty if there are
 };
