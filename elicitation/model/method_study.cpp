@@ -344,6 +344,15 @@ Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study
   return out;
 }
 
+Result<MethodVariant> methodDifference(const ForceModel& unchanged, const ForceModel& changed) {
+  TACTUS_TRY(const auto compiled, fuzzy::compile(unchanged));
+  Unchanged before{unchanged, compiled, analysis::boxPoints(unchanged), {}};
+  for (const auto& point : before.points) before.forces.push_back(compiled.evaluate(point));
+  MethodVariant out;
+  if (auto ok = compare(before, changed, out); !ok) return tl::unexpected(ok.error());
+  return out;
+}
+
 Result<ForceModel> methodModel(const study::Study& study, std::span<const study::Form> forms,
                                const BuildSettings& settings, const BuiltModel& built, const MethodVariant& variant) {
   Choices choices(study, forms, settings, built);

@@ -66,6 +66,10 @@ base::Result<fuzzy::ForceModel> methodModel(const study::Study& study, std::span
                                             const BuildSettings& settings, const BuiltModel& built,
                                             const MethodVariant& variant);
 
+/// What replacing `unchanged` by `changed` does, over the same points as `methodStudy`; factor and value stay empty.
+/// Both have the same inputs. Returns the error of `fuzzy::compile`.
+base::Result<MethodVariant> methodDifference(const fuzzy::ForceModel& unchanged, const fuzzy::ForceModel& changed);
+
 // The method study in words: what a factor is, and one sentence that says whether the choice matters here.
 
 /// `Shapes of the terms`, `Fuzziness m of the clusters`; the factor itself if it is unknown.

@@ -14,6 +14,7 @@
 #include "app/workbench/feel/recordings/feel_store.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/origins/origin_finder.h"
@@ -74,6 +75,7 @@ struct Labs {
   LabData data;
   LabModel model{data};
   Corrections corrections{data};
+  SettingsPrice price{data};
   SpeedLab speed{data};
   ForceLab force{data, model, corrections};
   RulesLab rules{model, corrections};

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFormLayout>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include "app/workbench/base/display_text.h"
 #include "app/workbench/collect/collect_view.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/features/bench.h"
@@ -186,6 +188,32 @@ void addCollect(Bench& bench) {
 
 namespace {
 
+// How far the first two stages are, in the rail.
+struct RailFeature {
+  Q_DECLARE_TR_FUNCTIONS(RailFeature)
+
+ public:
+  static void follow(Bench& bench) {
+    const auto show = [&bench] {
+      const int people = static_cast<int>(bench.collect.overview().rows.size());
+      bench.window.setStageState(Stage::kCollect, people > 0 ? tr("%n participant(s)", nullptr, people) : QString());
+      const int changed = static_cast<int>(
+          settingsChange({}, bench.labs.data.settings()).split(QLatin1String(", "), Qt::SkipEmptyParts).size());
+      const auto model = bench.models.current();
+      const QDateTime built = model ? QDateTime::fromString(text(model->model.created_utc), Qt::ISODate) : QDateTime();
+      QStringList state;
+      if (built.isValid() && bench.study.isOpen())
+        state << tr("built %1").arg(lastSeenText(built.toMSecsSinceEpoch(), utcNowMs()));
+      if (changed > 0) state << tr("%n setting(s) changed", nullptr, changed);
+      bench.window.setStageState(Stage::kBuild, state.join(QLatin1String(", ")));
+    };
+    show();
+    QObject::connect(&bench.collect, &CollectController::changed, &bench.features, show);
+    QObject::connect(&bench.labs.data, &LabData::settingsChanged, &bench.features, show);
+    QObject::connect(&bench.models, &ModelController::opened, &bench.features, show);
+  }
+};
+
 struct LabsFeature {
   Q_DECLARE_TR_FUNCTIONS(LabsFeature)
 
@@ -239,7 +267,7 @@ void LabsFeature::addExperts(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
   auto* const experts = new ExpertsLab(bench.labs.data, bench.labs.model, &screen);
   auto* const view = new ExpertsLabView(*experts);
-  screen.addLab(tr("Experts"), view, nullptr);
+  screen.addLab(tr("Experts"), view, &bench.labs.corrections);
   screen.watch(experts->work(), tr("Comparing the weights"));
   screen.watch(experts->bands().work(), tr("Drawing participants again"));
   // While a model is being built for tuning: it leads there.
@@ -261,7 +289,7 @@ void LabsFeature::addExperts(Bench& bench) {
 void LabsFeature::addMethod(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
   auto* const method = new MethodLab(bench.labs.data, &screen);
-  screen.addLab(tr("Method"), new MethodLabView(*method), nullptr);
+  screen.addLab(tr("Method"), new MethodLabView(*method), &bench.labs.corrections);
   screen.watch(method->work(), tr("Comparing the choices of the method"));
   screen.watch([method] { return method->isDrawing(); });
 }
@@ -304,8 +332,11 @@ void addLabs(Bench& bench) {
   screen.watch([&rules = labs.rules] { return rules.isComparing(); });
   LabsFeature::addExperts(bench);
   LabsFeature::addMethod(bench);
+  screen.showPrice(labs.price);
+  screen.watch(labs.price.work(), LabsFeature::tr("Comparing the forces before and after"));
   bench.window.addScreen(Stage::kBuild, views.labs, MainWindow::Needs::kStudy);
   timeSpeedLab(bench);
+  RailFeature::follow(bench);
   QObject::connect(&bench.run, &SessionRun::changed, &bench.features,
                    [&bench] { bench.labs.data.setSessionRunning(bench.run.isRunning()); });
   QObject::connect(&labs.corrections, &Corrections::stored, &bench.features,

@@ -21,6 +21,7 @@ void addFeatures(Bench& bench) {
   addLabs(bench);
   addOrigins(bench);
   addReport(bench);
+  addStudyExport(bench);
   addNotes(bench);
   addHistory(bench);
   addSelection(bench);

@@ -52,6 +52,8 @@ void addLabs(Bench& bench);
 void addOrigins(Bench& bench);
 /// The report of the open study in the menu File.
 void addReport(Bench& bench);
+/// The study as tables, whole or to share.
+void addStudyExport(Bench& bench);
 /// What happened to the study, what is odd in its data, and what the build says of its model.
 void addNotes(Bench& bench);
 /// The versions of the model: the panel, its entries in the menu Edit, and the strip that names the compared ones.
@@ -184,6 +186,7 @@ class StartFeature : public QObject {
 
  private:
   void connectAll();
+  void addMenu();
   void makeModel();
   void chooseTables();
   void chooseDemoFolder();

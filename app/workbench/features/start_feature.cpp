@@ -202,10 +202,26 @@ std::vector<TourStep> HelpFeature::steps() {
     bench_.window.enter(Stage::kUnderstand);
     return &bench_.window.strip();
   };
+  // Of a model without a study there are no people to show.
+  const auto of_study = [this](Stage stage, QWidget* screen) {
+    return [this, stage, screen]() -> QWidget* {
+      if (!bench_.window.canEnter(stage)) return &bench_.window.strip();
+      bench_.window.enter(stage);
+      return screen;
+    };
+  };
   return {
+      {tr("Who was asked"),
+       tr("Each row is a nurse, each column a step of a session. Try a double click on a row: it shows everything that "
+          "she said."),
+       of_study(Stage::kCollect, bench_.views.collect)},
+      {tr("From answers to a model"),
+       tr("Strokes become words for the speed, judgements words for the force, answers rules. Move a slider in the tab "
+          "Speed: the line below the tabs says what it does to the force, and Ctrl+Z takes it back."),
+       of_study(Stage::kBuild, bench_.views.labs)},
       {tr("The force on the way of the tube"),
-       tr("Each thin line is one nurse, the thick one is their mean. Move the mouse over the curves to read them; turn "
-          "the wheel to come closer. A gap is a place for which no nurse gave a rule."),
+       tr("Each thin line is one nurse, the thick one is their mean. Click into the curves to go to a place; turn the "
+          "wheel to come closer. A gap is a place for which no nurse gave a rule."),
        at(Stage::kUnderstand, panels.curves)},
       {tr("One place for everything"),
        tr("Lubrication, neck, depth and speed: this is the situation that all panels speak of. Type a number, or click "
@@ -239,6 +255,19 @@ StartFeature::StartFeature(Bench& bench) : QObject(&bench.features), bench_(benc
   bench_.views.start = new StartView(bench_.recent, bench_.demo);
   bench_.window.setStartScreen(bench_.views.start);
   connectAll();
+  addMenu();
+}
+
+// What the start page offers, also while something is open.
+void StartFeature::addMenu() {
+  WindowMenus& menus = bench_.window.menus();
+  connect(menus.addAction(MenuSlot::kFileOpen, tr("&Go to the start page")), &QAction::triggered, &bench_.window,
+          &MainWindow::showStart);
+  connect(menus.addAction(MenuSlot::kFileOpen, tr("New mo&del…")), &QAction::triggered, this, &StartFeature::makeModel);
+  connect(menus.addAction(MenuSlot::kFileOpen, tr("Import ta&bles…")), &QAction::triggered, this,
+          &StartFeature::chooseTables);
+  connect(menus.addAction(MenuSlot::kFileOpen, tr("&Import a model…")), &QAction::triggered, &bench_.files,
+          &ModelFiles::chooseImport);
 }
 
 void StartFeature::connectAll() {

@@ -1,12 +1,16 @@
 #include <QAction>
+#include <QDesktopServices>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QUrl>
 #include <chrono>
 #include <memory>
+#include <random>
 #include <utility>
 
 #include "app/report/study_report.h"
 #include "app/session/data_checks.h"
+#include "app/session/study_export.h"
 #include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
@@ -65,8 +69,11 @@ ReportFeature::ReportFeature(Bench& bench)
     background_.drop();
     showState();
   });
-  connect(this, &ReportFeature::written, &bench_.window,
-          [this](const QString& path) { bench_.window.say(tr("The report is written: %1").arg(shownFileName(path))); });
+  connect(this, &ReportFeature::written, &bench_.window, [this](const QString& path) {
+    bench_.window.banner().showOffer(
+        tr("The report is written: %1").arg(shownFileName(path)),
+        {tr("Open the report"), [path] { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); }});
+  });
   connect(this, &ReportFeature::failed, &bench_.window, [this](const QString& sentence) {
     bench_.window.banner().showRemedy(tr("The report was not written. %1").arg(sentence),
                                       {tr("Choose another file…"), [this] { choose(); }});
@@ -332,5 +339,58 @@ bool StudyFeature::mayEnd() {
 void addReport(Bench& bench) { bench.report = new ReportFeature(bench); }
 
 void addStudy(Bench& bench) { bench.study_feature = new StudyFeature(bench); }
+
+namespace {
+
+struct ExportText {
+  Q_DECLARE_TR_FUNCTIONS(ExportText)
+};
+
+void exportTables(Bench& bench, bool shareable) {
+  const QFileInfo study(bench.study.path());
+  const QString proposed = study.absolutePath() + QLatin1Char('/') + study.completeBaseName() +
+                           (shareable ? QStringLiteral("-shareable") : QStringLiteral("-export"));
+  const QString folder = file_dialog::getSaveFileName(&bench.window, ExportText::tr("New folder for the tables"),
+                                                      proposed, {}, nullptr, QFileDialog::DontConfirmOverwrite);
+  if (folder.isEmpty()) return;
+  session::ExportOptions options;
+  options.shareable = shareable;
+  std::random_device chance;
+  options.seed = (std::uint64_t{chance()} << 32U) | chance();
+  bench.study.read(bench.features, [&bench, folder, options, shareable](const store::StudyFile& file) {
+    return [&bench, folder, shareable, done = session::exportStudy(file, folder.toStdString(), options)] {
+      if (!done) {
+        bench.window.banner().showRemedy(
+            ExportText::tr("Nothing was exported. %1").arg(text(done.error().message())),
+            {ExportText::tr("Choose another folder…"), [&bench, shareable] { exportTables(bench, shareable); }});
+        return;
+      }
+      QStringList notes;
+      for (const std::string& note : done->notes) notes << text(note);
+      bench.window.banner().showOffer(
+          ExportText::tr("Exported %n participant(s) into %1. %2", nullptr, static_cast<int>(done->participants))
+              .arg(shownFileName(folder), notes.join(QLatin1Char(' '))),
+          {ExportText::tr("Open the folder"), [folder] { QDesktopServices::openUrl(QUrl::fromLocalFile(folder)); }});
+    };
+  });
+}
+
+}  // namespace
+
+void addStudyExport(Bench& bench) {
+  const std::pair<QString, bool> ways[] = {{ExportText::tr("Write &everything as tables…"), false},
+                                           {ExportText::tr("Write tables &to share…"), true}};
+  for (const auto& [name, shareable] : ways) {
+    QAction* const action = bench.window.menus().addAction(MenuSlot::kStudyModel, name);
+    const auto follow = [&bench, action] {
+      action->setEnabled(bench.study.isOpen() && !bench.collect.isSessionRunning());
+    };
+    follow();
+    QObject::connect(&bench.study, &StudyConnection::changed, &bench.features, follow);
+    QObject::connect(&bench.collect, &CollectController::changed, &bench.features, follow);
+    QObject::connect(action, &QAction::triggered, &bench.features,
+                     [&bench, shareable = shareable] { exportTables(bench, shareable); });
+  }
+}
 
 }  // namespace tactus::workbench

@@ -93,7 +93,10 @@ FeelController::FeelController(SceneController& scene, DeviceSession& session, Q
   connect(&session_, &DeviceSession::sampled, this, &FeelController::onSampled);
   connect(&session_, &DeviceSession::advanced, this, &FeelController::onAdvanced);
   connect(&session_, &DeviceSession::ending, this, &FeelController::endPlacement);
-  connect(&session_, &DeviceSession::stateChanged, this, &FeelController::stateChanged);
+  connect(&session_, &DeviceSession::stateChanged, this, [this] {
+    if (before_ && isOwnRun() && session_.state() == State::kStopped) putBack();
+    emit stateChanged();
+  });
   connect(&session_, &DeviceSession::failed, this, [this](const QString& sentence) {
     if (isOwnRun()) emit failed(sentence);
   });
@@ -116,7 +119,26 @@ bool FeelController::isNeckFlexed() const {
   return postures && scene_.value(*input) > (postures->upright + postures->flexed) / 2;
 }
 
+// The user had chosen this speed and this neck for the plots.
+void FeelController::keepPlace() {
+  if (before_ || !scene_.model()) return;
+  Before before;
+  before.neck_set = neck_set_;
+  for (const char* const id : {kSpeedId, kNeckFlexionId}) {
+    if (const auto input = inputNamed(scene_.model()->model, id)) before.values[*input] = scene_.value(*input);
+  }
+  before_ = std::move(before);
+}
+
+void FeelController::putBack() {
+  const Before before = *std::exchange(before_, std::nullopt);
+  if (!scene_.model()) return;
+  for (const auto& [input, value] : before.values) scene_.setValue(input, value);
+  neck_set_ = before.neck_set;
+}
+
 void FeelController::start(const QString& id) {
+  if (session_.state() == State::kStopped) keepPlace();
   raiseHeadAtFirst();
   if (!prepare()) return;
   recorded_ = {};
@@ -124,6 +146,7 @@ void FeelController::start(const QString& id) {
 }
 
 void FeelController::startReplay(std::unique_ptr<haptics::HapticDevice> device, RecordedForce recorded) {
+  if (session_.state() == State::kStopped) keepPlace();
   if (!prepare()) return;
   recorded_ = std::move(recorded);
   session_.startReplay(std::move(device), force_, this);
@@ -186,7 +209,10 @@ void FeelController::setNeckFlexed(bool flexed) {
 }
 
 void FeelController::raiseHeadAtFirst() {
-  if (!neck_set_) setNeckFlexed(false);
+  if (neck_set_) return;
+  raising_ = true;
+  setNeckFlexed(false);
+  raising_ = false;
 }
 
 void FeelController::setFollowsHand(bool follows) { follows_hand_ = follows; }
@@ -227,6 +253,7 @@ void FeelController::onModel() {
 
 // The felt model is the shown model: the force of the previous model must stop.
 void FeelController::onAnotherModel() {
+  before_.reset();
   if (isFelt() && !postScene(kEditFadeS)) stop();
 }
 
@@ -234,6 +261,10 @@ void FeelController::onValue(std::size_t input) {
   const std::string& id = scene_.model()->model.inputs[input].id;
   if (id == kNeckFlexionId) {
     neck_set_ = true;
+    if (before_ && !raising_) {  // by the user: it stays
+      before_->values.erase(input);
+      before_->neck_set = true;
+    }
     emit neckChanged();
   }
   if (!isFelt() || id == kDepthId || id == kSpeedId) return;

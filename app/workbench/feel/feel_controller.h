@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -164,6 +165,8 @@ class FeelController : public QObject {
     bool operator==(const Shown&) const = default;
   };
   bool prepare();
+  void keepPlace();
+  void putBack();
   bool isOwnRun() const { return session_.user() == this; }
   void onBegan();
   void onBeating();
@@ -190,8 +193,15 @@ class FeelController : public QObject {
   bool follows_hand_ = true;
   double followed_mm_s_ = 0;      ///< the speed of the hand, smoothed for the curves
   std::int64_t followed_ns_ = 0;  ///< time of the sample that it follows
+  bool raising_ = false;          ///< the procedure raises the head, not the user
   bool flexing_ = false;          ///< the next change of neck flexion is a gesture
   bool neck_set_ = false;
+  /// What the hand and the procedure move while the model is felt, as it was before; put back when the run has stopped.
+  struct Before {
+    std::map<std::size_t, double> values;  ///< by input
+    bool neck_set = false;
+  };
+  std::optional<Before> before_;
   bool conditions_new_ = false;  ///< posted at the next beat, because a dragged slider changes them more often
   std::uint64_t placement_orders_ = 0;
   PlacementMeter meter_;

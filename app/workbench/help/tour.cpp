@@ -65,6 +65,9 @@ void TourCard::keyPressEvent(QKeyEvent* event) {
     emit backRequested();
   } else if (event->key() == Qt::Key_Right) {
     emit nextRequested();
+  } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+    QPushButton* const ringed = back_->hasFocus() ? back_ : end_->hasFocus() ? end_ : next_;
+    ringed->click();
   } else {
     Card::keyPressEvent(event);
   }

@@ -75,15 +75,38 @@ namespace {
 constexpr int kMostShown = 60;  // more rows are not read
 constexpr QSize kSearchSize(680, 380);
 
+/// Words that people type for the same thing: each finds what the others find. Those of a row are separated by blanks.
+QStringList synonymsOf(const QString& word) {
+  const QString rows[] = {SearchText::tr("why reason explain rules"),
+                          SearchText::tr("export write save deliver bundle"),
+                          SearchText::tr("import read tables answer"),
+                          SearchText::tr("alpha α membership speed"),
+                          SearchText::tr("uncertainty interval band bands"),
+                          SearchText::tr("new make template"),
+                          SearchText::tr("weight weights experts"),
+                          SearchText::tr("report page print"),
+                          SearchText::tr("nurse participant session collect"),
+                          SearchText::tr("agree build experts labs")};
+  QStringList out{word};
+  if (word.size() < 2 && word != QStringLiteral("α")) return out;
+  for (const QString& row : rows) {
+    const QStringList words = row.split(QLatin1Char(' '));
+    if (words.contains(word, Qt::CaseInsensitive)) out << words;
+  }
+  return out;
+}
+
 /// Smaller is better; nothing: not found.
 std::optional<int> rankOf(const SearchEntry& entry, const QStringList& words) {
   const auto has = [](const QString& text, const QString& word) { return text.contains(word, Qt::CaseInsensitive); };
-  if (!std::all_of(words.begin(), words.end(),
-                   [&](const QString& word) { return has(entry.text, word) || has(entry.kind, word); })) {
-    return std::nullopt;
-  }
+  const auto has_alike = [&](const QString& word) {
+    const QStringList alike = synonymsOf(word);
+    return std::any_of(alike.begin(), alike.end(),
+                       [&](const QString& one) { return has(entry.text, one) || has(entry.kind, one); });
+  };
+  if (!std::all_of(words.begin(), words.end(), has_alike)) return std::nullopt;
   if (words.isEmpty() || entry.text.startsWith(words.first(), Qt::CaseInsensitive)) return 0;
-  return has(entry.text, words.first()) ? 1 : 2;
+  return has(entry.text, words.first()) ? 1 : has(entry.kind, words.first()) ? 2 : 3;
 }
 
 }  // namespace
@@ -129,12 +152,17 @@ void CommandSearch::find(const QString& typed) {
   for (const SearchEntry& entry : found_) {
     list_->addItem(entry.kind.isEmpty() ? entry.text : entry.text + QStringLiteral("   –   ") + entry.kind);
   }
-  if (!found_.isEmpty()) list_->setCurrentRow(0);
+  if (!found_.isEmpty()) return list_->setCurrentRow(0);
+  auto* const nothing = new QListWidgetItem(tr("Nothing found. Try a command (“export”), a panel (“map”), a figure "
+                                               "(“figure 7”), a participant's code, or a place: "
+                                               "“130 mm poor fast”."),
+                                            list_);
+  nothing->setFlags(Qt::NoItemFlags);
 }
 
 void CommandSearch::choose() {
   const int row = list_->currentRow();
-  if (row < 0) return;
+  if (row < 0 || row >= found_.size()) return;
   const auto run = found_[row].run;
   // What is chosen may show a dialog of its own.
   accept();

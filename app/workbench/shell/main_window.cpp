@@ -96,6 +96,10 @@ void StageRail::show(Stage stage) { buttons_.value(stage)->show(); }
 
 void StageRail::setReady(Stage stage, bool ready) { buttons_.value(stage)->setEnabled(ready); }
 
+void StageRail::setState(Stage stage, const QString& state) {
+  if (StageButton* const button = buttons_.value(stage)) button->setState(state);
+}
+
 void StageRail::setStage(std::optional<Stage> stage) {
   for (StageButton* button : buttons_) {
     // Among exclusive buttons the checked one cannot be unchecked.
@@ -231,6 +235,8 @@ void MainWindow::setStartScreen(QWidget* screen) {
   screens_->setCurrentWidget(screen);
 }
 
+void MainWindow::setStageState(Stage stage, const QString& state) { rail_->setState(stage, state); }
+
 void MainWindow::addScreen(Stage stage, QWidget* screen, Needs needs) {
   TACTUS_CHECK(!hasScreen(stage));
   if (screens_->indexOf(screen) < 0) screens_->addWidget(screen);
@@ -291,6 +297,12 @@ void MainWindow::enter(Stage stage) {
   settings_.setValue(QLatin1String(kStageKey), stageId(stage));
   setLayoutBeside({});
   emit entered(stage);
+}
+
+void MainWindow::showStart() {
+  screens_->setCurrentWidget(start_);
+  rail_->setStage(std::nullopt);
+  strip_->showPoint(false);
 }
 
 void MainWindow::enterLayout(const QString& id) {

@@ -49,6 +49,8 @@ class StageButton : public QAbstractButton {
 
   /// True: the name stands below the picture, and the task is the tool tip.
   void setCompact(bool compact);
+  /// How far the stage is, e.g. `4 nurses`, instead of its task; empty: its task.
+  void setState(const QString& state);
 
   QSize sizeHint() const override;
 
@@ -56,11 +58,13 @@ class StageButton : public QAbstractButton {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString hint() const;
   QRect hintRect() const;
-  void paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint);
+  void paintRoomy(QPainter& painter, const QColor& ink, const QColor& muted);
   void paintCompact(QPainter& painter, const QColor& ink);
 
   Stage stage_;
+  QString state_;
   bool compact_ = false;
 };
 
@@ -123,6 +127,8 @@ class StageRail : public QWidget {
   void show(Stage stage);
   /// Whether `stage` can be entered now.
   void setReady(Stage stage, bool ready);
+  /// How far `stage` is, below its name; empty: its task.
+  void setState(Stage stage, const QString& state);
   /// Marks the stage on the screen; nothing: none is, as in the Feel layout.
   void setStage(std::optional<Stage> stage);
   /// True: a narrow rail.
@@ -193,6 +199,8 @@ class MainWindow : public QMainWindow, public MessagePlace {
   WindowMenus& menus() { return menus_; }
   /// What must be open before a stage can be entered.
   enum class Needs { kModel, kStudy };
+  /// How far `stage` is, in the rail, e.g. `4 nurses`.
+  void setStageState(Stage stage, const QString& state);
   /// The screen that is shown while no stage can be entered.
   void setStartScreen(QWidget* screen);
   /// Adds the screen of `stage`, which can be entered while what it needs is open.
@@ -230,6 +238,8 @@ class MainWindow : public QMainWindow, public MessagePlace {
  public slots:
   /// `stage` has a screen. Where what it needs is not open, the start screen stays.
   void enter(tactus::workbench::Stage stage);
+  /// The start screen, also while something is open; a stage of the rail leads back.
+  void showStart();
   /// Shows the panels of an added layout. Without a model it does nothing.
   void enterLayout(const QString& id);
   /// Back to the screen of the stage.

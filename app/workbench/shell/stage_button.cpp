@@ -120,22 +120,31 @@ StageButton::StageButton(Stage stage, QWidget* parent) : QAbstractButton(parent)
 
 void StageButton::setCompact(bool compact) {
   compact_ = compact;
-  setToolTip(compact ? stageHint(stage_) : QString());
+  setToolTip(compact ? hint() : QString());
   updateGeometry();
   update();
 }
 
+void StageButton::setState(const QString& state) {
+  state_ = state;
+  setAccessibleDescription(hint());
+  if (compact_) setToolTip(hint());
+  update();
+}
+
+QString StageButton::hint() const { return state_.isEmpty() ? stageHint(stage_) : state_; }
+
 QSize StageButton::sizeHint() const {
   const QFontMetrics name(theme::headingFont());
-  const QFontMetrics hint(theme::smallFont());
+  const QFontMetrics small(theme::smallFont());
   int widest = 0;
   if (compact_) {
     const QFontMetrics chosen(compactFont(true));
     for (const Stage stage : kStages) widest = std::max(widest, chosen.horizontalAdvance(stageName(stage)));
-    return {widest + 2 * theme::kGrid, 2 * theme::kGrid + kPicture + hint.height()};
+    return {widest + 2 * theme::kGrid, 2 * theme::kGrid + kPicture + small.height()};
   }
   for (const Stage stage : kStages) widest = std::max(widest, name.horizontalAdvance(stageName(stage)));
-  return {kText + widest + 2 * theme::kGrid, 2 * theme::kGrid + name.height() + 2 * hint.height() + 2};
+  return {kText + widest + 2 * theme::kGrid, 2 * theme::kGrid + name.height() + 2 * small.height() + 2};
 }
 
 QRect StageButton::hintRect() const {
@@ -170,14 +179,14 @@ void StageButton::paintEvent(QPaintEvent* /*event*/) {
   }
 }
 
-void StageButton::paintRoomy(QPainter& painter, const QColor& ink, const QColor& hint) {
+void StageButton::paintRoomy(QPainter& painter, const QColor& ink, const QColor& muted) {
   paintPicture(painter, stage_, QPoint(theme::kGrid + 2, theme::kGrid), ink);
   painter.setFont(theme::headingFont());
   painter.drawText(QRect(kText, theme::kGrid, width() - kText, QFontMetrics(theme::headingFont()).height()),
                    Qt::AlignLeft | Qt::AlignVCenter, text());
-  painter.setPen(hint);
+  painter.setPen(muted);
   painter.setFont(theme::smallFont());
-  painter.drawText(hintRect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, stageHint(stage_));
+  painter.drawText(hintRect(), Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, hint());
 }
 
 void StageButton::paintCompact(QPainter& painter, const QColor& ink) {

@@ -16,7 +16,7 @@ namespace tactus::workbench {
 
 ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings& settings)
     : window_(window), settings_(settings) {
-  QAction* const stages = addStages()->menuAction();
+  addStages();
   QAction* const panels = addPanels()->menuAction();
   addLooks();
   addTextSizes();
@@ -29,22 +29,25 @@ ViewMenu::ViewMenu(MainWindow& window, const ModelController& models, QSettings&
   QAction* const reset =
       window_.menus().addAction(MenuSlot::kView, tr("&Reset layout"), Qt::CTRL | Qt::SHIFT | Qt::Key_R);
   connect(reset, &QAction::triggered, &window_.panels(), &PanelArea::resetLayout);
-  for (QAction* action : {stages, panels, reset}) {
+  for (QAction* action : {panels, reset}) {
     action->setEnabled(false);
     connect(&models, &ModelController::opened, action, [action] { action->setEnabled(true); });
   }
 }
 
-QMenu* ViewMenu::addStages() {
+void ViewMenu::addStages() {
   QMenu* menu = window_.menus().addMenu(MenuSlot::kView, tr("&Stage"));
   int number = 0;
   for (const Stage stage : kStages) {
     QAction* action = menu->addAction(stageName(stage));
     action->setShortcut(QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + number++)));
     action->setVisible(window_.hasScreen(stage));
-    connect(action, &QAction::triggered, &window_, [this, stage] { window_.enter(stage); });
+    connect(action, &QAction::triggered, &window_, [this, stage] {
+      if (window_.canEnter(stage)) return window_.enter(stage);
+      window_.say(stage == Stage::kCollect || stage == Stage::kBuild ? tr("%1 needs a study.").arg(stageName(stage))
+                                                                     : tr("%1 needs a model.").arg(stageName(stage)));
+    });
   }
-  return menu;
 }
 
 QMenu* ViewMenu::addPanels() {

@@ -19,7 +19,7 @@ class ViewMenu : public QObject {
   ViewMenu(MainWindow& window, const ModelController& models, QSettings& settings);
 
  private:
-  QMenu* addStages();
+  void addStages();
   QMenu* addPanels();
   void addLooks();
   void addTextSizes();

@@ -36,6 +36,16 @@
     </message>
 </context>
 <context>
+    <name>ExportText</name>
+    <message numerus="yes">
+        <source>Exported %n participant(s) into %1. %2</source>
+        <translation>
+            <numerusform>Exported %n participant into %1. %2</numerusform>
+            <numerusform>Exported %n participants into %1. %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>FindingRowsText</name>
     <message numerus="yes">
         <source>%n hole(s)</source>
@@ -191,6 +201,23 @@
         <translation>
             <numerusform>There is a note about it beside the heading.</numerusform>
             <numerusform>There are %n notes about it beside the heading.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>RailFeature</name>
+    <message numerus="yes">
+        <source>%n participant(s)</source>
+        <translation>
+            <numerusform>%n participant</numerusform>
+            <numerusform>%n participants</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n setting(s) changed</source>
+        <translation>
+            <numerusform>%n setting changed</numerusform>
+            <numerusform>%n settings changed</numerusform>
         </translation>
     </message>
 </context>

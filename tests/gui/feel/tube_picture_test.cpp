@@ -50,6 +50,24 @@ TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
   EXPECT_TRUE(feel.isNeckFlexed());
 }
 
+// The plots come back to the neck and the speed at which they stood before.
+TEST_F(TubePictureTest, AfterTheStopNeckAndSpeedAreAsBefore) {
+  models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
+  constexpr std::size_t kSpeed = 3;
+  ASSERT_EQ(scene.model()->model.inputs[kSpeed].id, kSpeedId);
+  const double speed_mm_s = scene.value(kSpeed);
+  ASSERT_GT(speed_mm_s, 0);
+  for (int run = 0; run < 2; ++run) {
+    feel.start(QStringLiteral("virtual"));
+    time.advance(feel, 300);
+    EXPECT_EQ(scene.value(kNeck), 7.5) << run;
+    EXPECT_NE(scene.value(kSpeed), speed_mm_s) << run;
+    feel.stop();
+    EXPECT_EQ(scene.value(kNeck), 60) << run;
+    EXPECT_EQ(scene.value(kSpeed), speed_mm_s) << run;
+  }
+}
+
 TEST_F(TubePictureTest, ANeckThatWasSetIsFeltAsItIs) {
   models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   scene.setValue(kNeck, 45);

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
+#include "elicitation/model/method_study.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
@@ -53,6 +56,59 @@ class CorrectionsTest : public testing::Test {
   Corrections corrections{data};
 };
 
+// Settings are taken back in the same list as corrections; the moves of a slider are one step.
+TEST_F(CorrectionsTest, SettingsHaveAnUndo) {
+  const auto set_alpha = [this](double alpha) {
+    auto settings = data.settings();
+    settings.speed.alpha = alpha;
+    data.setSettings(settings);
+  };
+  EXPECT_FALSE(corrections.canUndo());
+  for (const double alpha : {0.93, 0.9, 0.85, 0.8}) set_alpha(alpha);
+  EXPECT_EQ(corrections.undoText(), QStringLiteral("α 0.95 → 0.8"));
+  auto settings = data.settings();
+  settings.speed.fcm.m = 1.5;
+  data.setSettings(settings);
+  EXPECT_EQ(corrections.undoText(), QStringLiteral("m 2 → 1.5"));
+  corrections.undo();
+  EXPECT_EQ(data.settings().speed.fcm.m, 2);
+  EXPECT_EQ(data.settings().speed.alpha, 0.8);
+  corrections.undo();
+  EXPECT_EQ(data.settings().speed.alpha, 0.95);
+  EXPECT_FALSE(corrections.canUndo());
+  corrections.redo();
+  corrections.redo();
+  EXPECT_EQ(data.settings().speed.fcm.m, 1.5);
+  EXPECT_EQ(data.settings().speed.alpha, 0.8);
+  EXPECT_FALSE(corrections.canRedo());
+  EXPECT_EQ(settingsChange({}, data.settings()), QStringLiteral("α 0.95 → 0.8, m 2 → 1.5"));
+}
+
+// The price of a setting is the difference of the two models, over the points of the method study.
+TEST_F(CorrectionsTest, ASettingSaysWhatItDoesToTheForce) {
+  SettingsPrice price(data);
+  price.setSeen(true);
+  EXPECT_EQ(price.sentence(), QString());
+  const elicitation::BuildSettings before = data.settings();
+  auto after = before;
+  after.speed.alpha = 0.8;
+  data.setSettings(after);
+  ASSERT_TRUE(comesTrue([&] { return price.sentence().contains(QStringLiteral("at most")); }))
+      << price.sentence().toStdString();
+  const LabStudy& of = *data.study();
+  const auto first = elicitation::buildModel(of.study, of.forms, before);
+  const auto second = elicitation::buildModel(of.study, of.forms, after);
+  ASSERT_TRUE(first && second);
+  const auto moved = elicitation::methodDifference(first->model, second->model);
+  ASSERT_TRUE(moved);
+  ASSERT_GT(moved->largest_n, 0.001);
+  EXPECT_TRUE(price.sentence().startsWith(QStringLiteral("α 0.95 → 0.8: ")));
+  EXPECT_NE(price.sentence().indexOf(quantityText(moved->largest_n, "N", 3)), -1) << price.sentence().toStdString();
+  // Back where it was: nothing to say.
+  data.setSettings(before);
+  EXPECT_EQ(price.sentence(), QString());
+}
+
 // The data of a real person change only with a name and a reason, once a day; the demo's are simulated.
 TEST_F(CorrectionsTest, DataOfARealPersonAreCorrectedUnderANameAndAReason) {
   const study::StrokeRecord simulated = strokeOf("fast", 2);
@@ -64,26 +120,32 @@ TEST_F(CorrectionsTest, DataOfARealPersonAreCorrectedUnderANameAndAReason) {
   QObject::connect(&corrections, &Corrections::signatureAsked, [&asked](const QString& what) { asked = what; });
   // A real person beside them, with a stroke of the same values.
   study::StrokeRecord real;
-  readAgainAfter([&] {
-    study.order(
-        [&real, simulated](store::StudyFile& file, study::RecordIds& ids) -> base::Result<void> {
-          const study::Person someone{ids.next(), "real-person", false};
-          TACTUS_TRY(auto sessions, store::sessions(file));
-          auto session = sessions.front();
-          session.id = ids.next();
-          session.person = someone.id;
-          session.protocol.reset();
-          TACTUS_TRY(auto recording, store::recordingOf(file, simulated.entry.id));
-          real = simulated;
-          real.entry.id = ids.next();
-          real.entry.session = session.id;
-          real.recording = recording;
-          return store::append(file, someone).and_then([&] { return store::append(file, session); }).and_then([&] {
-            return store::append(file, real);
-          });
-        },
-        [this] { data.refresh(); }, [](const QString& sentence) { FAIL() << sentence.toStdString(); });
-  });
+  bool added = false;
+  study.order(
+      [&real, simulated](store::StudyFile& file, study::RecordIds& ids) -> base::Result<void> {
+        const study::Person someone{ids.next(), "real-person", false};
+        TACTUS_TRY(auto sessions, store::sessions(file));
+        auto session = sessions.front();
+        session.id = ids.next();
+        session.person = someone.id;
+        session.protocol.reset();
+        TACTUS_TRY(auto recording, store::recordingOf(file, simulated.entry.id));
+        real = simulated;
+        real.entry.id = ids.next();
+        real.entry.session = session.id;
+        real.recording = recording;
+        return store::append(file, someone).and_then([&] { return store::append(file, session); }).and_then([&] {
+          return store::append(file, real);
+        });
+      },
+      [&added] { added = true; }, [](const QString& sentence) { FAIL() << sentence.toStdString(); });
+  ASSERT_TRUE(comesTrue([&added] { return added; }));
+  const auto is_read = [this, &real] {
+    const auto& all = data.study()->strokes;
+    return std::any_of(all.begin(), all.end(), [&](const auto& one) { return one.entry.id == real.entry.id; });
+  };
+  data.refresh();
+  ASSERT_TRUE(comesTrue([&] { return data.study() != nullptr && !data.isReading() && is_read(); }));
   real.recording = {};
   study::StrokeRecord shorter = real;
   shorter.first += 40;

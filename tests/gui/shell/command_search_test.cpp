@@ -38,6 +38,17 @@ TEST(FoundEntries, HoldEachWordAndBeginWithTheFirstWhereTheyCan) {
   EXPECT_TRUE(foundEntries(all, QStringLiteral("open as")).isEmpty());
 }
 
+// Who types another word for the same thing finds it too, after what has the word itself.
+TEST(FoundEntries, OtherWordsForTheSameThingAreFound) {
+  const QList<SearchEntry> all{{QStringLiteral("Write tables to share…"), QStringLiteral("Study"), {}},
+                               {QStringLiteral("Why here"), QStringLiteral("Panel"), {}},
+                               {QStringLiteral("Export the bundle"), QStringLiteral("Deliver"), {}}};
+  EXPECT_EQ(textsOf(foundEntries(all, QStringLiteral("export"))),
+            (QStringList{QStringLiteral("Export the bundle"), QStringLiteral("Write tables to share…")}));
+  EXPECT_EQ(textsOf(foundEntries(all, QStringLiteral("reason"))), QStringList{QStringLiteral("Why here")});
+  EXPECT_TRUE(foundEntries(all, QStringLiteral("zzz")).isEmpty());
+}
+
 class SearchTest : public tests::ShownBench {
  protected:
   SearchTest() : ShownBench(Stage::kUnderstand) {}

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "core/store/entries.h"
 #include "elicitation/agreement/expert_influence.h"
 
@@ -93,6 +94,39 @@ Result<void> appendCorrection(store::StudyFile& file, const Other& record) {
 Corrections::Corrections(LabData& data, QObject* parent) : UndoSource(parent), data_(data) {
   connect(&data_.connection(), &StudyConnection::opened, this, &Corrections::forget);
   connect(&data_.connection(), &StudyConnection::closed, this, &Corrections::forget);
+  connect(&data_, &LabData::settingsEdited, this, &Corrections::takeSettings);
+}
+
+void Corrections::takeSettings(const elicitation::BuildSettings& before, const elicitation::BuildSettings& after) {
+  const QString what = settingsChange(before, after);
+  if (restoring_ || busy_ || what.isEmpty()) return;
+  const auto setting = [](const QString& change) { return change.section(QLatin1Char(' '), 0, 0); };
+  steps_.resize(done_);
+  Step* const last = steps_.empty() ? nullptr : &steps_.back();
+  const bool together = last != nullptr && last->settings && setting(last->what) == setting(what) &&
+                        last->settings->since.elapsed() < SettingsPrice::kTogetherMs;
+  if (together) {
+    last->settings->after = after;
+    last->what = settingsChange(last->settings->before, after);
+    last->settings->since.start();
+    if (last->what.isEmpty()) steps_.pop_back();
+  } else {
+    Step step;
+    step.what = what;
+    step.settings = SettingsStep{before, after, {}};
+    step.settings->since.start();
+    steps_.push_back(std::move(step));
+  }
+  done_ = steps_.size();
+  emit changed();
+}
+
+void Corrections::restore(const elicitation::BuildSettings& settings, std::size_t done_after) {
+  restoring_ = true;
+  data_.setSettings(settings);
+  restoring_ = false;
+  done_ = done_after;
+  emit changed();
 }
 
 void Corrections::correct(Record before, Record wanted, const QString& what, const QString& reason) {
@@ -133,15 +167,19 @@ QString Corrections::signedReason(const QString& reason) const {
 }
 
 void Corrections::undo() {
-  if (!canUndo() || !data_.connection().takesOrders()) return;
+  if (!canUndo()) return;
   const Step& step = steps_[done_ - 1];
+  if (step.settings) return restore(elicitation::BuildSettings(step.settings->before), done_ - 1);
+  if (!data_.connection().takesOrders()) return;
   write(step.chain, step.before, tr("Undone: %1").arg(step.what), QStringLiteral("undo"), done_ - 1,
         [this] { undo(); });
 }
 
 void Corrections::redo() {
-  if (!canRedo() || !data_.connection().takesOrders()) return;
+  if (!canRedo()) return;
   const Step step = steps_[done_];
+  if (step.settings) return restore(step.settings->after, done_ + 1);
+  if (!data_.connection().takesOrders()) return;
   write(step.chain, step.after, tr("Redone: %1").arg(step.what), step.reason, done_ + 1, [this, step] {
     if (steps_.size() == done_) steps_.push_back(step);
     redo();

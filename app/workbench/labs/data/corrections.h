@@ -1,11 +1,14 @@
-// Corrections of a study's records. A correction is a new record that supersedes the old one; the old one stays in the
-// file. Undo is one more record, with the values of the old one.
+// What can be taken back in the labs: corrections of a study's records, and changes of the settings. A correction is a
+// new record that supersedes the old one; the old one stays in the file. Undo is one more record, with the values of
+// the old one.
 #pragma once
 
 #include <QDate>
+#include <QElapsedTimer>
 #include <QString>
 #include <functional>
 #include <map>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -70,12 +73,19 @@ class Corrections : public UndoSource {
   void refused(const QString& sentence, const tactus::workbench::MessageAct& act);
 
  private:
+  /// A change of the settings from one state to another; those of a slider are one.
+  struct SettingsStep {
+    elicitation::BuildSettings before;
+    elicitation::BuildSettings after;
+    QElapsedTimer since;
+  };
   struct Step {
     study::RecordId chain;  ///< the first record that a correction of this run of the program superseded
     Record before;
     Record after;
     QString what;
     QString reason;
+    std::optional<SettingsStep> settings = {};  ///< then nothing of the above but `what` is set
   };
   /// The current record of each chain.
   using Newest = std::map<study::RecordId, study::RecordId>;
@@ -83,6 +93,8 @@ class Corrections : public UndoSource {
   /// `again`: does the same once more, where it failed.
   void write(const study::RecordId& chain, Record record, const QString& what, const QString& reason,
              std::size_t done_after, std::function<void()> again);
+  void takeSettings(const elicitation::BuildSettings& before, const elicitation::BuildSettings& after);
+  void restore(const elicitation::BuildSettings& settings, std::size_t done_after);
   bool needsSignature(const Record& record) const;
   QString signedReason(const QString& reason) const;
   void forget();
@@ -91,6 +103,7 @@ class Corrections : public UndoSource {
   std::vector<Step> steps_;
   std::size_t done_ = 0;
   bool busy_ = false;
+  bool restoring_ = false;  ///< settings are being put back: no new step
   Newest newest_;
   QDate signed_on_;
   QString signature_;               ///< `Ann Lee: heard the recording`

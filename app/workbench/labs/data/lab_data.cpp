@@ -83,8 +83,44 @@ LabData::LabData(StudyConnection& connection, QObject* parent) : Held(parent), c
 }
 
 void LabData::setSettings(elicitation::BuildSettings settings) {
-  settings_ = std::move(settings);
+  const elicitation::BuildSettings before = std::exchange(settings_, std::move(settings));
+  emit settingsEdited(before, settings_);
   emit settingsChanged();
+}
+
+namespace {
+
+struct SettingsText {
+  Q_DECLARE_TR_FUNCTIONS(SettingsText)
+};
+
+QString weightsText(const elicitation::WeightSettings& weights) {
+  QString out = text(std::string(name(weights.policy)));
+  for (const auto& [who, weight] : weights.table) out += QStringLiteral(" %1 %2").arg(text(who), numberText(weight));
+  return out;
+}
+
+}  // namespace
+
+QString settingsChange(const elicitation::BuildSettings& before, const elicitation::BuildSettings& after) {
+  QStringList parts;
+  const auto add = [&parts](const QString& what, const QString& from, const QString& to) {
+    if (from != to) parts << QStringLiteral("%1 %2 → %3").arg(what, from, to);
+  };
+  const auto word = [](std::string_view id) {
+    return text(std::string(id)).replace(QLatin1Char('_'), QLatin1Char(' '));
+  };
+  add(QStringLiteral("α"), numberText(before.speed.alpha), numberText(after.speed.alpha));
+  add(QStringLiteral("m"), numberText(before.speed.fcm.m), numberText(after.speed.fcm.m));
+  add(SettingsText::tr("trimming"), numberText(before.speed.trim), numberText(after.speed.trim));
+  add(SettingsText::tr("centers"), word(name(before.speed.centres)), word(name(after.speed.centres)));
+  add(SettingsText::tr("averaging"), word(name(before.averaging)), word(name(after.averaging)));
+  add(SettingsText::tr("speed terms"), word(name(before.terms)), word(name(after.terms)));
+  add(SettingsText::tr("force words"), word(name(before.force_terms)), word(name(after.force_terms)));
+  add(SettingsText::tr("series"), word(before.series), word(after.series));
+  add(SettingsText::tr("depths"), word(name(before.depths)), word(name(after.depths)));
+  add(SettingsText::tr("weights"), weightsText(before.weights), weightsText(after.weights));
+  return parts.join(QStringLiteral(", "));
 }
 
 void LabData::setMeasuredDepths(const elicitation::DepthMeasurement& measured) {

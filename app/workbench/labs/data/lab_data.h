@@ -122,6 +122,9 @@ class LabData : public Held {
   /// `study`, `failure` or `isReading` changed.
   void studyChanged();
   void settingsChanged();
+  /// The user has changed the settings; comes before `settingsChanged`. Not when a study is opened or closed.
+  void settingsEdited(const tactus::elicitation::BuildSettings& before,
+                      const tactus::elicitation::BuildSettings& after);
 
  private:
   void followHolders() override { read(); }
@@ -137,6 +140,9 @@ class LabData : public Held {
   bool reading_ = false;
   bool runs_ = false;
 };
+
+/// What differs between two settings of the labs: `α 0.95 → 0.8, m 2 → 1.5`; empty: nothing.
+QString settingsChange(const elicitation::BuildSettings& before, const elicitation::BuildSettings& after);
 
 // The averaged model of the open study with the labs' settings, and everything that led to it.
 

@@ -11,6 +11,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/settings_price.h"
 
 namespace tactus::workbench {
 namespace {
@@ -27,6 +28,7 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
       cancel_(new QPushButton(tr("Cancel"), this)),
       undo_(new QToolButton(this)),
       redo_(new QToolButton(this)),
+      price_(new QLabel(this)),
       failure_(new QLabel(this)),
       read_again_(new QPushButton(tr("Read it again"), this)),
       pages_(new PageStack(this)) {
@@ -47,7 +49,10 @@ LabScreen::LabScreen(LabData& lab_data, QWidget* parent)
     button->setMinimumHeight(3 * theme::kGrid + 4);
     head->addWidget(button);
   }
-  makeColumn(this, {head, makeRow({{failure_, 1}, read_again_}), {pages_, 1}});
+  makeColumn(this, {head, price_, makeRow({{failure_, 1}, read_again_}), {pages_, 1}});
+  price_->setTextFormat(Qt::PlainText);
+  price_->setWordWrap(true);
+  price_->hide();
 
   connect(tabs_, &QTabBar::currentChanged, this, [this](int index) {
     pages_->setCurrentIndex(index);
@@ -92,6 +97,18 @@ void LabScreen::addLab(const QString& title, QWidget* lab, UndoSource* undo) {
 void LabScreen::watch(Computation& work, const QString& doing) {
   watched_.push_back({&work, doing});
   connect(&work, &Computation::changed, this, &LabScreen::followWork);
+}
+
+void LabScreen::showPrice(SettingsPrice& price) {
+  settings_price_ = &price;
+  const auto show = [this] {
+    const QString sentence = settings_price_->sentence();
+    price_->setText(sentence);
+    price_->setVisible(!sentence.isEmpty());
+  };
+  connect(&price, &SettingsPrice::changed, this, show);
+  connect(&data_, &LabData::settingsChanged, this, show);
+  price.setSeen(isVisible());
 }
 
 void LabScreen::reveal(QWidget* lab) { tabs_->setCurrentIndex(std::max(0, pages_->indexOf(lab))); }
@@ -160,8 +177,14 @@ void LabScreen::followStudy() {
 // So that keys are for the lab, not for the model, from the beginning.
 void LabScreen::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
+  if (settings_price_ != nullptr) settings_price_->setSeen(true);
   const QWidget* const focus = focusWidget();
   if (focus == nullptr || !focus->hasFocus()) setFocus(Qt::OtherFocusReason);
+}
+
+void LabScreen::hideEvent(QHideEvent* event) {
+  QWidget::hideEvent(event);
+  if (settings_price_ != nullptr) settings_price_->setSeen(false);
 }
 
 // The window's own undo is of the model: inside a lab, the keys belong to the lab.

@@ -16,6 +16,7 @@ namespace tactus::workbench {
 
 class Computation;
 class LabData;
+class SettingsPrice;
 class UndoSource;
 
 class LabScreen : public QWidget {
@@ -32,6 +33,8 @@ class LabScreen : public QWidget {
   void watch(Computation& work, const QString& doing);
   /// Something short beside the watched work: it counts for `isBusy` without a text.
   void watch(std::function<bool()> busy) { short_work_.push_back(std::move(busy)); }
+  /// Shows what the last change of the settings does to the force, below the tabs.
+  void showPrice(SettingsPrice& price);
   /// Puts the lab with this widget in front.
   void reveal(QWidget* lab);
   QList<QWidget*> labs() const;
@@ -42,6 +45,7 @@ class LabScreen : public QWidget {
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
  private:
   struct Watched {
@@ -59,6 +63,8 @@ class LabScreen : public QWidget {
   QPushButton* cancel_;
   QToolButton* undo_;
   QToolButton* redo_;
+  QLabel* price_;
+  SettingsPrice* settings_price_ = nullptr;
   QLabel* failure_;
   QPushButton* read_again_;
   QStackedWidget* pages_;
