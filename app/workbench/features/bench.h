@@ -18,6 +18,7 @@
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/origins/origin_finder.h"
+#include "app/workbench/labs/overview/build_overview.h"
 #include "app/workbench/labs/rules/rules_lab.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/model/author_name.h"
@@ -76,6 +77,7 @@ struct Labs {
   LabModel model{data};
   Corrections corrections{data};
   SettingsPrice price{data};
+  BuildOverview overview{model};
   SpeedLab speed{data};
   ForceLab force{data, model, corrections};
   RulesLab rules{model, corrections};

@@ -22,6 +22,7 @@
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/method/method_lab_view.h"
+#include "app/workbench/labs/overview/overview_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/session/setup_check.h"
@@ -220,6 +221,7 @@ struct LabsFeature {
  public:
   static void addExperts(Bench& bench);
   static void addMethod(Bench& bench);
+  static void addOverview(Bench& bench);
   static void askSignature(Bench& bench, const QString& what);
 };
 
@@ -286,6 +288,24 @@ void LabsFeature::addExperts(Bench& bench) {
   QObject::connect(&bench.study_models, &StudyModels::failed, context, [leads] { *leads = false; });
 }
 
+void LabsFeature::addOverview(Bench& bench) {
+  LabScreen& screen = *bench.views.labs;
+  auto* const view = new OverviewView(bench.labs.overview);
+  screen.addLab(tr("Overview"), view, &bench.labs.corrections);
+  screen.watch(bench.labs.overview.work(), tr("Comparing what each part does to the force"));
+  QObject* const context = &bench.features;
+  QObject::connect(view, &OverviewView::labAsked, context, [&bench](BuildPart::Kind kind) {
+    const char* const names[] = {"depth", "speed", "force", "rules", "experts"};
+    bench.search->showLab(names[static_cast<std::size_t>(kind)], nullptr);
+  });
+  QObject::connect(view, &OverviewView::sessionAsked, context, [&bench] { bench.window.enter(Stage::kCollect); });
+  QObject::connect(view, &OverviewView::tablesAsked, context, [&bench] { bench.start->chooseTables(); });
+  QObject::connect(view, &OverviewView::fillAsked, context, [&bench] {
+    bench.window.enter(Stage::kCollect);
+    bench.views.collect->askFill();
+  });
+}
+
 void LabsFeature::addMethod(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
   auto* const method = new MethodLab(bench.labs.data, &screen);
@@ -321,6 +341,7 @@ void addLabs(Bench& bench) {
   views.force = new ForceLabView(labs.force);
   views.rules = new RulesLabView(labs.rules);
   LabScreen& screen = *views.labs;
+  LabsFeature::addOverview(bench);
   screen.addLab(LabsFeature::tr("Depth"), views.depth, &labs.depth);
   screen.addLab(LabsFeature::tr("Speed"), views.speed, &labs.corrections);
   screen.watch(labs.speed.work(), LabsFeature::tr("Clustering the speeds"));

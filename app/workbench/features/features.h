@@ -180,6 +180,9 @@ class StartFeature : public QObject {
  public:
   explicit StartFeature(Bench& bench);
 
+  /// Asks for a folder of tables and makes a study of them.
+  void chooseTables();
+
  signals:
   /// The model of the demo study, which was asked for, is on the screen.
   void demoShown();
@@ -188,7 +191,6 @@ class StartFeature : public QObject {
   void connectAll();
   void addMenu();
   void makeModel();
-  void chooseTables();
   void chooseDemoFolder();
   void onDemoReady(const QString& study);
   void onStudyOpened();
@@ -228,11 +230,12 @@ class SearchFeature : public QObject {
   const std::vector<SearchSource>& sources() const { return sources_; }
   /// What is typed as a place leads to it, and to why the force is as it is there.
   QList<SearchEntry> placesIn(const QString& typed) const;
+  /// Enters stage Build at a lab, by the name of its widget. `page`: empty: its first one; null: any will do.
+  void showLab(const char* lab, const char* page) const;
 
  private:
   void open();
   QList<SearchEntry> labs() const;
-  void showLab(const char* lab, const char* page) const;
   QList<SearchEntry> experts() const;
   QList<SearchEntry> terms() const;
   QList<SearchEntry> findings() const;

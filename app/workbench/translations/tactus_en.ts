@@ -205,6 +205,30 @@
     </message>
 </context>
 <context>
+    <name>OverviewText</name>
+    <message numerus="yes">
+        <source>%n nurse(s)</source>
+        <translation>
+            <numerusform>%n nurse</numerusform>
+            <numerusform>%n nurses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n judgement(s) became the words for the force.</source>
+        <translation>
+            <numerusform>%n judgement became the words for the force.</numerusform>
+            <numerusform>%n judgements became the words for the force.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n expert(s)</source>
+        <translation>
+            <numerusform>%n expert</numerusform>
+            <numerusform>%n experts</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RailFeature</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
@@ -572,6 +596,16 @@
         <translation>
             <numerusform>and %n more; point at a row of the table to read its own</numerusform>
             <numerusform>and %n more; point at a row of the table to read its own</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::OverviewView</name>
+    <message numerus="yes">
+        <source>and %n more, in its lab</source>
+        <translation>
+            <numerusform>and %n more, in its lab</numerusform>
+            <numerusform>and %n more, in its lab</numerusform>
         </translation>
     </message>
 </context>

@@ -1,5 +1,7 @@
 #include "app/workbench/labs/data/settings_price.h"
 
+#include <QCoreApplication>
+
 #include "app/workbench/base/display_text.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/model/method_study.h"
