@@ -1,6 +1,8 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLabel>
+#include <QPushButton>
 #include <QSettings>
 #include <algorithm>
 #include <memory>
@@ -17,6 +19,8 @@
 #include "app/workbench/features/features.h"
 #include "app/workbench/features/felt_states.h"
 #include "app/workbench/feel/procedure.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/model/finding_words.h"
 #include "app/workbench/model/patient.h"
@@ -215,6 +219,20 @@ void addDeliver(Bench& bench) {
   bench.panels.bundle = &bench.window.addPanel(QStringLiteral("bundle"), DeliverFeature::tr("Bundle"), bundle);
   auto* live = new LinkRow(bench.link);
   bundle->addBelow(live);
+  auto* report = new QWidget(bundle);
+  auto* write = new QPushButton(DeliverFeature::tr("Write the report…"), report);
+  write->setMinimumHeight(4 * theme::kGrid);
+  auto* what = new QLabel(
+      DeliverFeature::tr("The data of the open study and every step to the model, as a page to print."), report);
+  setMuted(*what);
+  what->setWordWrap(true);
+  makeRow(report, {write, {what, 1}}, 2 * theme::kGrid);
+  bundle->addBelow(report);
+  QObject::connect(write, &QPushButton::clicked, context, [&bench] { bench.report->choose(); });
+  const auto may_write = [&bench, write] { write->setEnabled(bench.study.isOpen() && !bench.report->isBusy()); };
+  may_write();
+  QObject::connect(&bench.study, &StudyConnection::opened, context, may_write);
+  QObject::connect(&bench.study, &StudyConnection::closed, context, may_write);
   QObject::connect(live, &LinkRow::asked, bench.views.link, &LinkDialog::bringUp);
   QObject::connect(lines, &ReadinessPanel::asked, context,
                    [&bench](ReadinessTopic topic) { DeliverFeature::lead(bench, topic); });
