@@ -171,14 +171,13 @@ ParticipantWindow::ParticipantWindow(nurse::Look& look, std::function<void()> fo
       pause_button_(
           new nurse::Button(look, nurse::ButtonKind::kPlain, nurse::phrase(QStringLiteral("off.pause")), this)),
       leave_button_(
-          new nurse::Button(look, nurse::ButtonKind::kPlain, nurse::phrase(QStringLiteral("leave.button")), this)) {
+          new nurse::Button(look, nurse::ButtonKind::kQuiet, nurse::phrase(QStringLiteral("leave.button")), this)) {
   setWindowTitle(QStringLiteral("Tactus"));
   setWindowFlag(Qt::FramelessWindowHint);
   // The force ends with the press; who presses does not wait for the release.
   connect(force_off_button_, &nurse::Button::pressed, this, [this] { takeForceAway(ForceOffCause::kButton); });
   connect(pause_button_, &nurse::Button::clicked, this, &ParticipantWindow::pauseAsked);
   pause_button_->keepOneLine();
-  leave_button_->keepOneLine();
   leave_button_->hide();
   connect(leave_button_, &nurse::Button::clicked, this, &ParticipantWindow::leaveAsked);
   connect(keys_, &ForceOffKeys::pressed, this, [this] { takeForceAway(ForceOffCause::kEscape); });

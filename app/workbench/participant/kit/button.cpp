@@ -90,6 +90,9 @@ constexpr double kButtonPaddingMm = 4;
 constexpr double kButtonCornerMm = 2;
 constexpr double kToleranceMm = 10;
 constexpr double kButtonWidestMm = 110;  // of a line; longer texts take two
+constexpr double kQuietWidestMm = 20;
+constexpr double kQuietHeightMm = 12;
+constexpr double kQuietText = 0.6;  // of the text around
 constexpr int kButtonTextFlags = Qt::AlignCenter | Qt::TextWordWrap;
 
 }  // namespace
@@ -132,7 +135,8 @@ void Button::keepOneLine() {
 }
 
 void Button::refreshState() {
-  setFont(look_.font(1, kind_ != ButtonKind::kPlain && !reason_));
+  const bool quiet = kind_ == ButtonKind::kQuiet;
+  setFont(look_.font(quiet ? kQuietText : 1, kind_ != ButtonKind::kPlain && !quiet && !reason_));
   setText(look_.say(reason_ ? *reason_ : text_));
   setAccessibleName(text());
   updateGeometry();
@@ -141,8 +145,9 @@ void Button::refreshState() {
 
 QSize Button::sizeHint() const {
   const int padding = look_.mm(kButtonPaddingMm);
-  int wide = look_.mm(kLeastWidthMm);
-  int high = look_.mm(kind_ == ButtonKind::kForceOff ? kForceOffMm : kButtonHeightMm);
+  const bool quiet = kind_ == ButtonKind::kQuiet;
+  int wide = quiet ? 0 : look_.mm(kLeastWidthMm);
+  int high = look_.mm(quiet ? kQuietHeightMm : kind_ == ButtonKind::kForceOff ? kForceOffMm : kButtonHeightMm);
   for (const Phrase& phrase : {text_, reason_.value_or(Phrase{}), reserved_}) {
     const QSize needed = room(look_.say(phrase));
     wide = std::max(wide, needed.width() + 2 * padding);
@@ -152,9 +157,10 @@ QSize Button::sizeHint() const {
 }
 
 QSize Button::room(const QString& text) const {
-  const QFontMetricsF metrics(look_.font(1, true));
+  const bool quiet = kind_ == ButtonKind::kQuiet;
+  const QFontMetricsF metrics(look_.font(quiet ? kQuietText : 1, true));
   const double line = metrics.horizontalAdvance(text);
-  if (one_line_ || line <= look_.mm(kButtonWidestMm))
+  if (one_line_ || line <= look_.mm(quiet ? kQuietWidestMm : kButtonWidestMm))
     return {static_cast<int>(std::ceil(line)) + 1, static_cast<int>(metrics.height())};
   // Two lines of nearly equal length.
   const double step = metrics.averageCharWidth();
@@ -173,7 +179,8 @@ QColor Button::fill() const {
   switch (kind_) {
     case ButtonKind::kPrimary: return isDown() ? colors::kAccentPressed : colors::kAccent;
     case ButtonKind::kForceOff: return isDown() ? colors::kForceOffPressed : colors::kForceOff;
-    case ButtonKind::kPlain: break;
+    case ButtonKind::kPlain:
+    case ButtonKind::kQuiet: break;
   }
   return isDown() ? colors::kChosen : colors::kCard;
 }
@@ -183,8 +190,9 @@ void Button::paintEvent(QPaintEvent* /*event*/) {
   painter.setRenderHint(QPainter::Antialiasing);
   const QRectF face = faceOf(size());
   const double corner = look_.mm(kButtonCornerMm);
-  const bool plain = kind_ == ButtonKind::kPlain || !isEnabled();
-  painter.setPen(kind_ == ButtonKind::kPlain && isEnabled() ? QPen(colors::kEdge, 1.5) : QPen(Qt::NoPen));
+  const bool framed = kind_ == ButtonKind::kPlain || kind_ == ButtonKind::kQuiet;
+  const bool plain = framed || !isEnabled();
+  painter.setPen(framed && isEnabled() ? QPen(colors::kEdge, 1.5) : QPen(Qt::NoPen));
   painter.setBrush(fill());
   painter.drawRoundedRect(face, corner, corner);
   painter.setPen(plain ? colors::kInk : QColor(Qt::white));

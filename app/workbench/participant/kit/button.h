@@ -36,6 +36,7 @@ void drawRing(QPainter& painter, const QRectF& face, double corner_radius);
 enum class ButtonKind {
   kPrimary,   ///< the one action of the screen
   kPlain,     ///< everything else
+  kQuiet,     ///< small, for the researcher beside her
   kForceOff,  ///< red and larger; act on `pressed`, not on `clicked`
 };
 
