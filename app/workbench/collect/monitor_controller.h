@@ -52,9 +52,10 @@ struct NurseView {
   QString now;     ///< what happens there: `feels 0.6 N`; may be empty
   QString device;  ///< state of the device in words
   bool simulated = false;
-  bool force_off = false;  ///< the participant has switched the force off
-  bool called = false;     ///< the participant has called the researcher
-  bool stopped = false;    ///< stopped, withdrawn, or no consent
+  bool setup_unchecked = false;  ///< a person on a device whose set-up nobody has checked
+  bool force_off = false;        ///< the participant has switched the force off
+  bool called = false;           ///< the participant has called the researcher
+  bool stopped = false;          ///< stopped, withdrawn, or no consent
   bool device_trouble = false;
   bool call_seen = false;   ///< the researcher answered the call
   bool stuck = false;       ///< the device has waited long for a hand: she does not know how to hold it

@@ -125,7 +125,8 @@ MonitorWindow::MonitorWindow(MonitorController& monitor, QWidget* parent)
     : QWidget(parent, Qt::Window),
       monitor_(monitor),
       code_(new QLabel(this)),
-      simulated_(new Card(this)),
+      mark_(new Card(this)),
+      mark_text_(new QLabel(mark_)),
       call_(new Card(this)),
       call_text_(new QLabel(call_)),
       coming_(new QPushButton(tr("I have seen it and am &coming"), call_)),
@@ -199,16 +200,15 @@ QWidget* MonitorWindow::makeState() {
   QVBoxLayout* const column = columnIn(*card);
   code_->setFont(theme::titleFont());
   code_->setTextFormat(Qt::PlainText);
-  auto* badge = new QLabel(tr("SIMULATED"), simulated_);
-  badge->setFont(theme::smallFont());
-  setInk(*badge, theme::warningInk());
-  simulated_->setColors(theme::warningFill(), theme::warningFill());
-  auto* badge_row = new QHBoxLayout(simulated_);
+  mark_text_->setFont(theme::smallFont());
+  setInk(*mark_text_, theme::warningInk());
+  mark_->setColors(theme::warningFill(), theme::warningFill());
+  auto* badge_row = new QHBoxLayout(mark_);
   badge_row->setContentsMargins(theme::kGrid, 2, theme::kGrid, 2);
-  badge_row->addWidget(badge);
+  badge_row->addWidget(mark_text_);
   auto* head = new QHBoxLayout;
   head->addWidget(code_, 1);
-  head->addWidget(simulated_);
+  head->addWidget(mark_);
   QFont big = theme::titleFont();
   big.setPointSizeF(big.pointSizeF() + 5);
   screen_->setFont(big);
@@ -298,7 +298,8 @@ void MonitorWindow::refreshState() {
   const NurseView& nurse = monitor_.nurse();
   const bool paused = monitor_.isPaused();
   code_->setText(nurse.code.isEmpty() ? tr("No participant yet") : harmless(nurse.code));
-  simulated_->setVisible(nurse.simulated);
+  mark_->setVisible(nurse.simulated || nurse.setup_unchecked);
+  mark_text_->setText(nurse.simulated ? tr("SIMULATED") : tr("SET-UP NOT CHECKED"));
   const QString failure = monitor_.failure();
   const bool calls = nurse.called && !nurse.call_seen;
   call_->setVisible(calls || nurse.device_trouble || nurse.stuck || nurse.discomfort || !failure.isEmpty());

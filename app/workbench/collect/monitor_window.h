@@ -60,7 +60,8 @@ class MonitorWindow : public QWidget {
 
   MonitorController& monitor_;
   QLabel* code_;
-  Card* simulated_;
+  Card* mark_;  ///< SIMULATED, or SET-UP NOT CHECKED
+  QLabel* mark_text_;
   Card* call_;
   QLabel* call_text_;
   QPushButton* coming_;

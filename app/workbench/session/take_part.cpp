@@ -92,6 +92,10 @@ void SessionRun::startAgain() { prepare(study_.path() == study_path_ ? code_ : Q
 void SessionRun::begin(ParticipantPlan plan) {
   plan.device = deviceToFeel(search_.list());
   keepSetup(plan, setup_);
+  const auto& blocks = plan.settings.blocks;
+  const bool felt = !usability_ && std::any_of(blocks.begin(), blocks.end(),
+                                               [](session::Block block) { return block != session::Block::kForm; });
+  setup_unchecked_ = felt && !(plan.setup && plan.setup->isGood());
   take_part_ = std::make_unique<TakePart>(study_, device_, plan);
   preparing_ = false;
   // The window is closed from within its own button.
@@ -130,7 +134,9 @@ void SessionRun::watch(QScreen& nurse, QScreen& researcher) {
 void SessionRun::report() {
   const auto snapshot = take_part_->course().session().snapshot();
   const bool feels = snapshot && snapshot->part == session::SessionPart::kForce && snapshot->force;
-  monitor_->show(nurseView(take_part_->course().state(), feels ? &*snapshot->force : nullptr));
+  NurseView view = nurseView(take_part_->course().state(), feels ? &*snapshot->force : nullptr);
+  view.setup_unchecked = setup_unchecked_ && !view.simulated;
+  monitor_->show(view);
 }
 
 void SessionRun::hideMonitor() {

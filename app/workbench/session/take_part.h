@@ -149,6 +149,7 @@ class SessionRun : public QObject {
   QString code_;
   bool usability_ = false;
   std::optional<session::SetupCertificate> setup_;
+  bool setup_unchecked_ = false;  ///< of the session that runs
   bool preparing_ = false;
   bool quits_with_last_window_ = true;  ///< as it was before
   std::unique_ptr<TakePart> take_part_;
