@@ -25,7 +25,7 @@ class SelectionFeatureTest : public tests::ShownBench {
     return *bench.window.findChild<Widget*>();
   }
 
-  /// The rules of expert A at the operating point, in "Rules here".
+  /// The rules of expert A at the operating point, in "Why here".
   RuleFlow& rulesOfA() {
     bench.scene.setValue(0, 0);
     bench.scene.setValue(1, 0);

@@ -26,6 +26,7 @@
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/understand/here/rule_panel.h"
 #include "app/workbench/workbench.h"
 #include "core/store/entries.h"
 #include "core/store/model_versions.h"
@@ -198,6 +199,10 @@ TEST_F(StudyFeatureTest, AStudyThatMayNotBeWrittenIsShownLockedAndACopyTakesChan
     const QList<QLabel*> said = recordings->findChildren<QLabel*>();
     EXPECT_TRUE(std::any_of(said.begin(), said.end(),
                             [](const QLabel* label) { return label->text().contains(QLatin1String("reading only")); }));
+    // Why the force is what it is can be read all the same.
+    window.enter(Stage::kUnderstand);
+    bench.scene.goTo({0, 0});
+    ASSERT_TRUE(comesTrue([this] { return !window.findChild<WhyView*>()->words().empty(); }));
 
     const QString copy = open_to_all + QStringLiteral("/copy.tactus");
     bench.study.saveCopy(copy);

@@ -37,6 +37,8 @@ constexpr Untranslated kUntranslated[] = {
     {"名\\d+ \\(S4, S2\\) / .*", "names of edits come from app/editing"},
     {"\\b([Ll]eft|[Rr]ight) (foot|shoulder)\\b", "names of vertices come from app/editing"},
     {"\\b1\\.ta[a-z.]*", "names of the files, also cut to the width of a label"},
+    {"^(\\d+\\.\\d{3} N( because |, the centroid of |\\. No input ).*|No rule fires here: .*)",
+     "the sentence comes from core/analysis, as `tactus why` says it"},
     {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
     {"\\b(Insertion depth|Nasal cavity|Nasopharynx|Oropharynx|Laryngopharynx|Esophagus|Stomach)\\b",
      "labels come from elicitation/variables"},

@@ -73,7 +73,7 @@ void showEdit(Bench& bench, editing::StateId state) {
 void addHere(Bench& bench) {
   bench.panels.terms_here = &bench.window.addPanel(QStringLiteral("terms"), PanelFeatures::tr("Membership functions"),
                                                    new VariableRow(bench.scene));
-  bench.panels.rules_here = &bench.window.addPanel(QStringLiteral("rules"), PanelFeatures::tr("Rules here"),
+  bench.panels.rules_here = &bench.window.addPanel(QStringLiteral("rules"), PanelFeatures::tr("Why here"),
                                                    new RulePanel(bench.scene, bench.selection));
 }
 

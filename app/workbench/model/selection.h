@@ -1,7 +1,7 @@
 // The one selection of the program: an expert, rules of this expert or a gap (a place where the expert has no rule),
-// and a term. The rule editor, "Rules here", the findings and the history all set it and show it. The operating point
+// and a term. The rule editor, "Why here", the findings and the history all set it and show it. The operating point
 // beside it is that of the SceneController. To point at something is to select it and to ask the editors to show it:
-//   a click on rule 12 in "Rules here" points at it: the grid and the list select rule 12 and flash it
+//   a click on rule 12 in "Why here" points at it: the grid and the list select rule 12 and flash it
 #pragma once
 
 #include <QObject>

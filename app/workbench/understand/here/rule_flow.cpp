@@ -119,6 +119,11 @@ void RuleFlow::setSelected(const std::vector<std::size_t>& rules) {
   update();
 }
 
+int RuleFlow::selectedBottom() const {
+  const auto line = selectedLine();
+  return line ? static_cast<int>(lineTop(*line + 1)) : 0;
+}
+
 void RuleFlow::mousePressEvent(QMouseEvent* event) {
   const auto line = lineAt(event->position().y());
   if (line && event->button() == Qt::LeftButton) emit chosen(acting_[*line].rule);

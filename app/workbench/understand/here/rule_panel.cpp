@@ -10,6 +10,7 @@
 #include <QStackedWidget>
 #include <QToolButton>
 #include <algorithm>
+#include <utility>
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
@@ -24,6 +25,8 @@
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/understand/here/variable_row.h"
+#include "core/base/error.h"
+#include "elicitation/force/noticeable_force.h"
 
 namespace tactus::workbench {
 namespace {
@@ -153,6 +156,20 @@ namespace {
 
 constexpr std::size_t kMostFills = 12;
 
+using ReasonsFound = Computed<int, analysis::Reasons>::Answer;
+
+/// Also for inputs that have moved since, so that a drag shows numbers.
+ReasonsFound reasonsAt(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                       const std::vector<double>& point, std::optional<std::size_t> expert,
+                       const RunOf<analysis::Reasons>& run) {
+  auto explanation = analysis::explain(model, compiled, point);
+  if (!explanation) return tl::unexpected(text(explanation.error().message()));
+  auto found = analysis::reasonsOf(model, compiled, *explanation, elicitation::justNoticeableDifference, expert);
+  if (!found) return tl::unexpected(text(found.error().message()));
+  run.show(std::move(*found));
+  return nullptr;
+}
+
 }  // namespace
 
 OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
@@ -252,10 +269,18 @@ RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget
       edit_(new QToolButton(this)),
       area_(new QScrollArea(this)),
       flows_(new QStackedWidget),
+      sentence_(new QLabel),
+      why_(new WhyView),
       rules_(new RuleFlow),
       experts_(new ExpertFlow(scene)),
       sets_(new OutputSetsPlot(this)),
-      refresh_(new Refresh(this, [this] { explain(); })) {
+      refresh_(new Refresh(this, [this] { explain(); })),
+      reasons_(new Computed<WhyPlace, analysis::Reasons>([this] { return asked_; },
+                                                         [](const WhyPlace& at, const RunOf<analysis::Reasons>& run) {
+                                                           return reasonsAt(at.open->model, at.open->compiled, at.point,
+                                                                            at.expert, run);
+                                                         },
+                                                         this)) {
   who_->setAccessibleName(tr("Whose rules are shown"));
   who_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   summary_->setFont(theme::headingFont());
@@ -263,7 +288,14 @@ RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget
   flows_->addWidget(rules_);
   area_->setFrameShape(QFrame::NoFrame);
   area_->setWidgetResizable(true);
-  area_->setWidget(flows_);
+  sentence_->setTextFormat(Qt::PlainText);
+  sentence_->setWordWrap(true);
+  sentence_->setContentsMargins(theme::kGrid / 2, 0, theme::kGrid / 2, 0);
+  sentence_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* const content = new QWidget;
+  makeColumn(content, {sentence_, why_, {flows_, 1}});
+  area_->setWidget(content);
+  content->setAutoFillBackground(false);
   area_->viewport()->setAutoFillBackground(false);
   flows_->setAutoFillBackground(false);
 
@@ -278,6 +310,17 @@ RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget
 
   edit_->setToolTip(tr("Open the selected rule in the rule editor (Enter, or a double click on it)"));
   connect(who_, &QComboBox::activated, this, &RulePanel::chooseByHand);
+  reasons_->hold(*this);  // `refresh_` asks only while the panel is visible
+  connect(reasons_, &Computation::changed, this, [this] { refresh_->setRefining(reasons_->isBusy()); });
+  connect(reasons_, &Computation::valueChanged, this, &RulePanel::showWhy);
+  connect(why_, &WhyView::wordChosen, this, &RulePanel::showRulesOf);
+  connect(why_, &WhyView::expertChosen, this,
+          [this](std::size_t expert) { chooseByHand(static_cast<int>(expert) + 1); });
+  connect(why_, &WhyView::ruleChosen, this, [this](std::size_t expert, std::size_t rule) { pointOf(expert, {rule}); });
+  connect(why_, &WhyView::editAsked, this, [this](std::size_t expert, std::size_t rule) {
+    pointOf(expert, {rule});
+    selection_.editRules();
+  });
   connect(rules_, &RuleFlow::chosen, this, &RulePanel::point);
   connect(rules_, &RuleFlow::editAsked, this, [this](std::size_t rule) {
     point(rule);
@@ -314,6 +357,46 @@ void RulePanel::point(std::size_t rule) {
   // Another version that is compared has rules of its own.
   if (scene_.showsAnother()) return;
   selection_.pointAtRules(who_->currentData().toString().toStdString(), {rule});
+}
+
+void RulePanel::pointOf(std::size_t expert, const std::vector<std::size_t>& rules) {
+  if (scene_.showsAnother() || rules.empty() || expert >= scene_.model()->model.experts.size()) return;
+  selection_.pointAtRules(scene_.model()->model.experts[expert].id, rules);
+}
+
+// The list below has the rules of one expert; of the mean the rules stand below the word itself.
+void RulePanel::showRulesOf(const std::string& term) {
+  if (who_->currentIndex() <= 0) return;
+  const auto expert = static_cast<std::size_t>(who_->currentIndex()) - 1;
+  pointOf(expert, why_->rulesOf(expert, term));
+  showSelected();
+  if (const int bottom = rules_->selectedBottom(); bottom > 0) {
+    area_->ensureVisible(0, flows_->y() + bottom, 0, theme::kGrid / 2);
+  }
+}
+
+RulePanel::WhyPlace RulePanel::whyPlace() const {
+  const int row = who_->currentIndex();
+  return {scene_.shared(), scene_.readingPoint(),
+          row > 0 ? std::optional(static_cast<std::size_t>(row) - 1) : std::nullopt};
+}
+
+void RulePanel::askWhy() {
+  WhyPlace place = whyPlace();
+  if (asked_ == place) return;
+  asked_ = std::move(place);
+  reasons_->refresh();
+  refresh_->setRefining(reasons_->isBusy());
+}
+
+void RulePanel::showWhy() {
+  if (!reasons_->value()) {
+    sentence_->setText(reasons_->failure());
+    why_->clear();
+    return;
+  }
+  sentence_->setText(text(analysis::sentenceOf(reasons_->of()->open->model, *reasons_->value())));
+  why_->set(reasons_->of()->open, reasons_->value());
 }
 
 void RulePanel::showSelected() {
@@ -355,6 +438,7 @@ void RulePanel::explain() {
   }
   showSelected();
   summary_->setFullText(summary());
+  askWhy();
 }
 
 QString RulePanel::summary() const {

@@ -1,17 +1,24 @@
-// The rule viewer: which rules fire at the reading place, and how they produce the force, for one expert or for the
-// mean.
+// Why the force at the reading place is what it is: words, experts and moves that would be felt; below them the rules
+// that fire and how they produce the force, for one expert or for the mean.
 #pragma once
 
+#include <QColor>
+#include <QRectF>
+#include <QStringList>
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "app/workbench/base/computed.h"
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/model/open_model.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "core/analysis/explain.h"
+#include "core/analysis/reasons.h"
 #include "core/fuzzy/force_model.h"
 
 class QComboBox;
@@ -31,6 +38,83 @@ class RuleFlow;
 class SceneController;
 class Selection;
 
+// What holds the force down and what pulls it up: the numbers of `tactus why` (docs/why.md), one line each. A click on
+// a word, or Enter, shows the rules that say it.
+
+class WhyView : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Kind { kHead, kNote, kWord, kRule, kExpert, kMove };
+  struct Line {
+    Line(Kind is, QStringList says) : kind(is), cells(std::move(says)) {}
+
+    Kind kind;
+    QStringList cells;             ///< the name, then numbers
+    std::optional<double> pull_n;  ///< a bar left or right of zero
+    QColor color;                  ///< of the bar, or of the expert
+    std::size_t expert = 0;        ///< kRule, kExpert: index in the model
+    std::size_t rule = 0;          ///< kRule: index in the expert's rules
+    std::string term;              ///< kWord
+  };
+
+  explicit WhyView(QWidget* parent = nullptr);
+
+  /// `reasons` are of the mean of `open`, or of one expert. A word that was chosen stays chosen.
+  void set(std::shared_ptr<const OpenModel> open, std::shared_ptr<const analysis::Reasons> reasons);
+  void clear();
+
+  /// The words with the rules of the chosen one; then the experts and the moves.
+  const std::vector<Line>& words() const { return words_; }
+  const std::vector<Line>& others() const { return others_; }
+  /// The rules of `expert` that say `term` here, strongest pull first.
+  std::vector<std::size_t> rulesOf(std::size_t expert, const std::string& term) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  void wordChosen(const std::string& term);
+  void expertChosen(std::size_t expert);
+  void ruleChosen(std::size_t expert, std::size_t rule);
+  void editAsked(std::size_t expert, std::size_t rule);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Placed {
+    const Line* line;
+    QRectF place;
+    std::vector<double> widths;  ///< of the numbers of its section
+  };
+
+  void makeLines();
+  void addWords();
+  void addExperts();
+  void addMoves();
+  std::vector<Placed> placed() const;
+  const Line* lineAt(const QPointF& place) const;
+  const Line* current() const;
+  void moveTo(const Line& line);
+  void act(const Line& line);
+  void fit();
+  void paintLine(QPainter& painter, const Placed& placed) const;
+
+  std::shared_ptr<const OpenModel> open_;
+  std::shared_ptr<const analysis::Reasons> reasons_;
+  std::vector<Line> words_;
+  std::vector<Line> others_;
+  std::string chosen_;              ///< the word whose rules are shown
+  std::optional<QString> current_;  ///< name of the line at which the keys are
+};
+
 // How the rules of one expert lead to the force: one line per firing rule, strongest first. A line goes from the
 // memberships of the conditions over the firing strength to the set of the output term.
 
@@ -44,6 +128,8 @@ class RuleFlow : public QWidget {
   void set(std::shared_ptr<const OpenModel> open, const analysis::Explanation& explanation, std::size_t expert);
   /// Marks these rules of the expert.
   void setSelected(const std::vector<std::size_t>& rules);
+  /// The lower end of the first selected line, px; 0 without one.
+  int selectedBottom() const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -165,8 +251,21 @@ class RulePanel : public Card {
   void showSelected();
   void point(std::size_t rule);
   void explain();
+  void askWhy();
+  void showWhy();
+  void showRulesOf(const std::string& term);
+  void pointOf(std::size_t expert, const std::vector<std::size_t>& rules);
   QString summary() const;
   PlotTable table();
+
+  /// Whose force, and where; `expert`: nothing for the mean.
+  struct WhyPlace {
+    std::shared_ptr<const OpenModel> open;
+    std::vector<double> point;
+    std::optional<std::size_t> expert;
+    bool operator==(const WhyPlace&) const = default;
+  };
+  WhyPlace whyPlace() const;
 
   const SceneController& scene_;
   Selection& selection_;
@@ -175,10 +274,14 @@ class RulePanel : public Card {
   QToolButton* edit_;
   QScrollArea* area_;
   QStackedWidget* flows_;
+  QLabel* sentence_;
+  WhyView* why_;
   RuleFlow* rules_;
   ExpertFlow* experts_;
   OutputSetsPlot* sets_;
   Refresh* refresh_;
+  std::optional<WhyPlace> asked_;
+  Computed<WhyPlace, analysis::Reasons>* reasons_;
 };
 
 }  // namespace tactus::workbench
