@@ -228,7 +228,9 @@ std::vector<TourStep> HelpFeature::steps() {
           "into the curves."),
        strip},
       {tr("Why this force"),
-       tr("The rules that speak at this place, the strongest first, and what each of them pulls the force to."),
+       tr("A sentence says why; below it stands what each word pulls, what the force would be without each nurse, and "
+          "the "
+          "smallest moves that a hand would feel. Click a word: its rules open."),
        at(Stage::kUnderstand, panels.rules_here)},
       {tr("The whole picture"),
        tr("The force for every depth and speed at once. Sharp edges are places where one word ends and the next "
