@@ -65,8 +65,9 @@ void writeParticipants(const PublishedStudy& published, FileSet& files) {
                  {{"left", "left"}, {"right", "right"}, {"ambidextrous", "either hand"}});
   sidecar.column("category", "The participant's own statement",
                  {{"beginner", "beginner"}, {"intermediate", "intermediate"}, {"expert", "expert"}});
-  sidecar.column("years_experience_band", "Experience in years",
-                 {{"<5", "below 5"}, {"5-9", "from 5, below 10"}, {"10-14", "from 10, below 15"}, {"15+", "15 and more"}});
+  sidecar.column(
+      "years_experience_band", "Experience in years",
+      {{"<5", "below 5"}, {"5-9", "from 5, below 10"}, {"10-14", "from 10, below 15"}, {"15+", "15 and more"}});
   sidecar.column("simulated", "Whether a program made all data of this participant",
                  {{"0", "measured"}, {"1", "simulated by a program, not measured"}});
   if (tells_device) {

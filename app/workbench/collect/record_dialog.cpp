@@ -61,7 +61,8 @@ RecordDialog::RecordDialog(CollectController& collect, const study::RecordId& pe
   QHeaderView* const head = view->horizontalHeader();
   keepFitted(*view, [view, head] {
     const QFontMetrics metrics(view->font());
-    const QString widest[] = {tr("Session"), timeText(0), tr("Questions"), tr("item %1 of %2").arg(45).arg(QStringLiteral("ngt-force-v1"))};
+    const QString widest[] = {tr("Session"), timeText(0), tr("Questions"),
+                              tr("item %1 of %2").arg(45).arg(QStringLiteral("ngt-force-v1"))};
     for (int column = 0; column < 4; ++column)
       head->resizeSection(column, metrics.horizontalAdvance(widest[column]) + 3 * theme::kGrid);
     head->resizeSection(5, metrics.horizontalAdvance(tr("a correction: hesitated at the end")));

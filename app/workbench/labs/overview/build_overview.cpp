@@ -27,7 +27,7 @@ std::optional<Kind> partOf(const std::string& factor) {
 }
 
 void raise(BuildPart& part, double newtons, const QString& effect) {
-  if (part.stake_n && newtons <= *part.stake_n) return;
+  if (newtons <= part.stake_n.value_or(0)) return;
   part.stake_n = newtons;
   part.effect = effect;
 }
@@ -133,7 +133,7 @@ std::vector<BuildPart> buildParts(const BuiltStudy& built, const elicitation::Me
   for (BuildPart& one : parts) {
     if (one.stake_n) continue;
     one.effect = choices == nullptr ? OverviewText::tr("Its newtons are being compared…")
-                                    : OverviewText::tr("There is nothing here to compare it with.");
+                                    : OverviewText::tr("No other choice that can be tried moves the force.");
   }
   if (choices != nullptr) {
     std::stable_sort(parts.begin(), parts.end(), [](const BuildPart& one, const BuildPart& other) {

@@ -242,18 +242,23 @@ void ForceMapPlot::setMap(const ForceMap* map) {
   cells->setSize(side, side);
   cells->setRange(QCPRange(map->x_part.low, map->x_part.high), QCPRange(map->y_part.low, map->y_part.high));
   // All colors for the forces that are there: between the least and the largest one.
-  QCPRange forces(output_.max, output_.min);
+  double least_n = output_.max;
+  double largest_n = output_.min;
   for (int y = 0; y < side; ++y) {
     for (int x = 0; x < side; ++x) {
       const auto column = static_cast<std::size_t>(x);
       const auto row = static_cast<std::size_t>(y);
       const bool fired = map->isFired(column, row);
       const double force = fired ? map->force(column, row) : std::numeric_limits<double>::quiet_NaN();
-      if (fired) forces = QCPRange(std::min(forces.lower, force), std::max(forces.upper, force));
+      if (fired) {
+        least_n = std::min(least_n, force);
+        largest_n = std::max(largest_n, force);
+      }
       cells->setCell(x, y, force);
     }
   }
-  scale_->setDataRange(forces.upper > forces.lower ? forces : QCPRange(output_.min, output_.max));
+  const bool differ = largest_n > least_n;
+  scale_->setDataRange(differ ? QCPRange(least_n, largest_n) : QCPRange(output_.min, output_.max));
   const double step_x = (map->x_part.high - map->x_part.low) / (side - 1);
   const double step_y = (map->y_part.high - map->y_part.low) / (side - 1);
   std::vector<ContourMarks::Line> lines;
