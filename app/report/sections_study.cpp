@@ -352,7 +352,7 @@ void addOrderEffects(HtmlPage& page, const ReportContext& context) {
         .caption = strong("Catch trials and order.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
                    " A blank is a step without force; the friction of the device can be felt there. A hidden "
                    "repeat is a force that came before. Up minus down: how much higher the words are on the way "
-                   "up than on the way down, in words. None of these trials is in a vote, and nobody is left "
+                   "up than on the way down, in words. None of these trials is in a vote, and no participant is left "
                    "out because of them.",
         .head = {{{.text = "Participant"},
                   numberCell("Blanks felt", true),

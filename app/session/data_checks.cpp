@@ -184,7 +184,7 @@ void addUnchecked(const study::Study& study, std::vector<DataFinding>& out) {
   for (const auto& participant : study.participants) {
     if (!participant.setup_unchecked) continue;
     out.push_back(study::remark(Kind::kSetupUnchecked, Severity::kNote, participant, "participant",
-                                participant.code + ": nobody had checked the set-up before the session (device, force, "
+                                participant.code + ": the set-up was not checked before the session (device, force, "
                                                    "latency, screens, sound, texts, disk)."));
   }
 }

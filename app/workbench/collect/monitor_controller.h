@@ -52,7 +52,7 @@ struct NurseView {
   QString now;     ///< what happens there: `feels 0.6 N`; may be empty
   QString device;  ///< state of the device in words
   bool simulated = false;
-  bool setup_unchecked = false;  ///< a person on a device whose set-up nobody has checked
+  bool setup_unchecked = false;  ///< a person on a device whose set-up was not checked
   bool force_off = false;        ///< the participant has switched the force off
   bool called = false;           ///< the participant has called the researcher
   bool stopped = false;          ///< stopped, withdrawn, or no consent

@@ -426,7 +426,7 @@ void StudyHome::showSelection() {
            "device.")
             .arg(harmless(row->code)));
   } else if (row->setup_unchecked) {
-    chosen_->setText(tr("%1: nobody had checked the set-up before the session. The data count, and are marked.")
+    chosen_->setText(tr("%1: the set-up was not checked before the session. The data count, and are marked.")
                          .arg(harmless(row->code)));
   } else if (row->next) {
     chosen_->setText(tr("%1: the next step is %2.").arg(harmless(row->code), nextText(*row)));

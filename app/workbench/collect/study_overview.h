@@ -51,7 +51,7 @@ struct ParticipantRow {
   QString code;
   bool simulated = false;
   bool virtual_device = false;    ///< a real person on a device that gives no force
-  bool setup_unchecked = false;   ///< a real person whose set-up nobody had checked before the session
+  bool setup_unchecked = false;   ///< a real person whose set-up was not checked before the session
   QString language;               ///< of the latest session; empty: none yet
   std::int64_t last_seen_ms = 0;  ///< UTC; 0: never
   std::array<StepState, kCollectSteps> steps;
