@@ -18,7 +18,7 @@ struct Participant {
   std::optional<double> weight;
   bool simulated = false;        ///< a program generated the data
   bool virtual_device = false;   ///< moved a device that gives no force: no judgement there counts
-  bool setup_unchecked = false;  ///< moved a device whose set-up nobody had checked before the session
+  bool setup_unchecked = false;  ///< moved a device whose set-up was not checked before
   TableLine line = {};
 
   bool operator==(const Participant&) const = default;
