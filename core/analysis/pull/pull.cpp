@@ -131,6 +131,7 @@ PointSearch searchPoint(const PointForce& point, double target_n, const PullSett
   for (const PulledList& list : listsOf(point.model(), !alone)) {
     if (std::find(settings.locked.begin(), settings.locked.end(), list.variable) != settings.locked.end()) continue;
     auto found = searchList(point, list, target_n);
+    std::erase_if(found, [&](const SearchedGesture& one) { return isLocked(point.model(), one.edit, settings); });
     out.gestures.insert(out.gestures.end(), found.begin(), found.end());
   }
   if (alone && !settings.lock_rules) out.rules = searchRules(point, 0, target_n);
@@ -299,17 +300,15 @@ class Puller {
 };
 
 /// The variable that has to be unlocked for an edit that gives the target; one above the output's for the rules.
-std::optional<std::size_t> helpfulUnlock(const Pull& unlocked, const PullSettings& settings, std::size_t output) {
+std::optional<std::size_t> helpfulUnlock(const Pull& unlocked, const PullSettings& settings, const ForceModel& model) {
+  const std::size_t output = model.inputs.size();
   for (const PullCandidate& one : unlocked.candidates) {
     if (one.folded) continue;
     if (editsRule(one.edits[0].gesture)) {
       if (settings.lock_rules) return output + 1;
       continue;
     }
-    if (!one.exact) continue;
-    const std::size_t variable = one.edits[0].list.variable;
-    if (variable > output) continue;
-    if (std::find(settings.locked.begin(), settings.locked.end(), variable) != settings.locked.end()) return variable;
+    if (one.exact && isLocked(model, one.edits[0], settings)) return one.edits[0].list.variable;
   }
   return std::nullopt;
 }
@@ -324,6 +323,12 @@ std::string_view name(PullKind kind) noexcept {
 ForceModel applied(ForceModel model, std::span<const PullEdit> edits) {
   for (const PullEdit& edit : edits) model = applied(std::move(model), edit);
   return model;
+}
+
+bool isLocked(const ForceModel& model, const PullEdit& edit, const PullSettings& settings) {
+  if (editsRule(edit.gesture)) return settings.lock_rules;
+  return std::find(settings.locked.begin(), settings.locked.end(), edit.list.variable) != settings.locked.end() ||
+         lockedVertexOf(model, edit, settings.locked_vertices) != nullptr;
 }
 
 base::Result<void> checkPoint(const ForceModel& model, std::span<const double> point) {
@@ -374,11 +379,12 @@ base::Result<Pull> pull(const ForceModel& model, std::span<const double> point, 
       return out;
     }
   }
-  if (settings.locked.empty() && !settings.lock_rules) return out;
+  if (settings.locked.empty() && settings.locked_vertices.empty() && !settings.lock_rules) return out;
   free.locked.clear();
+  free.locked_vertices.clear();
   free.lock_rules = false;
   const Pull unlocked = Puller(pulled, compiled, place, target_n, noticeable, free).answer();
-  if (const auto variable = helpfulUnlock(unlocked, settings, model.inputs.size())) {
+  if (const auto variable = helpfulUnlock(unlocked, settings, pulled)) {
     out.blocker = PullBlocker{Kind::kLock, *variable, {}, out.blocker->limit_n};
   }
   return out;

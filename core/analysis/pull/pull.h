@@ -27,9 +27,10 @@ enum class PullKind {
 std::string_view name(PullKind kind) noexcept;
 
 struct PullSettings {
-  std::optional<std::size_t> expert;  ///< index; nothing: the mean, which only offers terms that experts share
-  std::vector<std::size_t> locked;    ///< variables whose terms must not change; the output follows the inputs
-  bool lock_rules = false;            ///< no edit of a rule is offered
+  std::optional<std::size_t> expert;          ///< index; nothing: the mean, which only offers terms that experts share
+  std::vector<std::size_t> locked;            ///< variables whose terms must not change; the output follows the inputs
+  std::vector<LockedVertex> locked_vertices;  ///< no edit that moves one is offered
+  bool lock_rules = false;                    ///< no edit of a rule is offered
   /// Points whose force stays within a quarter of a noticeable difference; an edit that moves it further is not
   /// offered.
   std::vector<std::vector<double>> pins;
@@ -51,7 +52,8 @@ struct PullCandidate {
 struct PullBlocker {
   enum class Kind {
     kNoRule,    ///< no rule fires at the point
-    kLock,      ///< with `variable` unlocked an edit does it; one above the output's: the rules
+    kLock,      ///< with `variable` unlocked, or the vertices of its terms, an edit does it; one above the output's:
+                ///< the rules
     kPin,       ///< without the pins an edit does it
     kCentroid,  ///< `term` alone does not go beyond its own centroid, `limit_n`
     kOrder,     ///< `term` would have no core
@@ -85,6 +87,9 @@ struct Pull {
 /// or a pin), a pin at which no rule fires, a target that is not finite. Thread: any.
 base::Result<Pull> pull(const fuzzy::ForceModel& model, std::span<const double> point, double target_n,
                         const NoticeableDifference& noticeable, const PullSettings& settings = {});
+
+/// Whether `settings` lock what the edit of `model` changes.
+bool isLocked(const fuzzy::ForceModel& model, const PullEdit& edit, const PullSettings& settings);
 
 /// Refuses a wrong number of values, and a value that is not finite or outside its universe.
 base::Result<void> checkPoint(const fuzzy::ForceModel& model, std::span<const double> point);

@@ -137,8 +137,8 @@ std::vector<PullEdit> worthwhile(const ForceModel& model, const ReferenceFit& fi
     if (residual && residual->rms_n <= (1 - kGain) * residual_n) out.push_back(edit);
   };
   for (const PulledList& list : listsOf(model, model.experts.size() > 1)) {
-    if (std::find(settings.locked.begin(), settings.locked.end(), list.variable) != settings.locked.end()) continue;
     for (SearchedGesture& one : gesturesOfList(model, list)) {
+      if (isLocked(model, one.edit, settings)) continue;
       const auto delta = fit.best(model, one.edit, one.range);
       if (!delta || *delta == 0) continue;
       one.edit.delta = *delta;

@@ -214,6 +214,59 @@ PullEdit termEdit(Gesture gesture, const PulledList& list, std::size_t place, st
   return edit;
 }
 
+namespace {
+
+/// The ends of ramps that a gesture moves: those of ramp `first` to `last`, where it moves p, q or both.
+struct MovedEnds {
+  std::size_t first = 0;
+  std::size_t last = 0;
+  bool p = true;
+  bool q = true;
+
+  bool holdsP(std::size_t ramp) const { return p && ramp >= first && ramp <= last; }
+  bool holdsQ(std::size_t ramp) const { return q && ramp >= first && ramp <= last; }
+};
+
+MovedEnds movedEnds(const PullEdit& edit) {
+  const bool of_term = edit.gesture == Gesture::kMove || edit.gesture == Gesture::kWiden;
+  return {edit.place - (of_term ? 1 : 0), edit.place, edit.gesture != Gesture::kEnd, edit.gesture != Gesture::kBegin};
+}
+
+/// Whether point `point` of the term at `place` of the order is such an end.
+bool isMoved(const MovedEnds& ends, const Ramps& ramps, const Term& term, std::size_t place, std::size_t point) {
+  const bool triangle = term.shape == Shape::kTriangle;
+  const std::size_t last = triangle ? 2 : 3;
+  const bool has_left = place > 0;
+  const bool has_right = place < ramps.p.size();
+  if (point == 0) return has_left && ends.holdsP(place - 1);
+  if (point == last) return has_right && ends.holdsQ(place);
+  const bool begins = point == 1 && has_left && ends.holdsQ(place - 1);
+  const bool ends_core = (triangle || point == 2) && has_right && ends.holdsP(place);
+  return begins || ends_core;
+}
+
+}  // namespace
+
+const LockedVertex* lockedVertexOf(const ForceModel& model, const PullEdit& edit,
+                                   std::span<const LockedVertex> locked) {
+  if (editsRule(edit.gesture)) return nullptr;
+  std::optional<Ramps> ramps;
+  for (const LockedVertex& one : locked) {
+    if (!(one.list == edit.list)) continue;
+    const std::vector<Term>& terms = termsOf(model, edit.list);
+    if (edit.gesture == Gesture::kVertex) {
+      if (terms[edit.place].id == one.term && edit.vertex == one.point) return &one;
+      continue;
+    }
+    if (!ramps) ramps = rampsOf(variableAt(model, edit.list.variable), terms);
+    for (std::size_t place = 0; place < ramps->order.size(); ++place) {
+      const Term& term = terms[ramps->order[place]];
+      if (term.id == one.term && isMoved(movedEnds(edit), *ramps, term, place, one.point)) return &one;
+    }
+  }
+  return nullptr;
+}
+
 ForceModel applied(ForceModel model, const PullEdit& edit) {
   if (editsRule(edit.gesture)) {
     fuzzy::Rule& rule = model.experts[expertIndex(model, edit.expert)].rules[edit.rule];

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -70,6 +71,18 @@ PullEdit ruleEdit(Gesture gesture, const std::string& expert, std::size_t rule, 
                   const std::string& then = {});
 /// An edit of a list of terms, with delta 0.
 PullEdit termEdit(Gesture gesture, const PulledList& list, std::size_t place, std::size_t vertex = 0);
+
+/// A vertex that must not move: point number `point` of a term.
+struct LockedVertex {
+  PulledList list;
+  std::string term;
+  std::size_t point = 0;
+};
+
+/// The first vertex of `locked` that the edit moves, whatever its delta; null if it moves none. An edit of a rule moves
+/// none.
+const LockedVertex* lockedVertexOf(const fuzzy::ForceModel& model, const PullEdit& edit,
+                                   std::span<const LockedVertex> locked);
 
 /// `model` after the edit; its checks are not computed again. The result may be invalid only for kVertex (an output
 /// term without width in the universe) and kWord (the same rule twice).

@@ -120,5 +120,57 @@ TEST(PullProperties, GeneratedModels) {
   EXPECT_GT(candidates, 150U);
 }
 
+/// All vertices of a list.
+std::vector<LockedVertex> verticesOf(const ForceModel& model, const PulledList& list) {
+  std::vector<LockedVertex> out;
+  for (const fuzzy::Term& term : termsOf(model, list)) {
+    for (std::size_t point = 0; point < term.points.size(); ++point) out.push_back({list, term.id, point});
+  }
+  return out;
+}
+
+/// Whether a vertex is where it was. A triangle that becomes a trapezoid keeps its peak as one end of its core.
+bool stays(const ForceModel& before, const ForceModel& after, const LockedVertex& vertex) {
+  const fuzzy::Term& was = *fuzzy::findTerm(termsOf(before, vertex.list), vertex.term);
+  const fuzzy::Term& is = *fuzzy::findTerm(termsOf(after, vertex.list), vertex.term);
+  const auto ends = [](const fuzzy::Term& term) {
+    return term.points.size() == 3 ? std::vector{term.points[0], term.points[1], term.points[1], term.points[2]}
+                                   : term.points;
+  };
+  if (was.points.size() == is.points.size()) return was.points[vertex.point] == is.points[vertex.point];
+  if (vertex.point != 1) return ends(was)[vertex.point == 0 ? 0 : 3] == ends(is)[vertex.point == 0 ? 0 : 3];
+  return ends(was)[1] == ends(is)[1] && ends(was)[2] == ends(is)[2];
+}
+
+// What a gesture moves is told from its kind alone; here each gesture is made, a little to both sides.
+TEST(PullProperties, AGestureMovesWhatItIsSaidToMove) {
+  base::Random random(20261128);
+  std::size_t moved_vertices = 0;
+  for (int i = 0; i < 60; ++i) {
+    const ForceModel model = support::randomOrderedModel(random);
+    for (std::size_t v = 0; v <= model.inputs.size(); ++v) {
+      const PulledList list{v, {}};
+      const auto ramps = rampsOf(variableAt(model, v), termsOf(model, list));
+      if (!ramps) continue;
+      for (const GesturePlace& gesture : gesturesOf(*ramps)) {
+        PullEdit edit = termEdit(gesture.gesture, list, gesture.place);
+        const DeltaRange range = allowedDeltas(*ramps, gesture.gesture, gesture.place);
+        for (const double delta : {range.low / 3, range.high / 3}) {
+          if (delta == 0) continue;
+          edit.delta = delta;
+          const ForceModel after = applied(model, edit);
+          for (const LockedVertex& vertex : verticesOf(model, list)) {
+            const bool moves = lockedVertexOf(model, edit, std::span(&vertex, 1)) != nullptr;
+            EXPECT_NE(moves, stays(model, after, vertex))
+                << name(gesture.gesture) << ' ' << gesture.place << ' ' << vertex.term << ' ' << vertex.point;
+            moved_vertices += moves ? 1 : 0;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(moved_vertices, 1000U);
+}
+
 }  // namespace
 }  // namespace tactus::analysis

@@ -188,6 +188,33 @@ TEST_F(PullTest, WithDepthAndFlexionLocked) {
   EXPECT_NEAR(find(kForce, Gesture::kShift, 0)->elsewhere.k, .4372, kMoved);
 }
 
+// The right foot of Laryngopharynx is the end of its transition, and where the core of Esophagus begins.
+TEST_F(PullTest, ALockedVertexStays) {
+  constexpr std::size_t kLpEs = 2;
+  PullSettings settings;
+  settings.locked_vertices = {{{kDepth, {}}, "laryngopharynx", 3}};
+  auto found = pull(model_, std::vector<double>{1, 60, 200, 50}, .55, noticeable, settings);
+  ASSERT_TRUE(found.has_value()) << found.error().message();
+  found_ = std::move(*found);
+  for (const Gesture gesture : {Gesture::kEnd, Gesture::kShift, Gesture::kWidth}) {
+    EXPECT_EQ(find(kDepth, gesture, kLpEs), nullptr) << name(gesture);
+  }
+  expectGesture(kDepth, Gesture::kBegin, kLpEs, 10.6958, kDelta4);
+}
+
+TEST_F(PullTest, ALockedVertexThatStandsInTheWayIsNamed) {
+  PullSettings settings;
+  settings.locked = {kLubrication, kFlexion, kSpeed, kForce};
+  settings.lock_rules = true;
+  for (const char* term : {"laryngopharynx", "esophagus"}) {
+    for (const std::size_t point : {0U, 1U, 2U, 3U}) settings.locked_vertices.push_back({{kDepth, {}}, term, point});
+  }
+  const auto found = pull(model_, std::vector<double>{1, 60, 200, 50}, .55, noticeable, settings);
+  ASSERT_TRUE(found && found->blocker);
+  EXPECT_EQ(found->blocker->kind, PullBlocker::Kind::kLock);
+  EXPECT_EQ(found->blocker->variable, kDepth);
+}
+
 TEST_F(PullTest, ALockThatStandsInTheWayIsNamed) {
   auto model = support::inventedExperts();
   model_.experts.push_back(model.experts[0]);  // a mean, without rules
