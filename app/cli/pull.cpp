@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <sstream>
@@ -19,7 +18,6 @@
 #include "app/cli/terminal.h"
 #include "app/editing/edit.h"
 #include "app/version.h"
-#include "core/analysis/lint.h"
 #include "core/analysis/pull/pull_curve.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
@@ -145,33 +143,16 @@ using base::formatFixed;
 
 constexpr std::size_t kMostShown = 3;
 
-/// What stays in the way if no edit comes close.
-std::optional<std::string> leftOver(const analysis::CurvePull& pull) {
-  if (pull.close) return std::nullopt;
-  if (pull.candidates.empty()) return "no edit of a term or rule gains a tenth of the distance";
-  return "up to three edits still leave " + formatFixed(pull.candidates[0].residual_n, 3) + " N (root mean square)";
-}
-
-/// The edits and what they leave; `5 edits give the same curve` where one curve does not tell them apart.
-std::string curveCandidateText(const fuzzy::ForceModel& model, const analysis::CurveCandidate& candidate) {
-  return editsText(model, candidate.candidate.edits) + "; leaves " + formatFixed(candidate.residual_n, 3) + " N" +
-         (candidate.same_curve == 0
-              ? ""
-              : "; as much as " + std::to_string(candidate.same_curve) +
-                    (candidate.same_curve == 1 ? " other edit" : " other edits") + " here, different elsewhere") +
-         contradictionText(candidate.candidate);
-}
-
 std::string asText(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
   std::string sentence =
       "The force is " + formatFixed(pull.residual_n, 3) + " N (root mean square) from the reference.";
-  if (const auto left = leftOver(pull)) sentence += " Out of reach: " + *left + ".";
+  if (const auto left = blockerText(pull); !left.empty()) sentence += " Out of reach: " + left + ".";
   if (pull.candidates.empty() && pull.close) sentence += " Nothing has to change.";
   std::string text = wrapped(sentence, "", 0);
   std::size_t shown = 0;
   for (; shown < pull.candidates.size() && shown < kMostShown; ++shown) {
     const analysis::CurveCandidate& one = pull.candidates[shown];
-    text += "\n" + wrapped(curveCandidateText(question.model, one), padded(std::to_string(shown + 1), 4), 4);
+    text += "\n" + wrapped(candidateText(question.model, one), padded(std::to_string(shown + 1), 4), 4);
     text += wrapped(elsewhereText(one.candidate), "    ", 4) + findingsText(notes.findings(one.candidate));
   }
   if (pull.candidates.size() > shown)
@@ -183,45 +164,18 @@ std::string asText(const CurveQuestion& question, const analysis::CurvePull& pul
 std::string asJson(const CurveQuestion& question, const analysis::CurvePull& pull, const PullNotes& notes) {
   base::JsonWriter json;
   json.beginObject().key("before_n").value(question.before_n).key("target_n").value(question.target_n);
-  json.key("residual_n").value(pull.residual_n).key("reachable").null().key("blocker").value(leftOver(pull));
+  json.key("residual_n").value(pull.residual_n).key("reachable").null().key("blocker");
+  const std::string left = blockerText(pull);
+  pull.close ? json.null() : json.value(left);
   writeSignOffs(json, notes.sign_offs);
   json.key("candidates").beginArray();
   for (const analysis::CurveCandidate& one : pull.candidates) {
     json.beginObject();
     writeMembers(json, question.model, one.candidate, notes.findings(one.candidate));
     json.key("residual_n").value(one.residual_n);
-    json.key("text").value(curveCandidateText(question.model, one)).endObject();
+    json.key("text").value(candidateText(question.model, one)).endObject();
   }
   return json.endArray().endObject().text();
-}
-
-/// What the lint finds in a model after an edit and did not find before.
-class NewFindings {
- public:
-  /// `before` outlives this object.
-  explicit NewFindings(const OpenedModel& before)
-      : before_(before), known_(analysis::lint(before.model, before.compiled).findings) {}
-
-  /// One sentence for each finding of the model after `candidate` that the model before has not, with its expert.
-  std::vector<std::string> after(const analysis::PullCandidate& candidate) const;
-
- private:
-  const OpenedModel& before_;
-  std::vector<analysis::Finding> known_;
-};
-
-std::vector<std::string> NewFindings::after(const analysis::PullCandidate& candidate) const {
-  const auto model = applied(before_.model, candidate.edits);
-  const auto compiled = fuzzy::compile(model);
-  if (!compiled) return {};  // no such candidate is offered
-  std::vector<std::string> out;
-  for (const analysis::Finding& one : analysis::lint(model, *compiled).findings) {
-    const bool is_known = std::any_of(known_.begin(), known_.end(), [&](const analysis::Finding& other) {
-      return other.kind == one.kind && other.expert == one.expert && other.where == one.where;
-    });
-    if (!is_known) out.push_back((one.expert.empty() ? "" : one.expert + ": ") + one.text);
-  }
-  return out;
 }
 
 using base::ErrorCode;
@@ -253,7 +207,7 @@ struct Question {
   OpenedModel opened;
   std::vector<double> point;
   analysis::PullSettings settings;
-  std::unique_ptr<NewFindings> findings = {};  ///< of edits of `opened`, which does not move any more
+  std::optional<analysis::NewFindings> findings = {};
   std::vector<SignOff> sign_offs = {};
 };
 
@@ -302,9 +256,12 @@ base::Result<Question> questionOf(const PullOptions& options) {
   return out;
 }
 
+std::vector<std::string> findingsAfter(const Question& question, const analysis::PullCandidate& one) {
+  return question.findings->of(applied(question.opened.model, one.edits));
+}
+
 PullNotes notesOf(const Question& question) {
-  return {[&question](const analysis::PullCandidate& one) { return question.findings->after(one); },
-          question.sign_offs};
+  return {[&question](const analysis::PullCandidate& one) { return findingsAfter(question, one); }, question.sign_offs};
 }
 
 bool leavesRulesOut(const Question& question) {
@@ -344,7 +301,7 @@ base::Result<Answer> curveAnswer(const PullOptions& options, const Question& que
   out.text = options.json ? asJson(asked, *found, notes) : asText(asked, *found, notes);
   for (const auto& one : found->candidates) {
     out.candidates.push_back(one.candidate);
-    out.texts.push_back(curveCandidateText(model, one));
+    out.texts.push_back(candidateText(model, one));
   }
   return out;
 }
@@ -373,7 +330,7 @@ base::Result<Output> pull(const PullOptions& options) {
     TACTUS_TRY(auto sign_offs, signOffsOn(question.opened.model, options.study));
     question.sign_offs = std::move(sign_offs);
   }
-  question.findings = std::make_unique<NewFindings>(question.opened);
+  question.findings.emplace(question.opened.model, question.opened.compiled);
   TACTUS_TRY(auto answer, options.curve.empty() ? pointAnswer(options, question) : curveAnswer(options, question));
 
   std::vector<std::string> warnings = question.opened.warnings;
@@ -391,7 +348,7 @@ base::Result<Output> pull(const PullOptions& options) {
   const std::string& text = answer.texts[*options.apply - 1];
   const auto& chosen = answer.candidates[*options.apply - 1];
   TACTUS_TRY(const auto edited, editedText(options, question.opened, chosen, text));
-  for (const std::string& finding : question.findings->after(chosen)) warnings.push_back("new finding: " + finding);
+  for (const std::string& finding : findingsAfter(question, chosen)) warnings.push_back("new finding: " + finding);
   return written(
       options.out, edited,
       {options.json ? std::move(answer.text) : base::oneLine(options.out) + ": " + text + "\n", std::move(warnings)},

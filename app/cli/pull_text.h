@@ -2,16 +2,21 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
-#include "core/analysis/pull/pull.h"
+#include "core/analysis/pull/pull_text.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::cli {
+
+using analysis::blockerText;
+using analysis::candidateText;
+using analysis::contradicted;
+using analysis::elsewhereText;
+using analysis::gapOf;
 
 /// Who signed off a model, so that an edit of it contradicts them.
 struct SignOff {
@@ -25,18 +30,6 @@ struct SignOff {
 base::Result<std::vector<SignOff>> signOffsOn(fuzzy::ForceModel model, const std::string& path);
 
 // The edits that a pull offers, in words and as members of JSON.
-
-/// `Depth, Laryngopharynx/Esophagus: the transition ends at 202.107 instead of 215.000 mm`. `model`: before the edit.
-std::string editText(const fuzzy::ForceModel& model, const analysis::PullEdit& edit);
-
-/// Several edits, made one after the other. `model`: before all of them.
-std::string editsText(const fuzzy::ForceModel& model, std::span<const analysis::PullEdit> edits);
-
-/// `elsewhere it moves the force by 0.090 just-noticeable differences, at most 0.159 N`.
-std::string elsewhereText(const analysis::PullCandidate& candidate);
-
-/// `; contradicts S4's answer` where an edit gives a rule another word or takes it away; otherwise nothing.
-std::string contradictionText(const analysis::PullCandidate& candidate);
 
 /// A line for each new finding of the lint, as below a candidate.
 std::string findingsText(const std::vector<std::string>& findings);
@@ -56,13 +49,6 @@ struct PullNotes {
 
 /// The member `sign_offs`.
 void writeSignOffs(base::JsonWriter& json, const std::vector<SignOff>& sign_offs);
-
-/// The edits of a candidate; for one that does not give the target also the force it gives, and the experts whose
-/// answers it contradicts. `model`: before the edits.
-std::string candidateText(const fuzzy::ForceModel& model, const analysis::PullCandidate& candidate);
-
-/// Why no single edit gives the target, as a clause: `beyond the nearest edit Laryngopharynx would have no core`.
-std::string blockerText(const fuzzy::ForceModel& model, const analysis::Pull& pull);
 
 /// What can be reached, the best edit of each kind (at most three) with its number, and how many more there are.
 /// `rules_left_out`: the pull was of a mean.
