@@ -40,6 +40,8 @@
 #include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/panel_area.h"
+#include "app/workbench/understand/curves/curves_panel.h"
+#include "app/workbench/understand/pull/pull_card.h"
 #include "app/workbench/workbench.h"
 #include "core/base/error.h"
 #include "core/store/persons.h"
@@ -382,6 +384,32 @@ base::Result<void> addBundle(PictureAlbum& album, Workbench& bench, const QStrin
                    BundleMaker::tr("%1: a bundle").arg(stageName(Stage::kDeliver)), bench.window);
 }
 
+/// A force that is pulled, with the edits to choose from.
+base::Result<void> addPull(PictureAlbum& album, Workbench& bench) {
+  constexpr double kDown = 0.05;  // N
+  bench.window.enter(Stage::kTune);
+  QEventLoop loop;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, &loop, [&] {
+    if (bench.pull.answer() != nullptr && !bench.pull.isSearching()) loop.quit();
+  });
+  constexpr double kDeep = 200;  // mm, of the demo's x axis
+  const std::vector<double> before = bench.scene.values();
+  bench.scene.setValue(bench.scene.xInput(), kDeep);
+  emit bench.views.curves->pullAsked();
+  bench.pull.setExpert(bench.scene.model()->model.experts.size() - 1);
+  PullWish wish = bench.pull.wish();
+  wish.force_n -= kDown;
+  bench.pull.setWish(wish);
+  look.start(20);
+  loop.exec();
+  auto added = album.add(stageId(Stage::kTune), QStringLiteral("pull"),
+                         PullCard::tr("%1: a force that is pulled").arg(stageName(Stage::kTune)), bench.window);
+  bench.pull.cancel();
+  bench.scene.goTo(before);
+  return added;
+}
+
 /// Each step of the tour, the guide, and the search.
 base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
   const QString help = QStringLiteral("help");
@@ -428,6 +456,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kDeliver}) {
     if (auto added = addStage(album, bench, stage); !added) return added;
   }
+  if (auto added = addPull(album, bench); !added) return added;
   if (auto added = addBundle(album, bench, folder.filePath(QStringLiteral("ngt-demo-bundle"))); !added) return added;
   if (auto added = addLabPictures(album, bench); !added) return added;
   if (auto added = addCollectPictures(album, bench, folder.path()); !added) return added;

@@ -41,7 +41,7 @@ const std::map<std::string, Permission>& permissions() {
   const std::set<std::string> below =
       joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/report", "app/session",
               "app/devices", "app/webform", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
-              "core/exchange/import", "experiments", "questionnaires"},
+              "core/exchange/import", "core/analysis/pull", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   // Plots go through plot/; only what needs more of QCustomPlot than plot/ offers includes it.
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
@@ -64,6 +64,7 @@ const std::map<std::string, Permission>& permissions() {
                                        "understand/curves",
                                        "understand/map",
                                        "understand/here",
+                                       "understand/pull",
                                        "device",
                                        "collect",
                                        "labs/data",
@@ -175,6 +176,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/understand/curves", room(shared)},
       {"app/workbench/understand/map", room(shared)},
       {"app/workbench/understand/here", room(shared)},
+      {"app/workbench/understand/pull", room({"base", "kit", "model"})},
       {"app/workbench/desktop", room({"base"})},
       {"app/workbench/device", room({"base"})},
       {"app/workbench/feel", room({"base", "anatomy", "kit", "model", "plot", "device"})},

@@ -28,6 +28,7 @@ Bench::Bench(QSettings& user_settings, const QString& autosave_root, DeviceAcces
       rules(edits, scene, selection),
       ghost(edits, scene),
       references(scene),
+      pull(edits, scene, [this] { return terms.locked(); }),
       findings(edits, scene),
       bundles(edits),
       readiness(models, edits, bundles),

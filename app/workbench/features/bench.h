@@ -42,6 +42,7 @@
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/understand/curves/reference_controller.h"
+#include "app/workbench/understand/pull/pull_controller.h"
 
 class QSettings;
 
@@ -140,6 +141,7 @@ struct Bench {
   RuleController rules;
   GhostController ghost;
   ReferenceController references;
+  PullController pull;
   FindingsController findings;
   BundleMaker bundles;
   ReadinessController readiness;

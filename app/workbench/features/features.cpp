@@ -14,6 +14,7 @@ void addFeatures(Bench& bench) {
   addLink(bench);
   addRules(bench);
   addEditing(bench);
+  addPull(bench);
   addFindings(bench);
   addStudy(bench);
   addCollect(bench);

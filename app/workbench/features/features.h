@@ -29,6 +29,8 @@ void addFeatures(Bench& bench);
 void addHere(Bench& bench);
 /// The force curves, the forces at the place that is read, the ghost and reference curves from files.
 void addCurves(Bench& bench);
+/// "Pull the force": the card beside the curves with the edits that bring the force where the user wants it.
+void addPull(Bench& bench);
 /// The force over two inputs, as a map and as a surface, with pictures of them.
 void addMap(Bench& bench);
 /// The panel Feel, the menu Feel, and the state of the device in the strip.

@@ -9,6 +9,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/documents.h"
 #include "app/workbench/base/file_dialog.h"
+#include "app/workbench/collect/collect_view.h"
 #include "app/workbench/features/bench.h"
 #include "app/workbench/features/features.h"
 #include "app/workbench/help/guide_window.h"

@@ -88,7 +88,7 @@ bool AxisZoom::eventFilter(QObject* watched, QEvent* event) {
     }
     case QEvent::MouseButtonPress: {
       const auto& press = static_cast<const QMouseEvent&>(*event);
-      if (press.button() != Qt::LeftButton || !press.modifiers().testFlag(Qt::ShiftModifier)) break;
+      if (press.button() != Qt::LeftButton || press.modifiers() != Qt::ShiftModifier) break;
       dragged_from_ = press.position();
       moved_ = false;
       plot_.setCursor(Qt::ClosedHandCursor);

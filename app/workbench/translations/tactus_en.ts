@@ -229,6 +229,16 @@
     </message>
 </context>
 <context>
+    <name>PullText</name>
+    <message numerus="yes">
+        <source>These words belong to %n experts: the forces of all of them move.</source>
+        <translation>
+            <numerusform>These words belong to %n expert.</numerusform>
+            <numerusform>These words belong to %n experts: the forces of all of them move.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>RailFeature</name>
     <message numerus="yes">
         <source>%n participant(s)</source>
@@ -640,6 +650,23 @@
         <translation>
             <numerusform>%n change of the protocol is not stored.</numerusform>
             <numerusform>%n changes of the protocol are not stored.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::PullCard</name>
+    <message numerus="yes">
+        <source>%n locked vertices stay where they are.</source>
+        <translation>
+            <numerusform>%n locked vertex stays where it is.</numerusform>
+            <numerusform>%n locked vertices stay where they are.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Show %n edits that are not plausible</source>
+        <translation>
+            <numerusform>Show %n edit that is not plausible</numerusform>
+            <numerusform>Show %n edits that are not plausible</numerusform>
         </translation>
     </message>
 </context>

@@ -113,19 +113,25 @@ std::string contradictionText(const PullCandidate& candidate) {
   return experts.empty() ? "" : "; contradicts " + base::oneLine(base::joined(experts, "'s and ")) + "'s answer";
 }
 
-std::string candidateText(const fuzzy::ForceModel& model, const PullCandidate& candidate) {
+std::string outcomeText(const fuzzy::ForceModel& model, const PullCandidate& candidate) {
   return editsText(model, candidate.edits) +
-         (candidate.exact ? "" : "; comes only to " + formatFixed(candidate.force_n, 3) + " N") +
-         contradictionText(candidate);
+         (candidate.exact ? "" : "; comes only to " + formatFixed(candidate.force_n, 3) + " N");
 }
 
-std::string candidateText(const fuzzy::ForceModel& model, const CurveCandidate& candidate) {
+std::string candidateText(const fuzzy::ForceModel& model, const PullCandidate& candidate) {
+  return outcomeText(model, candidate) + contradictionText(candidate);
+}
+
+std::string outcomeText(const fuzzy::ForceModel& model, const CurveCandidate& candidate) {
   return editsText(model, candidate.candidate.edits) + "; leaves " + formatFixed(candidate.residual_n, 3) + " N" +
          (candidate.same_curve == 0
               ? ""
               : "; as much as " + std::to_string(candidate.same_curve) +
-                    (candidate.same_curve == 1 ? " other edit" : " other edits") + " here, different elsewhere") +
-         contradictionText(candidate.candidate);
+                    (candidate.same_curve == 1 ? " other edit" : " other edits") + " here, different elsewhere");
+}
+
+std::string candidateText(const fuzzy::ForceModel& model, const CurveCandidate& candidate) {
+  return outcomeText(model, candidate) + contradictionText(candidate.candidate);
 }
 
 std::string blockerText(const CurvePull& pull) {

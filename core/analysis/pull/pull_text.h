@@ -31,10 +31,13 @@ std::vector<std::string> contradicted(const PullCandidate& candidate);
 /// `; contradicts S4's answer` where there are any; otherwise nothing.
 std::string contradictionText(const PullCandidate& candidate);
 
-/// The edits of a candidate; for one that does not give the target also the force it gives, and the experts whose
-/// answers it contradicts. `model`: before the edits.
-std::string candidateText(const fuzzy::ForceModel& model, const PullCandidate& candidate);
+/// The edits of a candidate; for one that does not give the target also the force it gives. `model`: before the edits.
+std::string outcomeText(const fuzzy::ForceModel& model, const PullCandidate& candidate);
 /// The same with what is left to a reference curve; `5 edits give the same curve` where it does not tell them apart.
+std::string outcomeText(const fuzzy::ForceModel& model, const CurveCandidate& candidate);
+
+/// `outcomeText` with `contradictionText`.
+std::string candidateText(const fuzzy::ForceModel& model, const PullCandidate& candidate);
 std::string candidateText(const fuzzy::ForceModel& model, const CurveCandidate& candidate);
 
 /// Why no single edit gives the target, as a clause: `beyond the nearest edit Laryngopharynx would have no core`.

@@ -46,6 +46,8 @@ class TermController : public QObject {
 
   std::optional<Grip> selected() const { return selected_; }
   bool isLocked(const std::string& term, std::size_t point) const;
+  /// The locked vertices of all lists.
+  const std::vector<editing::VertexPlace>& locked() const { return locked_; }
   /// Whether moves keep the sum of the terms at one. On for terms that sum to one, until the user switches it off.
   bool keepsSum() const;
 

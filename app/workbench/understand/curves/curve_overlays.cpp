@@ -7,6 +7,7 @@
 #include "app/workbench/plot/plot_canvas.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/understand/curves/curve_plot.h"
+#include "app/workbench/understand/curves/curves_panel.h"
 
 namespace tactus::workbench {
 namespace {
@@ -153,6 +154,85 @@ QVector<double> withGaps(std::span<const fuzzy::Evaluation> curve) {
   return forces;
 }
 
+/// The handle of a pulled line with what one edit reaches, and the band that a line should lie in.
+class PullLayer : public QCPLayerable {
+ public:
+  explicit PullLayer(QCustomPlot& plot) : QCPLayerable(&plot, QLatin1String(kOver)) {}
+
+  void set(const PullMarks& marks, const QColor& color) {
+    handle_ = marks.handle;
+    band_ = marks.band;
+    color_ = color;
+    setVisible(handle_ || band_);
+  }
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override { painter->setAntialiasing(true); }
+  void draw(QCPPainter* painter) override {
+    painter->setClipRect(mParentPlot->axisRect()->rect());
+    if (band_) drawBand(*painter);
+    if (handle_) drawHandle(*painter);
+  }
+
+ private:
+  QPointF pixelOf(double x, double force_n) const {
+    return {mParentPlot->xAxis->coordToPixel(x), mParentPlot->yAxis->coordToPixel(force_n)};
+  }
+
+  void drawBand(QCPPainter& painter) const {
+    const QRectF box(pixelOf(band_->x.low, band_->force_n.high), pixelOf(band_->x.high, band_->force_n.low));
+    fill(painter, box, color_, 0.14F);
+    painter.setPen(QPen(color_, 1.5, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(box);
+  }
+
+  void drawHandle(QCPPainter& painter) const {
+    constexpr double kWide = 14;  // px, of what is reached
+    constexpr double kSize = 7;   // px, half of the handle
+    const QPointF to = pixelOf(handle_->x, handle_->wanted_n);
+    if (handle_->reach_n) {
+      const double top = pixelOf(0, handle_->reach_n->high).y();
+      const double bottom = pixelOf(0, handle_->reach_n->low).y();
+      fill(painter, QRectF(to.x() - kWide / 2, top, kWide, bottom - top), color_, 0.22F);
+      painter.setPen(QPen(color_, 2));
+      for (const double y : {top, bottom}) painter.drawLine(QPointF(to.x() - kWide, y), QPointF(to.x() + kWide, y));
+    }
+    if (handle_->now_n) {
+      const QPointF from = pixelOf(handle_->x, *handle_->now_n);
+      painter.setPen(QPen(color_, 1.5, Qt::DotLine));
+      painter.drawLine(from, to);
+      painter.setPen(QPen(color_, 2));
+      painter.setBrush(theme::card());
+      painter.drawEllipse(from, kSize * 0.6, kSize * 0.6);
+    }
+    painter.setPen(QPen(theme::card(), 2));
+    painter.setBrush(color_);
+    painter.drawPolygon(QPolygonF({to - QPointF(0, kSize + 2), to + QPointF(kSize + 2, 0), to + QPointF(0, kSize + 2),
+                                   to - QPointF(kSize + 2, 0)}));
+  }
+
+  std::optional<PullMarks::Handle> handle_;
+  std::optional<PullMarks::Band> band_;
+  QColor color_;
+};
+
+void CurveOverlays::setPull(const PullMarks* pull, const QColor& color) {
+  if (pull_ == nullptr) {
+    if (pull == nullptr) return;
+    pull_ = new PullLayer(plot_);
+  }
+  if (pull == nullptr || pull->curve.empty()) {
+    if (pulled_ != nullptr) plot_.removeGraph(pulled_);
+    pulled_ = nullptr;
+  } else {
+    if (pulled_ == nullptr) pulled_ = addLine(kOver);
+    pulled_->setPen(QPen(color, fast_ ? 1 : 2, Qt::DashLine));
+    pulled_->setData(column(pull->x), withGaps(pull->curve), true);
+  }
+  pull_->set(pull != nullptr ? *pull : PullMarks(), color);
+}
+
 CurveOverlays::CurveOverlays(QCustomPlot& plot) : plot_(plot) {
   QCPLayer* const curves = plot_.layer(QStringLiteral("main"));
   plot_.addLayer(QLatin1String(kUnder), curves, QCustomPlot::limBelow);
@@ -175,6 +255,7 @@ void CurveOverlays::clear() {
   for (auto* lines : {&band_, &ghosts_, &family_, &references_}) removeLines(*lines);
   if (steps_ != nullptr) plot_.removePlottable(steps_);
   steps_ = nullptr;
+  setPull(nullptr, {});
 }
 
 void CurveOverlays::setSpread(const std::vector<double>& x, const ForceSpread& spread, SpreadShown shown) {
@@ -305,6 +386,7 @@ std::vector<LegendEntry> CurveOverlays::legend(const QString& ghost_name) const 
   }
   const auto ghost = std::find_if(ghosts_.begin(), ghosts_.end(), [](const QCPGraph* line) { return line->visible(); });
   if (ghost != ghosts_.end()) entries.push_back({ghost_name, (*ghost)->pen()});
+  if (pulled_ != nullptr) entries.push_back({tr("After the edit that is looked at"), pulled_->pen()});
   if (hasSteps()) entries.push_back(stepLook(tr("Step that a hand feels")));
   for (const QCPGraph* line : references_) entries.push_back({line->name(), line->pen(), Qt::NoBrush, true});
   return entries;

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
@@ -15,6 +16,7 @@
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_bands.h"
 #include "app/workbench/plot/term_labels.h"
+#include "app/workbench/understand/curves/curves_panel.h"
 
 namespace tactus::workbench {
 namespace {
@@ -91,7 +93,12 @@ CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 
   connect(plot_, &QCustomPlot::mouseMove, this, &CurvePlot::onMouse);
-  connect(plot_, &QCustomPlot::mousePress, this, &CurvePlot::onMouse);
+  connect(plot_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
+    if (!beginPull(*event)) onMouse(event);
+  });
+  connect(plot_, &QCustomPlot::mouseRelease, this, [this] {
+    if (std::exchange(drag_, Drag::kNone) != Drag::kNone) emit pullReleased();
+  });
   connect(zoom_, &AxisZoom::shiftClicked, this, [this](QPointF place) {
     if (plot_->axisRect()->rect().contains(place.toPoint())) {
       emit marked(placeOf(x_, plot_->xAxis->pixelToCoord(place.x())));
@@ -326,13 +333,88 @@ void CurvePlot::leaveEvent(QEvent* event) {
   QWidget::leaveEvent(event);
 }
 
+void CurvePlot::setPull(const PullMarks* pull) {
+  const bool has_handle = pull != nullptr && pull->handle;
+  handle_ = has_handle ? std::optional(QPointF(pull->handle->x, pull->handle->wanted_n)) : std::nullopt;
+  const bool mean = pull == nullptr || !pull->expert;
+  overlays_->setPull(pull, mean ? theme::accent() : theme::expert(numbers_[*pull->expert]));
+  redraw(*plot_);
+}
+
+QPoint CurvePlot::pixelOf(double x, double force_n) const {
+  return plot_->mapTo(this, QPointF(plot_->xAxis->coordToPixel(x), plot_->yAxis->coordToPixel(force_n)).toPoint());
+}
+
+// The visible line that is nearest at the height of the mouse; the mean where none is near.
+std::optional<std::size_t> CurvePlot::lineAt(QPointF place) const {
+  constexpr double kNear = 12;  // px
+  if (overlays_->familySize() > 0) return std::nullopt;
+  const double x = plot_->xAxis->pixelToCoord(place.x());
+  double nearest = kNear;
+  std::optional<std::size_t> out;
+  for (std::size_t i = 0; i <= weights_.size(); ++i) {
+    const QCPGraph* line = plot_->graph(static_cast<int>(i));
+    const auto at = line->data()->findBegin(x);
+    if (!shown(i) || at == line->data()->constEnd() || std::isnan(at->value)) continue;
+    const double off = std::abs(plot_->yAxis->coordToPixel(at->value) - place.y());
+    // The mean is drawn over the others.
+    if (off >= nearest || (i > kMeanGraph && off >= nearest - 1)) continue;
+    nearest = off;
+    out = i == kMeanGraph ? std::nullopt : std::optional(i - 1);
+  }
+  return out;
+}
+
+bool CurvePlot::isOnHandle(QPointF place) const {
+  constexpr double kNear = 11;  // px
+  if (!handle_) return false;
+  const QPointF at(plot_->xAxis->coordToPixel(handle_->x()), plot_->yAxis->coordToPixel(handle_->y()));
+  return (at - place).manhattanLength() < kNear;
+}
+
+// Alt takes a line, Alt and Shift draw a band, and the handle of a pulled line needs no key.
+bool CurvePlot::beginPull(const QMouseEvent& event) {
+  const QPointF place = event.position();
+  if (event.button() != Qt::LeftButton || !plot_->axisRect()->rect().contains(place.toPoint())) return false;
+  const double x = placeOf(x_, plot_->xAxis->pixelToCoord(place.x()));
+  const double force_n = placeOf(output_, plot_->yAxis->pixelToCoord(place.y()));
+  const bool alt = event.modifiers().testFlag(Qt::AltModifier);
+  if (alt && event.modifiers().testFlag(Qt::ShiftModifier)) {
+    drag_ = Drag::kBand;
+    band_from_ = {x, force_n};
+  } else if (alt) {
+    drag_ = Drag::kForce;
+    emit grabbed(lineAt(place), x, force_n);
+  } else if (isOnHandle(place)) {
+    drag_ = Drag::kForce;
+  }
+  return drag_ != Drag::kNone;
+}
+
+void CurvePlot::movePull(const QMouseEvent& event) {
+  const QPointF to(placeOf(x_, plot_->xAxis->pixelToCoord(event.position().x())),
+                   placeOf(output_, plot_->yAxis->pixelToCoord(event.position().y())));
+  if (drag_ == Drag::kForce) {
+    emit pulledTo(to.y());
+  } else {
+    emit bandDrawn({std::min(band_from_.x(), to.x()), std::max(band_from_.x(), to.x())},
+                   {std::min(band_from_.y(), to.y()), std::max(band_from_.y(), to.y())});
+  }
+}
+
 void CurvePlot::onMouse(QMouseEvent* event) {
+  if (drag_ != Drag::kNone) {
+    movePull(*event);
+    return;
+  }
   const QPoint place = event->position().toPoint();
   if (!plot_->axisRect()->rect().contains(place)) {
     emit hoverLeft();
     return;
   }
   const double x = placeOf(x_, plot_->xAxis->pixelToCoord(event->position().x()));
+  const bool pulls = event->modifiers().testFlag(Qt::AltModifier) || isOnHandle(event->position());
+  pulls ? plot_->setCursor(Qt::SizeVerCursor) : plot_->unsetCursor();
   if (event->buttons().testFlag(Qt::LeftButton)) emit picked(x);
   emit hovered(x);
 }

@@ -29,12 +29,14 @@ namespace tactus::workbench {
 class AxisZoom;
 class CurveOverlays;
 class LandmarkMarks;
+class PullLayer;
 class ReadingCursor;
 class ShownRanges;
 class SilenceMarks;
 class TermBands;
 class TermLabels;
 struct GhostCurves;
+struct PullMarks;
 struct Reading;
 
 // The lines and areas behind and over the force curves: the spread of the experts, the ghost (the curves before an
@@ -103,6 +105,8 @@ class CurveOverlays {
   /// The steps of the force, each a thick line from one side to the other.
   void setSteps(const std::vector<analysis::ForceStep>& steps);
   bool hasSteps() const { return steps_ != nullptr && steps_->visible(); }
+  /// Draws what is pulled, in this color. Null: nothing.
+  void setPull(const PullMarks* pull, const QColor& color);
   /// True during a drag: thin lines.
   void setFast(bool fast);
 
@@ -122,6 +126,8 @@ class CurveOverlays {
   std::vector<QCPGraph*> family_;
   std::vector<QCPGraph*> references_;
   QCPCurve* steps_ = nullptr;
+  QCPGraph* pulled_ = nullptr;  ///< the line after an edit
+  PullLayer* pull_ = nullptr;
   SpreadShown shown_;
   bool fast_ = false;
 };
@@ -165,6 +171,9 @@ class CurvePlot : public QWidget, public PlotSource {
   void setSteps(const std::vector<analysis::ForceStep>& steps);
   /// The number of marked steps.
   std::size_t stepsMarked() const { return steps_marked_; }
+  /// What is pulled; null: nothing.
+  void setPull(const PullMarks* pull);
+  QPoint pixelOf(double x, double force_n) const;
   /// True during a drag: thin lines without smoothing, which take half the time to draw.
   void setFast(bool fast);
   /// The legend entry of an expert's line, or of the mean.
@@ -183,6 +192,11 @@ class CurvePlot : public QWidget, public PlotSource {
   void marked(double x);
   /// The user asks where the force at `x` comes from.
   void originAsked(double x);
+  /// A line was taken with Alt: that of `expert`, or of the mean.
+  void grabbed(std::optional<std::size_t> expert, double x, double force_n);
+  void bandDrawn(tactus::figures::Interval x, tactus::figures::Interval force_n);
+  void pulledTo(double force_n);
+  void pullReleased();
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -191,6 +205,10 @@ class CurvePlot : public QWidget, public PlotSource {
 
  private:
   void onMouse(QMouseEvent* event);
+  bool beginPull(const QMouseEvent& event);
+  void movePull(const QMouseEvent& event);
+  std::optional<std::size_t> lineAt(QPointF place) const;
+  bool isOnHandle(QPointF place) const;
   void nameAxis(bool named);
   void updateSilence();
   bool shown(std::size_t graph) const;
@@ -216,6 +234,11 @@ class CurvePlot : public QWidget, public PlotSource {
   QString ghost_name_;
   bool fast_ = false;
   std::size_t steps_marked_ = 0;
+  /// What the mouse pulls from its press to its release.
+  enum class Drag { kNone, kForce, kBand };
+  Drag drag_ = Drag::kNone;
+  QPointF band_from_;              ///< its first corner, in the units of the axes
+  std::optional<QPointF> handle_;  ///< of the pulled line, in the units of the axes
 };
 
 }  // namespace tactus::workbench

@@ -77,11 +77,18 @@ void ReferenceBar::build() {
     remove->setAutoRaise(true);
     remove->setToolTip(tr("Take %1 away").arg(reference.name));
     remove->setAccessibleName(remove->toolTip());
-    for (QWidget* const part : std::initializer_list<QWidget*>{name, difference, remove})
+    auto* pull = new QToolButton(rows_);
+    pull->setText(tr("Pull…"));
+    pull->setAutoRaise(true);
+    pull->setToolTip(tr("Show the edits that bring the force nearest to %1").arg(reference.name));
+    pull->setAccessibleName(pull->toolTip());
+    connect(pull, &QToolButton::clicked, this, [this, name = reference.name] { emit pullAsked(name); });
+    for (QWidget* const part : std::initializer_list<QWidget*>{name, difference, pull, remove})
       part->setFont(theme::smallFont());
     grid->addWidget(name, row, 0);
     grid->addWidget(difference, row, 1);
-    grid->addWidget(remove, row, 2);
+    grid->addWidget(pull, row, 2);
+    grid->addWidget(remove, row, 3);
     texts_ << difference;
     // Queued, because taking it away rebuilds the rows and with them the button.
     connect(
@@ -226,8 +233,14 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   step_->hide();
   for (ElidedLabel* label : {difference_, step_}) label->setHint(explained(Statistic::kNoticeable));
 
+  auto* pull = new QPushButton(tr("Pull…"), this);
+  pull->setToolTip(
+      tr("Show the smallest edits for a force that you want here. On the curves: Alt and drag a line, or "
+         "Alt, Shift and drag for a band"));
+  connect(pull, &QPushButton::clicked, this, &CurvesPanel::pullAsked);
+  connect(reference_bar_, &ReferenceBar::pullAsked, this, &CurvesPanel::pullToReferenceAsked);
   // A hidden label takes no room; then the spring does.
-  auto* head = makeRow({title_, x_input_, {step_, 100}, spring(1), new FigureButton(scene, this), menu_});
+  auto* head = makeRow({title_, x_input_, {step_, 100}, spring(1), pull, new FigureButton(scene, this), menu_});
   legend_->setTail({ghost_chip_, go_there_, difference_});
   makeColumn(this, {head, legend_, {plot_, 1}, reference_bar_}, theme::kGrid / 2,
              {theme::kGrid + 4, theme::kGrid, theme::kGrid, theme::kGrid});
@@ -238,6 +251,10 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   connect(plot_, &CurvePlot::hoverLeft, &scene_, &SceneController::clearHover);
   connect(plot_, &CurvePlot::picked, &scene_, [this](double x) { scene_.setValue(scene_.xInput(), x); });
   connect(plot_, &CurvePlot::marked, this, &CurvesPanel::onMarked);
+  connect(plot_, &CurvePlot::grabbed, this, &CurvesPanel::grabbed);
+  connect(plot_, &CurvePlot::bandDrawn, this, &CurvesPanel::bandDrawn);
+  connect(plot_, &CurvePlot::pulledTo, this, &CurvesPanel::pulledTo);
+  connect(plot_, &CurvePlot::pullReleased, this, &CurvesPanel::pullReleased);
   connect(&readings, &ReadingModel::rowShownChanged, this, &CurvesPanel::onRowShown);
   connect(&scene_, &SceneController::modelChanged, this, &CurvesPanel::adoptModel);
   connect(&scene_, &SceneController::xInputChanged, this, &CurvesPanel::showAxes);
@@ -284,6 +301,10 @@ void CurvesPanel::onMarked(double x) {
 }
 
 void CurvesPanel::setFast(bool fast) { plot_->setFast(fast); }
+
+void CurvesPanel::setPull(const PullMarks* pull) { plot_->setPull(pull); }
+
+QPoint CurvesPanel::pixelOf(double x, double force_n) const { return plot_->mapTo(this, plot_->pixelOf(x, force_n)); }
 
 void CurvesPanel::setSpreadShown(SpreadShown shown) {
   plot_->setSpreadShown(shown);

@@ -6,7 +6,9 @@
 #include <QWidget>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/figures/force_curves.h"
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/understand/curves/curve_legend.h"
@@ -41,6 +43,10 @@ class ReferenceBar : public QWidget {
   /// Shows the current differences.
   void showDifferences();
 
+ signals:
+  /// The user asks for edits that bring the force to the curve `name`.
+  void pullAsked(const QString& name);
+
  protected:
   void changeEvent(QEvent* event) override;
 
@@ -74,6 +80,27 @@ class FigureButton : public QPushButton {
   SceneController& scene_;
 };
 
+/// What is drawn while a curve is pulled (understand/pull).
+struct PullMarks {
+  std::optional<std::size_t> expert;  ///< whose line; nothing: the mean
+  /// The place on the line, with a handle at the wanted force.
+  struct Handle {
+    double x = 0;
+    std::optional<double> now_n;
+    double wanted_n = 0;
+    std::optional<figures::Interval> reach_n;  ///< what one edit reaches
+  };
+  std::optional<Handle> handle;
+  /// The force should lie in `force_n` over `x`.
+  struct Band {
+    figures::Interval x;
+    figures::Interval force_n;
+  };
+  std::optional<Band> band;
+  std::vector<double> x;                 ///< of `curve`
+  std::vector<fuzzy::Evaluation> curve;  ///< the line after the edit that is looked at; empty: none
+};
+
 class CurvesPanel : public Card {
   Q_OBJECT
 
@@ -88,8 +115,23 @@ class CurvesPanel : public Card {
   /// A second cursor on the x axis, from which the reading counts its difference; nothing: that is the operating point.
   void setMark(std::optional<double> x);
   std::optional<double> mark() const { return mark_; }
+  /// Null: nothing is pulled.
+  void setPull(const PullMarks* pull);
+  /// Where `x` of the x axis and a force are in this panel, px.
+  QPoint pixelOf(double x, double force_n) const;
 
  signals:
+  /// A line was taken with Alt at `x` of the x axis, that of `expert` or of the mean; then where the mouse takes it.
+  void grabbed(std::optional<std::size_t> expert, double x, double force_n);
+  /// A band was drawn with Alt and Shift, between two corners.
+  void bandDrawn(tactus::figures::Interval x, tactus::figures::Interval force_n);
+  /// The handle of the pulled line was moved.
+  void pulledTo(double force_n);
+  void pullReleased();
+  /// The user asks for edits that bring the force elsewhere at the place that is read.
+  void pullAsked();
+  /// The user asks for edits that bring the force to the reference curve `name`.
+  void pullToReferenceAsked(const QString& name);
   /// The second cursor was set, moved or taken away.
   void markChanged();
   /// The user chose another spread.
