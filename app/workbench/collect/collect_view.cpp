@@ -1,14 +1,8 @@
 #include "app/workbench/collect/collect_view.h"
 
 #include <QComboBox>
-#include <QDialog>
-#include <QDialogButtonBox>
-#include <QFormLayout>
-#include <QLabel>
-#include <QPushButton>
 #include <QRandomGenerator>
 #include <QSpinBox>
-#include <QVBoxLayout>
 #include <utility>
 
 #include "app/workbench/base/file_dialog.h"
@@ -16,6 +10,7 @@
 #include "app/workbench/collect/protocol_view.h"
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/collect/withdrawal_dialog.h"
+#include "app/workbench/kit/form_dialog.h"
 
 namespace tactus::workbench {
 
@@ -49,33 +44,18 @@ void CollectView::showKey() {
 }
 
 void CollectView::askFill() {
-  QDialog dialog(this);
-  dialog.setWindowTitle(tr("Fill with simulated nurses"));
-  auto* const text = new QLabel(
-      tr("For a rehearsal: each does a whole session under the protocol of this study. They are marked as simulated in "
-         "the file, in this list and in every export, and count in a model until they are withdrawn."),
-      &dialog);
-  text->setWordWrap(true);
-  auto* const count = new QSpinBox(&dialog);
+  auto* const count = new QSpinBox(this);
   count->setRange(1, session::SimulatedGroup::kMost);
   count->setValue(4);
-  auto* const alike = new QComboBox(&dialog);
+  auto* const alike = new QComboBox(this);
   alike->addItem(tr("as alike as the published nurses"), 1.0);
   alike->addItem(tr("more different"), 0.5);
   alike->addItem(tr("very different"), 0.0);
-  auto* const form = new QFormLayout;
-  form->addRow(tr("&How many"), count);
-  form->addRow(tr("How &alike"), alike);
-  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, &dialog);
-  buttons->button(QDialogButtonBox::Ok)->setText(tr("Add them"));
-  connect(buttons, &QDialogButtonBox::accepted, &dialog, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
-  auto* const column = new QVBoxLayout(&dialog);
-  column->addWidget(text);
-  column->addLayout(form);
-  column->addWidget(buttons);
-  constexpr int kWidth = 440;
-  dialog.setMinimumWidth(kWidth);
+  FormDialog dialog(
+      tr("Fill with simulated nurses"),
+      tr("For a rehearsal: each does a whole session under the protocol of this study. They are marked as simulated in "
+         "the file, in this list and in every export, and count in a model until they are withdrawn."),
+      {{tr("&How many"), count}, {tr("How &alike"), alike}}, tr("Add them"), this);
   if (dialog.exec() != QDialog::Accepted) return;
   session::SimulatedGroup group;
   group.count = count->value();

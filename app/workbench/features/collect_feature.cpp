@@ -2,12 +2,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDialog>
-#include <QDialogButtonBox>
-#include <QFormLayout>
-#include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
-#include <QVBoxLayout>
 #include <memory>
 #include <utility>
 
@@ -16,13 +11,13 @@
 #include "app/workbench/collect/study_home.h"
 #include "app/workbench/features/bench.h"
 #include "app/workbench/features/features.h"
+#include "app/workbench/kit/form_dialog.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/method/method_lab_view.h"
-#include "app/workbench/labs/overview/overview_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/session/setup_check.h"
@@ -114,25 +109,18 @@ void CollectFeature::connectPersons(Bench& bench) {
                                                                  }});
                    });
   QAction* const fill = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("&Fill with simulated nurses…"));
-  const auto may_fill = [&bench, fill] {
-    fill->setEnabled(bench.study.isOpen() && bench.study.takesOrders() && !bench.collect.isFilling() &&
-                     !bench.collect.isSessionRunning());
+  followStudy(bench, fill, [&bench] {
+    return bench.study.takesOrders() && !bench.collect.isFilling() && !bench.collect.isSessionRunning();
+  });
+  QObject::connect(&collect, &CollectController::changed, context, [&bench] {
     if (bench.collect.isFilling()) bench.window.say(tr("Simulated nurses are doing their sessions…"));
-  };
-  may_fill();
-  QObject::connect(&collect, &CollectController::changed, context, may_fill);
-  QObject::connect(&bench.study, &StudyConnection::changed, context, may_fill);
+  });
   QObject::connect(fill, &QAction::triggered, context, [&bench] {
     bench.window.enter(Stage::kCollect);
     bench.views.collect->askFill();
   });
   QAction* const answers = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("&Import answer files…"));
-  const auto may_import = [&bench, answers] {
-    answers->setEnabled(bench.study.takesOrders() && !bench.collect.isSessionRunning());
-  };
-  may_import();
-  QObject::connect(&collect, &CollectController::changed, context, may_import);
-  QObject::connect(&bench.study, &StudyConnection::changed, context, may_import);
+  followStudy(bench, answers, [&bench] { return bench.study.takesOrders() && !bench.collect.isSessionRunning(); });
   QObject::connect(answers, &QAction::triggered, context, [&bench] {
     bench.window.enter(Stage::kCollect);
     bench.views.collect->askAnswers();
@@ -143,12 +131,7 @@ void CollectFeature::connectPersons(Bench& bench) {
                          tr("%n answer file(s) read, %1 with new answers. %2", nullptr, files).arg(added).arg(notes));
                    });
   QAction* const check = bench.window.menus().addAction(MenuSlot::kStudyModel, tr("Check the set-&up…"));
-  const auto may_check = [&bench, check] {
-    check->setEnabled(bench.study.takesOrders() && !bench.collect.isSessionRunning());
-  };
-  may_check();
-  QObject::connect(&collect, &CollectController::changed, context, may_check);
-  QObject::connect(&bench.study, &StudyConnection::changed, context, may_check);
+  followStudy(bench, check, [&bench] { return bench.study.takesOrders() && !bench.collect.isSessionRunning(); });
   QObject::connect(check, &QAction::triggered, context, [&bench] { checkSetup(bench); });
   // Its texts are those of one study.
   QObject::connect(&bench.study, &StudyConnection::closed, context, [&bench] { bench.run.setSetup({}); });
@@ -226,41 +209,25 @@ struct LabsFeature {
 };
 
 void LabsFeature::askSignature(Bench& bench, const QString& what) {
-  auto* const dialog = new QDialog(&bench.window);
+  auto* const name = new QLineEdit(bench.author.name(), &bench.window);
+  auto* const why = new QLineEdit(&bench.window);
+  auto* const dialog =
+      new FormDialog(tr("Correct the data of a participant"),
+                     tr("%1. The old record stays in the file. Who corrects today, and why? It is asked once "
+                        "a day and stored with each correction.")
+                         .arg(what),
+                     {{tr("&Name"), name}, {tr("&Reason"), why}}, tr("Store the correction"), &bench.window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Correct the data of a participant"));
-  auto* const text =
-      new QLabel(tr("%1. The old record stays in the file. Who corrects today, and why? It is asked once "
-                    "a day and stored with each correction.")
-                     .arg(what),
-                 dialog);
-  text->setWordWrap(true);
-  auto* const name = new QLineEdit(bench.author.name(), dialog);
-  auto* const why = new QLineEdit(dialog);
-  auto* const form = new QFormLayout;
-  form->addRow(tr("&Name"), name);
-  form->addRow(tr("&Reason"), why);
-  auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, dialog);
-  QPushButton* const store = buttons->button(QDialogButtonBox::Ok);
-  store->setText(tr("Store the correction"));
-  const auto may_store = [store, name, why] {
-    store->setEnabled(!name->text().trimmed().isEmpty() && !why->text().trimmed().isEmpty());
+  const auto follow = [dialog, name, why] {
+    dialog->setReady(!name->text().trimmed().isEmpty() && !why->text().trimmed().isEmpty());
   };
-  may_store();
-  QObject::connect(name, &QLineEdit::textChanged, dialog, may_store);
-  QObject::connect(why, &QLineEdit::textChanged, dialog, may_store);
-  QObject::connect(buttons, &QDialogButtonBox::accepted, dialog, &QDialog::accept);
-  QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
+  follow();
+  QObject::connect(name, &QLineEdit::textChanged, dialog, follow);
+  QObject::connect(why, &QLineEdit::textChanged, dialog, follow);
   Corrections& corrections = bench.labs.corrections;
   QObject::connect(dialog, &QDialog::accepted, &corrections,
                    [&corrections, name, why] { corrections.sign(name->text(), why->text()); });
   QObject::connect(dialog, &QDialog::rejected, &corrections, [&corrections] { corrections.dropUnsigned(); });
-  auto* const column = new QVBoxLayout(dialog);
-  column->addWidget(text);
-  column->addLayout(form);
-  column->addWidget(buttons);
-  constexpr int kWidth = 480;
-  dialog->setMinimumWidth(kWidth);
   why->setFocus();
   dialog->open();
 }
@@ -290,20 +257,19 @@ void LabsFeature::addExperts(Bench& bench) {
 
 void LabsFeature::addOverview(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
-  auto* const view = new OverviewView(bench.labs.overview);
+  QWidget* const view =
+      makeOverview(bench.labs.overview,
+                   {[&bench](BuildPart::Kind kind) {
+                      const char* const names[] = {"depth", "speed", "force", "rules", "experts"};
+                      bench.search->showLab(names[static_cast<std::size_t>(kind)], nullptr);
+                    },
+                    [&bench] { bench.window.enter(Stage::kCollect); }, [&bench] { bench.start->chooseTables(); },
+                    [&bench] {
+                      bench.window.enter(Stage::kCollect);
+                      bench.views.collect->askFill();
+                    }});
   screen.addLab(tr("Overview"), view, &bench.labs.corrections);
   screen.watch(bench.labs.overview.work(), tr("Comparing what each part does to the force"));
-  QObject* const context = &bench.features;
-  QObject::connect(view, &OverviewView::labAsked, context, [&bench](BuildPart::Kind kind) {
-    const char* const names[] = {"depth", "speed", "force", "rules", "experts"};
-    bench.search->showLab(names[static_cast<std::size_t>(kind)], nullptr);
-  });
-  QObject::connect(view, &OverviewView::sessionAsked, context, [&bench] { bench.window.enter(Stage::kCollect); });
-  QObject::connect(view, &OverviewView::tablesAsked, context, [&bench] { bench.start->chooseTables(); });
-  QObject::connect(view, &OverviewView::fillAsked, context, [&bench] {
-    bench.window.enter(Stage::kCollect);
-    bench.views.collect->askFill();
-  });
 }
 
 void LabsFeature::addMethod(Bench& bench) {

@@ -1,10 +1,19 @@
 #include "app/workbench/features/features.h"
 
+#include <QAction>
+
 #include "app/workbench/features/bench.h"
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/view_menu.h"
 
 namespace tactus::workbench {
+
+void followStudy(Bench& bench, QAction* action, const std::function<bool()>& may) {
+  const auto follow = [action, may] { action->setEnabled(may()); };
+  follow();
+  QObject::connect(&bench.collect, &CollectController::changed, &bench.features, follow);
+  QObject::connect(&bench.study, &StudyConnection::changed, &bench.features, follow);
+}
 
 void addFeatures(Bench& bench) {
   addHere(bench);

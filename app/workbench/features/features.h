@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <QString>
+#include <functional>
 #include <vector>
 
 #include "app/workbench/base/worker.h"
@@ -21,6 +22,9 @@ struct Bench;
 
 /// The name of the layout for feeling alone.
 inline QString feelLayout() { return QStringLiteral("feel"); }
+
+/// Enables `action` while `may`, which is asked again with each change of the study or of stage Collect.
+void followStudy(Bench& bench, QAction* action, const std::function<bool()>& may);
 
 /// All of them, in the order in which they stand here: a later one uses views and panels of the earlier ones.
 void addFeatures(Bench& bench);

@@ -382,12 +382,7 @@ void addStudyExport(Bench& bench) {
                                            {ExportText::tr("Write tables &to share…"), true}};
   for (const auto& [name, shareable] : ways) {
     QAction* const action = bench.window.menus().addAction(MenuSlot::kStudyModel, name);
-    const auto follow = [&bench, action] {
-      action->setEnabled(bench.study.isOpen() && !bench.collect.isSessionRunning());
-    };
-    follow();
-    QObject::connect(&bench.study, &StudyConnection::changed, &bench.features, follow);
-    QObject::connect(&bench.collect, &CollectController::changed, &bench.features, follow);
+    followStudy(bench, action, [&bench] { return bench.study.isOpen() && !bench.collect.isSessionRunning(); });
     QObject::connect(action, &QAction::triggered, &bench.features,
                      [&bench, shareable = shareable] { exportTables(bench, shareable); });
   }

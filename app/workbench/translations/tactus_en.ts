@@ -229,6 +229,16 @@
     </message>
 </context>
 <context>
+    <name>OverviewView</name>
+    <message numerus="yes">
+        <source>and %n more, in its lab</source>
+        <translation>
+            <numerusform>and %n more, in its lab</numerusform>
+            <numerusform>and %n more, in its lab</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>PullText</name>
     <message numerus="yes">
         <source>These words belong to %n experts: the forces of all of them move.</source>
@@ -606,16 +616,6 @@
         <translation>
             <numerusform>and %n more; point at a row of the table to read its own</numerusform>
             <numerusform>and %n more; point at a row of the table to read its own</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>tactus::workbench::OverviewView</name>
-    <message numerus="yes">
-        <source>and %n more, in its lab</source>
-        <translation>
-            <numerusform>and %n more, in its lab</numerusform>
-            <numerusform>and %n more, in its lab</numerusform>
         </translation>
     </message>
 </context>

@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -12,6 +13,8 @@
 #include "app/workbench/base/computed.h"
 #include "app/workbench/labs/data/lab_data.h"
 #include "elicitation/model/method_study.h"
+
+class QWidget;
 
 namespace tactus::workbench {
 
@@ -29,6 +32,19 @@ struct BuildPart {
 /// The parts of `built`, those with the largest stake first; without `choices` in the order of the way. `choices`: the
 /// method study of the same model; null: not computed yet.
 std::vector<BuildPart> buildParts(const BuiltStudy& built, const elicitation::MethodStudy* choices);
+
+/// Where the cards of the overview lead.
+struct OverviewLeads {
+  std::function<void(BuildPart::Kind)> lab;  ///< the lab of this part
+  // What brings the answers that are missing.
+  std::function<void()> sessions, tables, fill;
+};
+
+class BuildOverview;
+
+/// The first tab of stage Build: a card for each part of the model, the one with the most newtons first; or what is
+/// missing. `overview` outlives it.
+QWidget* makeOverview(BuildOverview& overview, OverviewLeads leads);
 
 /// Thread: gui. The choices are compared on a thread of their own.
 class BuildOverview : public QObject {

@@ -1,20 +1,46 @@
-#include "app/workbench/labs/overview/overview_view.h"
-
+#include <QCoreApplication>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+#include <QWidget>
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/labs/overview/build_overview.h"
 
 namespace tactus::workbench {
 namespace {
+
+class OverviewView : public QWidget {
+  Q_DECLARE_TR_FUNCTIONS(OverviewView)
+
+ public:
+  OverviewView(BuildOverview& overview, OverviewLeads leads);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void showState();
+  QWidget* makeCard(const BuildPart& part, double largest_n);
+
+  BuildOverview& overview_;
+  OverviewLeads leads_;
+  QLabel* lead_;
+  QScrollArea* scroll_;
+  QVBoxLayout* cards_;
+  QWidget* empty_;
+  QLabel* why_;
+};
 
 constexpr int kRiver = 14;    // px, of the widest part
 constexpr int kWarnings = 2;  // of a card
@@ -50,11 +76,9 @@ class River : public QWidget {
   double share_;
 };
 
-}  // namespace
-
-OverviewView::OverviewView(BuildOverview& overview, QWidget* parent)
-    : QWidget(parent),
-      overview_(overview),
+OverviewView::OverviewView(BuildOverview& overview, OverviewLeads leads)
+    : overview_(overview),
+      leads_(std::move(leads)),
       lead_(new QLabel(this)),
       scroll_(new QScrollArea(this)),
       cards_(nullptr),
@@ -82,9 +106,9 @@ OverviewView::OverviewView(BuildOverview& overview, QWidget* parent)
   auto* session = new QPushButton(tr("Start with the participants"), empty_);
   auto* tables = new QPushButton(tr("Import tables…"), empty_);
   auto* fill = new QPushButton(tr("Fill with simulated nurses…"), empty_);
-  connect(session, &QPushButton::clicked, this, &OverviewView::sessionAsked);
-  connect(tables, &QPushButton::clicked, this, &OverviewView::tablesAsked);
-  connect(fill, &QPushButton::clicked, this, &OverviewView::fillAsked);
+  connect(session, &QPushButton::clicked, this, leads_.sessions);
+  connect(tables, &QPushButton::clicked, this, leads_.tables);
+  connect(fill, &QPushButton::clicked, this, leads_.fill);
   for (QPushButton* button : {session, tables, fill}) button->setMinimumHeight(5 * theme::kGrid);
   makeColumn(empty_, {spring(1), title, why_, makeRow({spring(1), session, tables, fill, spring(1)}), spring(1)},
              2 * theme::kGrid, inset(3 * theme::kGrid));
@@ -129,7 +153,7 @@ QWidget* OverviewView::makeCard(const BuildPart& part, double largest_n) {
   open->setAccessibleName(tr("Open %1").arg(nameOf(part.kind)));
   open->setMinimumHeight(4 * theme::kGrid);
   open->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-  connect(open, &QPushButton::clicked, this, [this, kind = part.kind] { emit labAsked(kind); });
+  connect(open, &QPushButton::clicked, this, [this, kind = part.kind] { leads_.lab(kind); });
   const double share = largest_n > 0 ? part.stake_n.value_or(0) / largest_n : 0;
   makeRow(card,
           {new River(share, card),
@@ -159,6 +183,12 @@ void OverviewView::showState() {
   scroll_->setVisible(!missing);
   lead_->setText(parts.empty() ? tr("The model is being built…")
                                : tr("What the model is made of, and how many newtons hang on each part"));
+}
+
+}  // namespace
+
+QWidget* makeOverview(BuildOverview& overview, OverviewLeads leads) {
+  return new OverviewView(overview, std::move(leads));
 }
 
 }  // namespace tactus::workbench
