@@ -178,6 +178,13 @@ QString numberText(double value, int decimals) {
   return out == QLatin1String("-0") ? QStringLiteral("0") : out;
 }
 
+QString percentText(double share) {
+  return share > 0 && share < 0.0005 ? DisplayText::tr("less than 0.1 %")
+                                     : DisplayText::tr("%1 %").arg(numberText(100 * share, 1));
+}
+
+QString spelled(std::string_view id) { return text(std::string(id)).replace(QLatin1Char('_'), QLatin1Char(' ')); }
+
 QString unitText(const std::string& unit) { return unit == "1" ? QString() : text(unit); }
 
 QString quantityText(double value, const std::string& unit, int decimals) {
@@ -218,7 +225,7 @@ QString labelOf(const fuzzy::Term& term) { return labelOrId(term.label, term.id)
 QString labelOf(const fuzzy::Expert& expert) { return labelOrId(expert.label, expert.id); }
 
 QString shortLabelOf(const fuzzy::Variable& variable) {
-  QString words = text(variable.id).replace(QLatin1Char('_'), QLatin1Char(' '));
+  QString words = spelled(variable.id);
   if (!words.isEmpty()) words[0] = words[0].toUpper();
   return words;
 }

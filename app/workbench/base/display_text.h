@@ -4,6 +4,7 @@
 #include <QString>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -65,6 +66,12 @@ QString shownFileName(const QString& path);
 
 /// `value` with at most `decimals` digits after the point, without trailing zeros.
 QString numberText(double value, int decimals = 2);
+
+/// A share as percent, `23.1 %`; a share above 0 is never shown as 0.
+QString percentText(double share);
+
+/// An id as words: `very small` for `very_small`.
+QString spelled(std::string_view id);
 
 /// The unit for the screen; empty for `1` (a ratio).
 QString unitText(const std::string& unit);

@@ -38,11 +38,9 @@ using session::Share;
 
 constexpr auto kReason = "researcher";
 
-QString termName(const std::string& id) { return text(id).replace(QLatin1Char('_'), QLatin1Char(' ')); }
-
 QString replyText(const questionnaires::Reply& reply) {
   switch (reply.status) {
-    case study::Answer::Status::kAnswered: return termName(reply.value);
+    case study::Answer::Status::kAnswered: return spelled(reply.value);
     case study::Answer::Status::kSkipped: return MonitorController::tr("skipped");
     case study::Answer::Status::kCantTell: return MonitorController::tr("can't tell");
     case study::Answer::Status::kCleared: return MonitorController::tr("taken back");
@@ -57,7 +55,7 @@ bool isSame(const std::optional<questionnaires::Reply>& one, const std::optional
 
 QString judgementText(const study::JudgementRecord& judgement) {
   switch (judgement.kind) {
-    case study::ForceJudgement::Kind::kTerm: return termName(judgement.term);
+    case study::ForceJudgement::Kind::kTerm: return spelled(judgement.term);
     case study::ForceJudgement::Kind::kNotFelt: return MonitorController::tr("not felt");
     case study::ForceJudgement::Kind::kBeyondPractice: return MonitorController::tr("beyond practice");
     case study::ForceJudgement::Kind::kNoAnswer: return MonitorController::tr("felt");
@@ -181,7 +179,7 @@ void MonitorController::compareStrokes(const SessionSnapshot& before, const Sess
   if (before.part != SessionPart::kSpeed || !before.speed || !now.speed || *before.speed == *now.speed) return;
   const experiments::SpeedPlan& was = *before.speed;
   const QString which = tr("%1, insertion %2%3")
-                            .arg(termName(was.level))
+                            .arg(spelled(was.level))
                             .arg(was.number)
                             .arg(was.practice ? tr(" (practice)") : QString());
   const bool again = now.speed->level == was.level && now.speed->number == was.number &&

@@ -21,9 +21,6 @@ struct RecordWords {
   Q_DECLARE_TR_FUNCTIONS(RecordWords)
 };
 
-/// `very small` for `very_small`.
-QString spelled(const std::string& id) { return text(id).replace(QLatin1Char('_'), QLatin1Char(' ')); }
-
 QString profileText(const study::ProfileRecord& profile) {
   QStringList parts;
   if (profile.years_experience)
@@ -106,9 +103,8 @@ class Collector {
   Result<void> addJudgements() {
     TACTUS_TRY(const auto judgements, store::judgements(file_, all_));
     for (const auto& one : judgements) {
-      const QString word = one.kind == study::ForceJudgement::Kind::kTerm
-                               ? spelled(one.term)
-                               : spelled(std::string(store::wordFor(one.kind)));
+      const QString word =
+          one.kind == study::ForceJudgement::Kind::kTerm ? spelled(one.term) : spelled(store::wordFor(one.kind));
       const QString remark = one.series == experiments::kFamiliarisation ? RecordWords::tr("practice")
                              : !one.scored                               ? RecordWords::tr("not counted")
                              : one.catch_trial                           ? RecordWords::tr("a hidden check")
@@ -128,7 +124,7 @@ class Collector {
     for (const auto& one : profiles) add(one.entry, RecordWords::tr("Person"), {}, profileText(one));
     TACTUS_TRY(const auto answers, store::answers(file_, all_));
     for (const auto& one : answers) {
-      const QString said = one.value.empty() ? spelled(std::string(store::wordFor(one.status))) : spelled(one.value);
+      const QString said = one.value.empty() ? spelled(store::wordFor(one.status)) : spelled(one.value);
       add(one.entry, RecordWords::tr("Questions"), RecordWords::tr("item %1 of %2").arg(one.item).arg(text(one.form)),
           said);
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "app/workbench/base/display_text.h"
+
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
 
@@ -57,6 +59,16 @@ TEST_F(MethodLabTest, ComparesOnRequestAndDrawsTheCurvesWhereTheyDifferMost) {
     EXPECT_TRUE(verdict.startsWith(QStringLiteral("Yes: ")) || verdict.startsWith(QStringLiteral("No: ")))
         << verdict.toStdString();
     EXPECT_TRUE(at.data(Qt::ToolTipRole).toString().contains(QStringLiteral("here")));
+    EXPECT_FALSE(verdict.contains(QLatin1Char('_'))) << verdict.toStdString();
+    // The largest of all values of the choice, also where another one is felt at more places.
+    const FactorRow& shown = factors.rows()[static_cast<std::size_t>(row)];
+    double largest_n = 0;
+    for (const auto& one : lab.found()->variants) {
+      if (one.factor == lab.found()->factors[shown.index].factor) largest_n = std::max(largest_n, one.largest_n);
+    }
+    if (lab.found()->factors[shown.index].worst) {
+      EXPECT_EQ(shown.largest, quantityText(largest_n, "N", 3));
+    }
   }
   Columns<VariantRow> variants(variantColumns());
   variants.setRows(variantRows(*lab.found(), "force_terms", lab.model()));

@@ -107,18 +107,15 @@ QString settingsChange(const elicitation::BuildSettings& before, const elicitati
   const auto add = [&parts](const QString& what, const QString& from, const QString& to) {
     if (from != to) parts << QStringLiteral("%1 %2 → %3").arg(what, from, to);
   };
-  const auto word = [](std::string_view id) {
-    return text(std::string(id)).replace(QLatin1Char('_'), QLatin1Char(' '));
-  };
   add(QStringLiteral("α"), numberText(before.speed.alpha), numberText(after.speed.alpha));
   add(QStringLiteral("m"), numberText(before.speed.fcm.m), numberText(after.speed.fcm.m));
   add(SettingsText::tr("trimming"), numberText(before.speed.trim), numberText(after.speed.trim));
-  add(SettingsText::tr("centers"), word(name(before.speed.centres)), word(name(after.speed.centres)));
-  add(SettingsText::tr("averaging"), word(name(before.averaging)), word(name(after.averaging)));
-  add(SettingsText::tr("speed terms"), word(name(before.terms)), word(name(after.terms)));
-  add(SettingsText::tr("force words"), word(name(before.force_terms)), word(name(after.force_terms)));
-  add(SettingsText::tr("series"), word(before.series), word(after.series));
-  add(SettingsText::tr("depths"), word(name(before.depths)), word(name(after.depths)));
+  add(SettingsText::tr("centers"), spelled(name(before.speed.centres)), spelled(name(after.speed.centres)));
+  add(SettingsText::tr("averaging"), spelled(name(before.averaging)), spelled(name(after.averaging)));
+  add(SettingsText::tr("speed terms"), spelled(name(before.terms)), spelled(name(after.terms)));
+  add(SettingsText::tr("force words"), spelled(name(before.force_terms)), spelled(name(after.force_terms)));
+  add(SettingsText::tr("series"), spelled(before.series), spelled(after.series));
+  add(SettingsText::tr("depths"), spelled(name(before.depths)), spelled(name(after.depths)));
   add(SettingsText::tr("weights"), weightsText(before.weights), weightsText(after.weights));
   return parts.join(QStringLiteral(", "));
 }

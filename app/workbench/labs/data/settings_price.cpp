@@ -13,19 +13,14 @@ struct PriceText {
   Q_DECLARE_TR_FUNCTIONS(PriceText)
 };
 
-QString shareText(double share) {
-  return share > 0 && share < 0.0005 ? PriceText::tr("less than 0.1 %")
-                                     : PriceText::tr("%1 %").arg(numberText(100 * share, 1));
-}
-
 QString priceOf(const elicitation::MethodVariant& moved, const fuzzy::ForceModel& model) {
   if (moved.largest_n == 0 && moved.only_one_share == 0) return PriceText::tr("the averaged force stays the same.");
   QString out = PriceText::tr("the averaged force moves by at most %1, felt at %2 of the input space; most at %3.")
-                    .arg(quantityText(moved.largest_n, "N", 3), shareText(moved.noticeable_share),
+                    .arg(quantityText(moved.largest_n, "N", 3), percentText(moved.noticeable_share),
                          text(elicitation::pointText(model, moved.at)));
   if (moved.only_one_share > 0)
     out += QLatin1Char(' ') +
-           PriceText::tr("At %1 only one of the two gives a force.").arg(shareText(moved.only_one_share));
+           PriceText::tr("At %1 only one of the two gives a force.").arg(percentText(moved.only_one_share));
   return out;
 }
 

@@ -37,22 +37,17 @@ std::vector<VariantRow> variantRows(const elicitation::MethodStudy& study, const
     const auto& one = study.variants[i];
     if (one.factor != factor) continue;
     const QString why = text(one.unavailable);
-    VariantRow row{i, text(one.value), kNotCompared, kNotCompared, kNotCompared, kNotCompared, why, why};
+    VariantRow row{i, spelled(one.value), kNotCompared, kNotCompared, kNotCompared, kNotCompared, why, why};
     if (why.isEmpty()) {
       row.rms = methodNewtons(one.rms_n);
       row.noticeable = numberText(one.rms_noticeable, 2);
-      row.felt = feltText(one.noticeable_share);
+      row.felt = percentText(one.noticeable_share);
       row.largest = methodNewtons(one.largest_n);
       row.where = one.at.empty() ? QString() : text(elicitation::pointText(model, one.at));
     }
     rows.push_back(std::move(row));
   }
   return rows;
-}
-
-QString feltText(double share) {
-  if (share > 0 && share < 0.0005) return QStringLiteral("< 0.1 %");
-  return QStringLiteral("%1 %").arg(numberText(100 * share, 1));
 }
 
 std::vector<Column<FactorRow>> factorColumns() {
@@ -73,12 +68,17 @@ std::vector<FactorRow> factorRows(const elicitation::MethodStudy& study) {
   for (const std::size_t i : elicitation::factorsByEffect(study)) {
     const auto& factor = study.factors[i];
     const auto* const worst = factor.worst ? &study.variants[*factor.worst] : nullptr;
+    // Not always that of the variant that is felt most.
+    double largest_n = 0;
+    for (const auto& one : study.variants) {
+      if (one.factor == factor.factor) largest_n = std::max(largest_n, one.largest_n);
+    }
     rows.push_back(
-        {i, text(elicitation::factorTitle(factor.factor)), text(factor.unchanged),
+        {i, text(elicitation::factorTitle(factor.factor)), spelled(factor.unchanged),
          // A narrow column shall not break between a number and its sign.
-         text(elicitation::factorVerdict(study, factor)).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%")),
-         text(elicitation::factorSentence(study, factor)),
-         worst == nullptr ? kNotCompared : methodNewtons(worst->largest_n),
+         spelled(elicitation::factorVerdict(study, factor)).replace(QStringLiteral(" %"), QStringLiteral("\u00A0%")),
+         spelled(elicitation::factorSentence(study, factor)),
+         worst == nullptr ? kNotCompared : methodNewtons(largest_n),
          worst == nullptr ? kNotCompared : numberText(worst->rms_noticeable, 2)});
   }
   return rows;

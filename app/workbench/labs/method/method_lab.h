@@ -39,9 +39,6 @@ std::vector<Column<FactorRow>> factorColumns();
 /// The largest effect first.
 std::vector<FactorRow> factorRows(const elicitation::MethodStudy& study);
 
-/// `23.1 %`; a share above 0 is never shown as 0.
-QString feltText(double share);
-
 /// The averaged force as it is and with another choice, along the depth through the place of the largest difference.
 struct MethodCurves {
   std::size_t variant = 0;  ///< in the study

@@ -128,7 +128,7 @@ PlotTable methodCurvesTable(const MethodLab& lab) {
   const MethodCurves* const curves = lab.curves();
   if (curves == nullptr) return table;
   const auto& variant = lab.found()->variants[curves->variant];
-  table.caption << QStringLiteral("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), text(variant.value));
+  table.caption << QStringLiteral("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), spelled(variant.value));
   table.caption << placeOfCurves(lab.model(), *curves);
   const auto& depth = lab.model().inputs[curves->x_input];
   table.columns = {"curve", columnName(depth), columnName(lab.model().output)};
@@ -275,7 +275,7 @@ void MethodLabView::followCurves() {
   }
   const auto& variant = lab_.found()->variants[curves->variant];
   const QString other =
-      QStringLiteral("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), text(variant.value));
+      QStringLiteral("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), spelled(variant.value));
   const bool marked = !variant.at.empty();
   plot_->setCurves(lab_.model(), *curves, other, marked);
   const auto& output = lab_.model().output;

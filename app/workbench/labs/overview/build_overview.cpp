@@ -125,8 +125,7 @@ std::vector<BuildPart> buildParts(const BuiltStudy& built, const elicitation::Me
       const auto kind = partOf(variant.factor);
       if (!kind || !variant.unavailable.empty()) continue;
       raise(part(*kind), variant.largest_n,
-            OverviewText::tr("%1: %2").arg(text(elicitation::factorTitle(variant.factor)),
-                                           text(variant.value).replace(QLatin1Char('_'), QLatin1Char(' '))));
+            OverviewText::tr("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), spelled(variant.value)));
     }
   }
   addWarnings(model, parts);

@@ -103,8 +103,7 @@ int namesWidth(const ExpertGrids& grids, const QFontMetrics& metrics) {
 }
 
 QString inputName(const std::string& id) {
-  QString name = text(id);
-  name.replace(QLatin1Char('_'), QLatin1Char(' '));
+  QString name = spelled(id);
   if (!name.isEmpty()) name[0] = name[0].toUpper();
   return name;
 }

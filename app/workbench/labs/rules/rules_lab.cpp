@@ -171,9 +171,7 @@ void RulesLab::choose(const GridPlace& place) {
 
 QString RulesLab::textOf(const GridPlace& place) const {
   const GridAxis& row = found_.grids.rows[place.row];
-  QString input = text(row.input);
-  input.replace(QLatin1Char('_'), QLatin1Char(' '));
-  return QStringLiteral("%1 %2, %3").arg(row.label, input, found_.grids.columns[place.column].label);
+  return QStringLiteral("%1 %2, %3").arg(row.label, spelled(row.input), found_.grids.columns[place.column].label);
 }
 
 void RulesLab::correctWord(std::size_t expert, const GridPlace& place, std::size_t word) {
