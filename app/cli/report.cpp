@@ -51,7 +51,7 @@ base::Result<Output> demo(const DemoOptions& options) {
 base::Result<Output> writeReport(const ReportOptions& options) {
   TACTUS_TRY(auto made, buildStudy(options, RulesNeeded::kNo));
   for (auto& note : acceptedNotes(made.data, made.accepted)) made.built.notes.push_back(std::move(note));
-  TACTUS_TRY(auto in_order, session::readDoneInOrder(options.study));
+  if (!made.in_order) return tl::unexpected(made.in_order.error());
   const report::StudyReportInputs inputs{.study = made.tables.study,
                                          .built = made.built,
                                          .build_settings = made.settings,
@@ -62,7 +62,7 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                                       {"Created (UTC)", made.settings.created_utc}},
                                          .replicates = options.replicates,
                                          .usability = made.usability,
-                                         .in_order = std::move(in_order)};
+                                         .in_order = std::move(*made.in_order)};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
   const auto experts = made.built.model.experts.size();

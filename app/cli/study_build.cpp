@@ -130,7 +130,8 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   if (auto ok = requireOutput(options.out, {options.study, options.weights}); !ok) return tl::unexpected(ok.error());
   TACTUS_TRY(auto weights, weightSettings(options.weights));
   TACTUS_TRY(auto accepted, acceptedKinds(options.accept));
-  TACTUS_TRY(auto tables, session::readStudy(options.study, elicitation::ngtInputIds()));
+  TACTUS_TRY(auto whole, session::readWholeStudy(options.study, elicitation::ngtInputIds()));
+  auto& [tables, aside, in_order] = whole;
   StudyBuild out;
   for (const auto& notice : tables.notices) out.notices.push_back(options.study + ": " + notice);
   out.data = session::dataFindings(tables.study);
@@ -145,7 +146,6 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   settings.averaging = options.averaging;
   settings.force_terms = options.force_terms;
   settings.force_end_n = options.force_end_n;
-  auto aside = session::readAside(options.study);
   if (aside) {
     out.usability = std::move(aside->usability);
     settings.measured_depths = std::move(aside->measured_depths);
@@ -169,6 +169,7 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   out.built = std::move(*built);
   out.tables = std::move(tables);
   out.accepted = std::move(accepted);
+  out.in_order = std::move(in_order);
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include "core/study/csv_tables.h"
 #include "core/study/data_finding.h"
 #include "elicitation/model/model_builder.h"
+#include "experiments/order_effects.h"
 #include "questionnaires/scale_summary.h"
 
 namespace tactus::cli {
@@ -37,6 +38,8 @@ struct StudyBuild {
   std::vector<study::DataFinding::Kind> accepted;
   std::vector<std::string> notices;                     ///< about the file, with its name
   std::vector<questionnaires::ScaleSummary> usability;  ///< of a study file; empty without answers to the scale
+  /// What each participant of a study file did in its order.
+  base::Result<std::vector<experiments::DoneInOrder>> in_order;
   elicitation::BuildSettings settings;
   elicitation::BuiltModel built;
 

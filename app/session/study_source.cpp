@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "app/session/study_view.h"
@@ -29,13 +30,6 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file) {
   auto rows = questionnaires::summarize(questionnaires::usabilityForm(), answers);
   if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.n > 0; })) out.usability = std::move(rows);
   return out;
-}
-
-base::Result<StudyAside> readAside(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return StudyAside{};
-  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
-  return asideOf(file);
 }
 
 base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view) {
@@ -84,14 +78,6 @@ base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::Stu
   return out;
 }
 
-base::Result<std::vector<experiments::DoneInOrder>> readDoneInOrder(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<experiments::DoneInOrder>{};
-  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
-  TACTUS_TRY(const auto view, studyForElicitation(file));
-  return doneInOrder(file, view);
-}
-
 std::vector<study::Form> knownForms() {
   std::vector<study::Form> forms = {questionnaires::ngtForceForm()};
   for (const auto& reading : questionnaires::s4Readings()) {
@@ -112,10 +98,13 @@ base::Result<study::StudyTables> readTables(const std::string& folder, const std
   return tables;
 }
 
-base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids) {
+namespace {
+
+/// Opens the study file at `path`; nothing: it is a folder.
+base::Result<std::optional<store::StudyFile>> openFile(const std::string& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::is_directory(status)) return readTables(path, input_ids);
+  if (std::filesystem::is_directory(status)) return std::nullopt;
   if (!std::filesystem::is_regular_file(status)) {
     const bool is_there = std::filesystem::exists(status);
     return tl::unexpected(base::Error{base::ErrorCode::kIo,
@@ -124,11 +113,34 @@ base::Result<study::StudyTables> readStudy(const std::string& path, const std::v
                                       is_there ? "a device or a pipe" : "nothing of this name",
                                       "a study file, or a folder with participants.csv"});
   }
-  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
-  TACTUS_TRY(auto view, studyForElicitation(file));
+  TACTUS_TRY(auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return std::optional<store::StudyFile>(std::move(file));
+}
+
+study::StudyTables tablesOf(const store::StudyFile& file, StudyView view) {
   study::StudyTables tables{std::move(view.study), std::move(view.notes)};
   for (const auto& notice : file.notices()) tables.notices.push_back(notice.sentence);
   return tables;
+}
+
+}  // namespace
+
+base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids) {
+  TACTUS_TRY(const auto file, openFile(path));
+  if (!file) return readTables(path, input_ids);
+  TACTUS_TRY(auto view, studyForElicitation(*file));
+  return tablesOf(*file, std::move(view));
+}
+
+base::Result<WholeStudy> readWholeStudy(const std::string& path, const std::vector<std::string>& input_ids) {
+  TACTUS_TRY(const auto file, openFile(path));
+  if (!file) {
+    TACTUS_TRY(auto tables, readTables(path, input_ids));
+    return WholeStudy{std::move(tables), StudyAside{}, std::vector<experiments::DoneInOrder>{}};
+  }
+  TACTUS_TRY(auto view, studyForElicitation(*file));
+  auto in_order = doneInOrder(*file, view);
+  return WholeStudy{tablesOf(*file, std::move(view)), asideOf(*file), std::move(in_order)};
 }
 
 }  // namespace tactus::session

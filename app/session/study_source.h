@@ -25,14 +25,9 @@ struct StudyAside {
 
 base::Result<StudyAside> asideOf(const store::StudyFile& file);
 
-/// The same of the study at `path`; a folder of tables has neither. The file is not changed. Errors name the file.
-base::Result<StudyAside> readAside(const std::string& path);
-
 /// What each participant of `view` did, in its order, with the catch trials: of the sessions that count
 /// (experiments/order_effects.h). `view` is of the same file.
 base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view);
-/// The same of the study at `path`; nothing of a folder of tables. The file is not changed. Errors name the file.
-base::Result<std::vector<experiments::DoneInOrder>> readDoneInOrder(const std::string& path);
 
 // The forms to which answers and given rules of a study can refer.
 
@@ -46,5 +41,15 @@ base::Result<study::StudyTables> readTables(const std::string& folder, const std
 /// Reads the study at `path`: a folder like readTables, or the data for elicitation from a study file (study_view.h)
 /// with any extension. The file is not changed. Errors name the file.
 base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids);
+
+/// A study with all that a report says of it.
+struct WholeStudy {
+  study::StudyTables tables;
+  base::Result<StudyAside> aside;
+  base::Result<std::vector<experiments::DoneInOrder>> in_order;
+};
+
+/// The same as readStudy, with what else a study file holds; a folder of tables has nothing of it.
+base::Result<WholeStudy> readWholeStudy(const std::string& path, const std::vector<std::string>& input_ids);
 
 }  // namespace tactus::session
