@@ -4,6 +4,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <memory>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/data/settings_price.h"
@@ -27,11 +28,13 @@ class CorrectionsTest : public testing::Test {
     data.hold(lab);
     ASSERT_TRUE(comesTrue([this] { return data.study() != nullptr; }));
   }
-  /// Until the study is read again after `act`.
+  /// Until what `act` orders is stored and the study is read again after that: not the end of an earlier reading.
   void readAgainAfter(const std::function<void()>& act) {
-    const auto before = data.study();
+    std::shared_ptr<const LabStudy> before;
+    const auto stored = QObject::connect(&corrections, &Corrections::stored, &lab, [&] { before = data.study(); });
     act();
-    ASSERT_TRUE(comesTrue([&] { return data.study() != before && !data.isReading() && !corrections.isBusy(); }));
+    EXPECT_TRUE(comesTrue([&] { return before != nullptr && data.study() != before && !data.isReading(); }));
+    QObject::disconnect(stored);
   }
   study::StrokeRecord strokeOf(const std::string& level, int number) const {
     for (const auto& one : data.study()->strokes) {
