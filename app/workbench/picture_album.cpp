@@ -59,16 +59,18 @@ void waitFor(const std::function<bool()>& condition) {
   loop.exec();
 }
 
-PictureAlbum::PictureAlbum(QString folder, const QSize& size, double scale, QString language)
-    : folder_(std::move(folder)), size_(size), scale_(scale), language_(std::move(language)) {}
+PictureAlbum::PictureAlbum(PictureSettings settings) : settings_(std::move(settings)) {}
 
 base::Result<void> PictureAlbum::add(const QString& area, const QString& screen, const QString& title,
                                      QWidget& window) {
-  if (qobject_cast<QDialog*>(&window) == nullptr) window.resize(size_);
+  if (qobject_cast<QDialog*>(&window) == nullptr) window.resize(settings_.size);
   const QString file = area + QLatin1Char('/') + screen + QStringLiteral(".png");
-  const QString path = folder_ + QLatin1Char('/') + file;
-  if (auto made = base::makeFolder((folder_ + QLatin1Char('/') + area).toStdString()); !made) return made;
-  if (!settledPicture(window).save(path)) {
+  const QString path = settings_.folder + QLatin1Char('/') + file;
+  if (auto made = base::makeFolder((settings_.folder + QLatin1Char('/') + area).toStdString()); !made) return made;
+  QImage picture = settledPicture(window);
+  if (settings_.widest_px && picture.width() > *settings_.widest_px)
+    picture = picture.scaledToWidth(*settings_.widest_px, Qt::SmoothTransformation);
+  if (!picture.save(path)) {
     return base::fail(base::ErrorCode::kIo, path.toStdString(), "a file that cannot be written", "a writable folder");
   }
   pictures_.push_back({file, area, screen, title, window.size()});
@@ -84,14 +86,14 @@ base::Result<void> PictureAlbum::finish() const {
     json.key("area").value(picture.area.toStdString());
     json.key("screen").value(picture.screen.toStdString());
     json.key("title").value(picture.title.toStdString());
-    json.key("language").value(language_.toStdString());
+    json.key("language").value(settings_.language.toStdString());
     json.key("width").value(picture.size.width());
     json.key("height").value(picture.size.height());
-    json.key("scale").value(scale_);
+    json.key("scale").value(settings_.scale);
     json.endObject();
   }
   json.endArray();
-  return base::writeFileAtomically((folder_ + QStringLiteral("/screens.json")).toStdString(), json.text());
+  return base::writeFileAtomically((settings_.folder + QStringLiteral("/screens.json")).toStdString(), json.text());
 }
 
 }  // namespace tactus::workbench

@@ -49,6 +49,7 @@ constexpr auto kStudy = "study";
 constexpr auto kScreens = "screens";
 constexpr auto kSize = "size";
 constexpr auto kScale = "scale";
+constexpr auto kWidth = "width";
 constexpr auto kLanguage = "language";
 
 constexpr int kSmallest = 320;  // px; below it no screen can be recognized
@@ -88,6 +89,13 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
       return refuse(kScale, text, "a number from 0.5 to 4");
     }
   }
+  if (parser.isSet(QLatin1String(kWidth))) {
+    const QString text = parser.value(QLatin1String(kWidth));
+    bool number = false;
+    const int width = QLocale::c().toInt(text, &number);
+    if (!number || width < kSmallest || width > kLargest) return refuse(kWidth, text, "px, from 320 to 8192");
+    pictures.widest_px = width;
+  }
   if (parser.isSet(QLatin1String(kLanguage))) {
     pictures.language = parser.value(QLatin1String(kLanguage));
     if (!nurse::languageWithId(pictures.language))
@@ -117,7 +125,7 @@ base::Result<void> requireTogether(const QCommandLineParser& parser) {
     return base::fail(base::ErrorCode::kValue, std::string("--") + option, "it alone", "--" + mode + " beside it");
   };
   if (set(kSpeed) && !set(kRehearse)) return alone(kSpeed, kRehearse);
-  for (const char* name : {kSize, kScale, kLanguage}) {
+  for (const char* name : {kSize, kScale, kWidth, kLanguage}) {
     if (set(name) && !set(kScreens)) return alone(name, kScreens);
   }
   if (set(kStudy) && !set(kRehearse) && !set(kScreens)) {
@@ -161,6 +169,7 @@ void describeOptions(QCommandLineParser& parser) {
          OptionText::tr("WxH"));
   option(kScale, OptionText::tr("Scale of these pictures: 2 for a screen with twice the dots."),
          OptionText::tr("scale"));
+  option(kWidth, OptionText::tr("Width in px above which these pictures are made smaller."), OptionText::tr("width"));
   option(kLanguage, OptionText::tr("Language of these pictures: en, zh-Hant or zh-Hans."), OptionText::tr("language"));
   parser.addPositionalArgument(QStringLiteral("file"), OptionText::tr("A model (*.tactus.json) or a study (*.tactus)."),
                                QStringLiteral("[file]"));

@@ -446,7 +446,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   bench.window.resize(wanted.size);
   bench.window.show();
 
-  PictureAlbum album(wanted.folder, wanted.size, wanted.scale, wanted.language);
+  PictureAlbum album(wanted);
   if (auto added =
           album.add(QStringLiteral("start"), QStringLiteral("start"), bench.window.windowTitle(), bench.window);
       !added) {

@@ -5,6 +5,7 @@
 #include <QSize>
 #include <QString>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/base/error.h"
@@ -13,6 +14,15 @@ class QWidget;
 
 namespace tactus::workbench {
 
+struct PictureSettings {
+  QString folder;
+  QSize size{1280, 720};  ///< of the windows, px, before `scale`
+  double scale = 1;
+  QString language = QStringLiteral("en");
+  QString study{};                 ///< a study file; empty: the demo study
+  std::optional<int> widest_px{};  ///< a wider picture is made smaller
+};
+
 // Pictures of screens in a folder, and the list of them: `DIR/<area>/<screen>.png` and `DIR/screens.json`.
 
 /// Lets events come until `condition` holds, or for too long.
@@ -20,8 +30,8 @@ void waitFor(const std::function<bool()>& condition);
 
 class PictureAlbum {
  public:
-  /// `folder` is made if it is missing. `size`: of the windows, px before `scale`, which Qt has been told.
-  PictureAlbum(QString folder, const QSize& size, double scale, QString language);
+  /// The folder is made if it is missing. Qt has been told the scale.
+  explicit PictureAlbum(PictureSettings settings);
 
   /// Gives `window` the size (a dialog has its own), waits until it shows what it has to show, and saves its picture.
   /// `area` and `screen` are names of files.
@@ -38,19 +48,8 @@ class PictureAlbum {
     QSize size;
   };
 
-  QString folder_;
-  QSize size_;
-  double scale_;
-  QString language_;
+  PictureSettings settings_;
   std::vector<Picture> pictures_;
-};
-
-struct PictureSettings {
-  QString folder;
-  QSize size{1280, 720};  ///< px, before `scale`
-  double scale = 1;
-  QString language = QStringLiteral("en");
-  QString study{};  ///< a study file; empty: the demo study
 };
 
 /// Makes the demo study, or a copy of another one, in a folder of its own and takes the pictures into `settings.folder`

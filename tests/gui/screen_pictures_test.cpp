@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QSet>
 #include <QTemporaryDir>
+#include <QWidget>
 #include <gtest/gtest.h>
 
 #include "app/workbench/program_options.h"
@@ -98,6 +99,20 @@ TEST(ProgramOptions, SayWhatPicturesAreWanted) {
   EXPECT_FALSE(optionsOf({QStringLiteral("study.tactus")})->pictures);
 }
 
+TEST(ScreenPictures, AWidePictureIsMadeSmallerAndANarrowOneIsNot) {
+  const QTemporaryDir folder;
+  PictureSettings wanted;
+  wanted.folder = folder.path();
+  wanted.size = QSize(640, 360);
+  QWidget window;
+  for (const int widest_px : {320, 1000}) {
+    wanted.widest_px = widest_px;
+    ASSERT_TRUE(PictureAlbum(wanted).add(QStringLiteral("area"), QStringLiteral("screen"), {}, window));
+    EXPECT_EQ(QImage(folder.filePath(QStringLiteral("area/screen.png"))).size(),
+              widest_px == 320 ? QSize(320, 180) : wanted.size);
+  }
+}
+
 TEST(ProgramOptions, NameTheStudyOfTheParticipants) {
   const auto options = optionsOf({QStringLiteral("--take-part"), QStringLiteral("ngt.tactus")});
   ASSERT_TRUE(options);
@@ -111,6 +126,11 @@ TEST(ProgramOptions, ThatCannotBeMeantAreASentence) {
         optionsOf({QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--size=") + QLatin1String(bad)});
     ASSERT_FALSE(options) << bad;
     EXPECT_NE(options.error().message().find("1280x720"), std::string::npos);
+  }
+  for (const char* bad : {"0", "-960", "960.5", "9000", "wide"}) {
+    EXPECT_FALSE(optionsOf(
+        {QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--width=") + QLatin1String(bad)}))
+        << bad;
   }
   for (const char* bad : {"0", "-1", "nan", "5", "two"}) {
     EXPECT_FALSE(optionsOf(
@@ -126,7 +146,8 @@ TEST(ProgramOptions, ALanguageThatThePicturesLackIsRefused) {
 }
 
 TEST(ProgramOptions, WhatWouldBeIgnoredIsRefused) {
-  for (const char* alone : {"--speed=2", "--size=1280x720", "--scale=2", "--language=en", "--study=a.tactus"}) {
+  for (const char* alone :
+       {"--speed=2", "--size=1280x720", "--scale=2", "--width=960", "--language=en", "--study=a.tactus"}) {
     EXPECT_FALSE(optionsOf({QLatin1String(alone)})) << alone;
   }
   const auto two = optionsOf({QStringLiteral("a.tactus"), QStringLiteral("--rehearse")});

@@ -1,0 +1,44 @@
+# cmake -D SCREENS=... -D GUIDE=... -P guide_pictures.cmake: the pictures of the guide, from those of `--screens`.
+set(pictures
+  build-experts build/experts
+  build-force build/force
+  build-overview build/overview
+  build-rules build/rules
+  build-usability build/rules_usability
+  collect-home collect/home
+  collect-monitor collect/monitor
+  collect-protocol collect/protocol_refused
+  collect-withdrawal collect/withdrawal
+  labs-depth build/depth
+  labs-speed-clusters build/speed
+  labs-speed-strokes build/speed_strokes
+  labs-speed-table build/speed_table
+  nurse-force-answer-chosen take_part/force_answer_chosen
+  nurse-force-off take_part/force_off
+  nurse-own-model take_part/own_model
+  nurse-question-neck take_part/question_neck
+  nurse-review-neck take_part/review_neck
+  nurse-speed take_part/speed
+  nurse-thanks take_part/thanks
+  nurse-welcome take_part/welcome
+  path-collect collect/home_simulated
+  path-deliver deliver/overview
+  path-depth build/depth
+  path-experts build/experts
+  path-force build/force
+  path-method build/method
+  path-rules build/rules
+  path-speed build/speed
+  path-understand understand/overview)
+
+set(made)
+while(pictures)
+  list(POP_FRONT pictures picture screen)
+  file(COPY_FILE "${SCREENS}/${screen}.png" "${GUIDE}/${picture}.png")
+  list(APPEND made "${picture}.png")
+endwhile()
+file(GLOB there RELATIVE "${GUIDE}" "${GUIDE}/*.png")
+list(REMOVE_ITEM there ${made})
+if(there)
+  message(FATAL_ERROR "No screen is named for ${there}: add it to guide_pictures.cmake")
+endif()
