@@ -3,8 +3,10 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "core/store/entries.h"
+#include "elicitation/model/method_study.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
@@ -49,6 +51,28 @@ class ForceLabTest : public testing::Test {
   LabModel model{data};
   ForceLab lab{data, model, corrections};
 };
+
+// The newtons beside a method are those of the two models, over the points of the method study.
+TEST_F(ForceLabTest, EachOtherWaySaysWhatItWouldDoToTheForce) {
+  ASSERT_TRUE(comesTrue([this] { return !lab.effectOf(ForceTermsFrom::kProbit).isEmpty(); }));
+  EXPECT_TRUE(lab.effectOf(ForceTermsFrom::kVote).isEmpty());
+  const LabStudy& of = *data.study();
+  auto settings = data.settings();
+  const auto now = elicitation::buildModel(of.study, of.forms, settings);
+  settings.force_terms = ForceTermsFrom::kProbit;
+  const auto instead = elicitation::buildModel(of.study, of.forms, settings);
+  ASSERT_TRUE(now && instead);
+  const auto moved = elicitation::methodDifference(now->model, instead->model);
+  ASSERT_TRUE(moved);
+  ASSERT_GT(moved->largest_n, 0.001);
+  EXPECT_EQ(lab.effectOf(ForceTermsFrom::kProbit),
+            QStringLiteral("Instead: at most %1").arg(quantityText(moved->largest_n, "N", 3)));
+  // With the other way chosen it is the present one that has an effect.
+  lab.setMethod(ForceTermsFrom::kProbit);
+  EXPECT_TRUE(comesTrue([this] {
+    return lab.effectOf(ForceTermsFrom::kProbit).isEmpty() && !lab.effectOf(ForceTermsFrom::kVote).isEmpty();
+  }));
+}
 
 TEST_F(ForceLabTest, Table2WithItsWinnersAndReasons) {
   VoteTable table;

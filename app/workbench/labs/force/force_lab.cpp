@@ -10,6 +10,7 @@
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "elicitation/force/force_terms_from.h"
+#include "elicitation/model/method_study.h"
 #include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
@@ -49,6 +50,28 @@ std::vector<std::string> seriesOf(const study::Study& study) {
   return out;
 }
 
+namespace {
+
+using Effects = std::map<elicitation::ForceTermsFrom, double>;
+
+Computed<BuiltStudy, Effects>::Answer effectsOf(const BuiltStudy& built, const RunOf<Effects>& run) {
+  Effects effects;
+  for (const auto from : kForceMethods) {
+    if (from == built.settings.force_terms) continue;
+    elicitation::BuildSettings settings = stoppable(built.settings, run.stop);
+    settings.force_terms = from;
+    const auto other = elicitation::buildModel(built.study->study, built.study->forms, settings, &built.model->speeds,
+                                               [&run](double /*share*/) { return !run.stop.stop_requested(); });
+    if (run.stop.stop_requested()) return nullptr;
+    if (!other) continue;  // the column says why
+    const auto moved = elicitation::methodDifference(built.model->model, other->model);
+    if (moved) effects[from] = moved->largest_n;
+  }
+  return std::make_shared<const Effects>(std::move(effects));
+}
+
+}  // namespace
+
 ForceLab::ForceLab(LabData& data, LabModel& model, Corrections& corrections, QObject* parent)
     : QObject(parent),
       data_(data),
@@ -67,13 +90,17 @@ ForceLab::ForceLab(LabData& data, LabModel& model, Corrections& corrections, QOb
                    const auto& [built, study, settings] = asked.built;
                    const auto moved = elicitation::withoutJudgement(*built, study->study, settings, asked.index);
                    return std::make_shared<const QString>(influenceText(asked.who, moved, built->model));
-                 }) {
+                 }),
+      effects_([&model] { return model.inputs(); }, effectsOf) {
   followLabData(found_, data_);
-  influence_.needs(model_);
+  for (Computation* const cell : {static_cast<Computation*>(&influence_), static_cast<Computation*>(&effects_)}) {
+    cell->needs(model_);
+    connect(&model_, &Computation::valueChanged, cell, &Computation::refresh);
+  }
+  connect(&effects_, &Computation::valueChanged, this, &ForceLab::effectsChanged);
   connect(&found_, &Computation::valueChanged, this, &ForceLab::changed);
   connect(&influence_, &Computation::valueChanged, this, &ForceLab::influenceChanged);
   connect(&data_, &LabData::settingsChanged, this, &ForceLab::changed);
-  connect(&model_, &Computation::valueChanged, &influence_, &Computation::refresh);
 }
 
 const ForceLab::Found& ForceLab::found() const {
@@ -89,6 +116,16 @@ const std::vector<session::JudgedForce>& ForceLab::judgements() const {
 void ForceLab::setWanted(bool wanted) {
   found_.hold(*this, wanted);
   influence_.hold(*this, wanted);
+  effects_.hold(*this, wanted);
+}
+
+QString ForceLab::effectOf(elicitation::ForceTermsFrom from) const {
+  // Those of another model than the present one are not shown.
+  if (effects_.value() == nullptr || effects_.of()->model != model_.built()) return {};
+  const auto effect = effects_.value()->find(from);
+  if (effect == effects_.value()->end()) return {};
+  return effect->second == 0 ? tr("Instead: the force stays")
+                             : tr("Instead: at most %1").arg(quantityText(effect->second, "N", 3));
 }
 
 void ForceLab::askInfluence(const session::JudgedForce& judged) {

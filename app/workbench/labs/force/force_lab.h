@@ -5,6 +5,7 @@
 #include <QObject>
 #include <QString>
 #include <array>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -73,6 +74,9 @@ class ForceLab : public QObject {
   void setMethod(elicitation::ForceTermsFrom from);
   /// The series that votes.
   void setSeries(const std::string& series);
+  /// What taking the words of the force from `from` instead does to the averaged force: at most so many N. Empty for
+  /// the present method, for one without words, and while it is not computed.
+  QString effectOf(elicitation::ForceTermsFrom from) const;
   /// Asks how far the averaged force moves without `judged`; `influenceChanged` tells the answer, and again when the
   /// model has changed.
   void askInfluence(const session::JudgedForce& judged);
@@ -85,6 +89,7 @@ class ForceLab : public QObject {
   /// What was computed, or a setting, is another one.
   void changed();
   void influenceChanged();
+  void effectsChanged();
 
  private:
   struct Found {
@@ -107,6 +112,7 @@ class ForceLab : public QObject {
   std::optional<session::JudgedForce> asked_;
   Computed<LabInputs, Found> found_;
   Computed<Asked, QString> influence_;
+  Computed<BuiltStudy, std::map<elicitation::ForceTermsFrom, double>> effects_;  ///< N
 };
 
 // Table 2 of the study as a table: a row for each force, with the votes for each word, the winner and the reason.

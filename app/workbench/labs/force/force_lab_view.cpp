@@ -251,6 +251,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
           [this] { lab_.setSeries(series_->currentData().toString().toStdString()); });
   auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &ForceLab::changed, refresh, &Refresh::request);
+  connect(&lab_, &ForceLab::effectsChanged, refresh, &Refresh::request);
 }
 
 void ForceLabView::showJudgement(const std::string& participant, const std::string& series, double force_n) {
@@ -274,6 +275,7 @@ void ForceLabView::refreshState() {
   votes_->setVotes(lab_.votes());
   terms_->setVotes(lab_.votes());
   terms_->setChosen(lab_.settings().force_terms);
+  for (const auto from : kForceMethods) terms_->setEffect(from, lab_.effectOf(from));
   judgements_->setJudgements(lab_.votes().words, lab_.judgements());
   checks_->setRows(lab_.checks());
   delivered_->setForces(deliveredForces(lab_.judgements()));

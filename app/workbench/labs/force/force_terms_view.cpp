@@ -159,13 +159,23 @@ ForceTermsView::ForceTermsView(QWidget* parent) : QWidget(parent) {
           [this](int index) { emit chosen(kForceMethods[static_cast<std::size_t>(index)]); });
 }
 
+namespace {
+
+QString hintOf(elicitation::ForceTermsFrom from) {
+  return ForceTermsView::tr("Take the words of the force in the model from here.") + QLatin1Char('\n') +
+         methodRule(from);
+}
+
+}  // namespace
+
 QWidget* ForceTermsView::makeMethodColumn(std::size_t index) {
   Column& made = columns_[index];
   auto* column = new QWidget(this);
   made.choice = new QRadioButton(methodName(kForceMethods[index]), column);
   made.choice->setFont(theme::headingFont());
-  made.choice->setToolTip(tr("Take the words of the force in the model from here.") + QLatin1Char('\n') +
-                          methodRule(kForceMethods[index]));
+  made.choice->setToolTip(hintOf(kForceMethods[index]));
+  made.effect = new QLabel(column);
+  made.effect->setToolTip(tr("How far the averaged force moves if the words are taken from here."));
   made.rule = new WrappedLabel(column);
   made.rule->setText(methodRule(kForceMethods[index]));
   made.rule->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -182,13 +192,19 @@ QWidget* ForceTermsView::makeMethodColumn(std::size_t index) {
   made.corners->setTextInteractionFlags(Qt::TextSelectableByMouse);
   setMuted(*made.corners);
   made.head = makeRow({{made.choice, 1}}, kStyleGap);
-  makeColumn(column, {made.head, made.rule, {made.plot, 1}, made.corners}, theme::kGrid / 2);
+  makeColumn(column, {made.head, made.effect, made.rule, {made.plot, 1}, made.corners}, theme::kGrid / 2);
   return column;
 }
 
 ForceTermsView::Column& ForceTermsView::columnOf(elicitation::ForceTermsFrom from) {
   const auto found = std::find(kForceMethods.begin(), kForceMethods.end(), from);
   return columns_[static_cast<std::size_t>(found - kForceMethods.begin())];
+}
+
+void ForceTermsView::setEffect(elicitation::ForceTermsFrom from, const QString& effect) {
+  Column& column = columnOf(from);
+  column.effect->setText(effect);
+  column.choice->setToolTip(effect.isEmpty() ? hintOf(from) : hintOf(from) + QLatin1Char('\n') + effect);
 }
 
 ForceTermsPlot& ForceTermsView::plot(elicitation::ForceTermsFrom from) { return *columnOf(from).plot; }
@@ -226,7 +242,7 @@ void ForceTermsView::tellCorners(const Column& column) {
 }
 
 // The rules take the lines of the longest one, so that the pictures stand side by side. Where the view is too low for
-// rules, pictures and corners, the rules are hints of the names alone.
+// rules, pictures and corners, the rules are hints of the names alone, and so are the newtons where it is lower still.
 void ForceTermsView::fitTexts() {
   int rule = 0;
   int corners = 0;
@@ -241,9 +257,11 @@ void ForceTermsView::fitTexts() {
   }
   const Column& first = columns_.front();
   const int others = first.choice->sizeHint().height() + first.plot->minimumHeight() + corners + 4 * theme::kGrid;
+  const int effect = first.effect->sizeHint().height() + theme::kGrid / 2;
   for (const Column& column : columns_) {
     column.rule->setFixedHeight(rule);
-    column.rule->setVisible(rule + others <= height());
+    column.rule->setVisible(rule + effect + others <= height());
+    column.effect->setVisible(effect + others <= height());
     column.corners->setMinimumHeight(corners);
   }
 }

@@ -59,6 +59,8 @@ class ForceTermsView : public QWidget {
   explicit ForceTermsView(QWidget* parent = nullptr);
 
   void setVotes(const ForceVotes& votes);
+  /// What a method would do to the force; empty: not known, or it is the method of the model.
+  void setEffect(elicitation::ForceTermsFrom from, const QString& effect);
   /// The method of the model.
   void setChosen(elicitation::ForceTermsFrom from);
   ForceTermsPlot& plot(elicitation::ForceTermsFrom from);
@@ -78,6 +80,7 @@ class ForceTermsView : public QWidget {
   struct Column {
     QHBoxLayout* head = nullptr;
     QRadioButton* choice = nullptr;
+    QLabel* effect = nullptr;
     QLabel* rule = nullptr;
     ForceTermsPlot* plot = nullptr;
     QLabel* corners = nullptr;
