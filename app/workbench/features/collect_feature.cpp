@@ -232,6 +232,26 @@ void LabsFeature::askSignature(Bench& bench, const QString& what) {
   dialog->open();
 }
 
+// The lab and the bench look at one place, whichever moves it.
+void shareOperatingPoint(Bench& bench, ExpertsLab& lab, ExpertsLabView& view) {
+  SceneController& scene = bench.scene;
+  const auto follow = [&scene, &lab, &view] {
+    // The strip below has the point of an open model.
+    view.setPlaceElsewhere(scene.model() != nullptr);
+    if (scene.model() == nullptr) return;
+    const auto& inputs = scene.model()->model.inputs;
+    for (std::size_t i = 0; i < inputs.size(); ++i) lab.setValueOf(inputs[i].id, scene.value(i));
+  };
+  QObject::connect(&scene, &SceneController::valueChanged, &lab, follow);
+  QObject::connect(&scene, &SceneController::modelChanged, &lab, follow);
+  QObject::connect(&lab, &ExpertsLab::changed, &lab, follow);  // its first model
+  QObject::connect(&lab, &ExpertsLab::valueChanged, &scene, [&scene, &lab](std::size_t input) {
+    if (scene.model() == nullptr) return;
+    if (const auto found = inputNamed(scene.model()->model, lab.built()->model.inputs[input].id))
+      scene.setValue(*found, lab.values()[input]);
+  });
+}
+
 void LabsFeature::addExperts(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
   auto* const experts = new ExpertsLab(bench.labs.data, bench.labs.model, &screen);
@@ -239,6 +259,7 @@ void LabsFeature::addExperts(Bench& bench) {
   screen.addLab(tr("Experts"), view, &bench.labs.corrections);
   screen.watch(experts->work(), tr("Comparing the weights"));
   screen.watch(experts->bands().work(), tr("Drawing participants again"));
+  shareOperatingPoint(bench, *experts, *view);
   // While a model is being built for tuning: it leads there.
   const auto leads = std::make_shared<bool>(false);
   QObject* const context = &bench.features;

@@ -293,7 +293,7 @@ void MainWindow::enter(Stage stage) {
     panels().enter(stage);
   }
   rail_->setStage(stage);
-  strip_->showPoint(screen == bench_);
+  strip_->showPoint(screen == bench_ || stage == Stage::kBuild);
   settings_.setValue(QLatin1String(kStageKey), stageId(stage));
   setLayoutBeside({});
   emit entered(stage);

@@ -47,7 +47,7 @@ TEST_F(ExpertsLabTest, EqualWeightsDifferByNothingAndWhatTheDataLackSaysWhy) {
   };
   Columns<PolicyRow> table(policyColumns());
   table.setRows(policyRows(lab.compared()));
-  EXPECT_EQ(table.index(0, PolicyTable::kLargest).data().toString(), QStringLiteral("0 N"));
+  EXPECT_EQ(table.index(0, PolicyTable::kLargest).data().toString(), QStringLiteral("0.000 N"));
 }
 
 TEST_F(ExpertsLabTest, ThePullsAddUpToNothing) {
@@ -108,7 +108,7 @@ TEST_F(ExpertsLabTest, DistancesAreThoseOfTheBuild) {
   const auto row = [](const std::string& expert) { return expert.back() - '1'; };  // S1 to S4
   ASSERT_EQ(lab.built()->influences.pairs.size(), 6U);
   for (const auto& pair : lab.built()->influences.pairs) {
-    EXPECT_EQ(table.index(row(pair.first), row(pair.second)).data().toString(), quantityText(pair.rms_n, "N", 3))
+    EXPECT_EQ(table.index(row(pair.first), row(pair.second)).data().toString(), forceText(pair.rms_n, "N"))
         << pair.first << pair.second;
   }
   EXPECT_EQ(table.headerData(3, Qt::Vertical, Qt::DisplayRole).toString(), QStringLiteral("S4"));

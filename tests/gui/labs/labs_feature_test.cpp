@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/features/features.h"
+#include "app/workbench/labs/experts/experts_lab.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/workbench.h"
@@ -54,6 +55,31 @@ TEST_F(LabsFeatureTest, TheAveragedModelWithTheLabsSettingsOpensInTheBench) {
   EXPECT_NEAR(small[2], 0.275, 1e-9);
   EXPECT_NEAR(small[3], 0.375, 1e-9);
   EXPECT_TRUE(bench.study_models.keepsModel());
+}
+
+// The lab of the experts and the bench look at one place.
+TEST_F(LabsFeatureTest, TheExpertsAreShownAtTheOperatingPointOfTheBench) {
+  bench.study_models.buildModel();
+  ASSERT_TRUE(comesTrue([this] { return bench.scene.model() != nullptr; }));
+  const auto neck = inputNamed(bench.scene.model()->model, "neck_flexion");
+  const auto speed = inputNamed(bench.scene.model()->model, "speed");
+  ASSERT_TRUE(neck && speed);
+  bench.scene.setValue(*neck, 82);
+  bench.window.enter(Stage::kBuild);
+  auto* const view = bench.views.labs->findChild<ExpertsLabView*>();
+  bench.views.labs->reveal(view);
+  auto* const lab = bench.views.labs->findChild<ExpertsLab*>();
+  ASSERT_NE(lab, nullptr);
+  ASSERT_TRUE(comesTrue([&] { return lab->built() != nullptr; }));
+  const auto in_lab = [&](const char* id) { return lab->values()[*inputNamed(lab->built()->model, id)]; };
+  EXPECT_EQ(in_lab("neck_flexion"), 82);
+  bench.scene.setValue(*speed, 21);
+  EXPECT_EQ(in_lab("speed"), 21);
+  lab->setValueOf("neck_flexion", 40);
+  EXPECT_EQ(bench.scene.value(*neck), 40);
+  // What the lab's model cannot show stays where it is, there and in the bench.
+  lab->setValueOf("neck_flexion", 1000);
+  EXPECT_EQ(bench.scene.value(*neck), 40);
 }
 
 // By the paper's numbers, in the words that people type.

@@ -120,7 +120,7 @@ using elicitation::WeightPolicy;
 
 const QString kUnknown = QStringLiteral("–");
 
-QString pairNewtons(double force_n) { return quantityText(force_n, "N", 3); }
+QString pairNewtons(double force_n) { return forceText(force_n, "N"); }
 
 }  // namespace
 
@@ -274,6 +274,15 @@ void ExpertsLab::setValue(std::size_t input, double value) {
   values_[input] = value;
   curves_.refresh();
   bands_.setCurve(curve());
+  emit valueChanged(input);
+}
+
+void ExpertsLab::setValueOf(const std::string& input, double value) {
+  if (built_ == nullptr) return;
+  const auto& inputs = built_->model.inputs;
+  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto& one) { return one.id == input; });
+  if (found == inputs.end() || value < found->min || value > found->max) return;
+  setValue(static_cast<std::size_t>(found - inputs.begin()), value);
 }
 
 void ExpertsLab::setPolicy(WeightPolicy policy) {

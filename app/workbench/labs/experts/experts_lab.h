@@ -116,6 +116,8 @@ class ExpertsLab : public QObject {
   /// The inputs of the curve, one value each; that of the depth is not used.
   const std::vector<double>& values() const { return values_; }
   void setValue(std::size_t input, double value);
+  /// The same by the id of the input. Ignored while there is no model, if it has no such input or not this value.
+  void setValueOf(const std::string& input, double value);
   /// The input of the x axis: the depth.
   std::size_t xInput() const { return x_input_; }
   /// Along the depth at `values`; empty without a model.
@@ -128,6 +130,7 @@ class ExpertsLab : public QObject {
   /// The model, or what is compared, is another.
   void changed();
   void curvesChanged();
+  void valueChanged(std::size_t input);
 
  private:
   /// The curve of the values through the model; nothing: no model.

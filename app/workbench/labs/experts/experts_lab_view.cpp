@@ -183,9 +183,9 @@ void LeaveOneOutPlot::paintPicture(QCPPainter& painter, const QSize& size) { pai
 namespace {
 
 const QString kAbsent = QStringLiteral("–");
-constexpr int kForceDigits = 3;
 
-QString newtons(double force_n) { return quantityText(force_n, "N", kForceDigits); }
+// With all three digits, so that the points of a column stand below each other.
+QString newtons(double force_n) { return forceText(force_n, "N"); }
 
 std::vector<WeightRow> weightRows(const elicitation::BuiltModel* built) {
   std::vector<WeightRow> rows;
@@ -328,9 +328,12 @@ ExpertsLabView::ExpertsLabView(ExpertsLab& lab, QWidget* parent)
 QWidget* ExpertsLabView::makeLeft() {
   for (const WeightPolicy policy : kPolicies) policy_->addItem(policyName(policy));
   policy_->setAccessibleName(tr("Weights of the experts"));
-  auto* weights =
-      new LabCard(tr("Weights, and leaving one expert out"),
-                  makeLabTable(*weights_, -1, tr("Weights and what leaving one expert out changes"), nullptr));
+  QTableView* const experts =
+      makeLabTable(*weights_, -1, tr("Weights and what leaving one expert out changes"), nullptr);
+  // A place is read whole.
+  experts->setWordWrap(true);
+  experts->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  auto* weights = new LabCard(tr("Weights, and leaving one expert out"), experts);
   weights->addTool(policy_);
   weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
   auto* details = makeTabs();
@@ -386,6 +389,9 @@ void ExpertsLabView::makeSettings() {
     row->setValue(lab_.values()[i]);
     settings_->layout()->addWidget(row);
     connect(row, &SettingRow::changed, this, [this, i](double value) { lab_.setValue(i, value); });
+    connect(&lab_, &ExpertsLab::valueChanged, row, [this, i, row](std::size_t input) {
+      if (input == i) row->setValue(lab_.values()[i]);
+    });
     rows_.emplace_back(i, row);
   }
 }

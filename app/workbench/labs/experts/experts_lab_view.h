@@ -73,6 +73,8 @@ class ExpertsLabView : public LabView {
 
   Columns<WeightRow>& weights() { return *weights_; }
   LeaveOneOutPlot& plot() { return *plot_; }
+  /// The place of the curves is set elsewhere in the window, or here.
+  void setPlaceElsewhere(bool elsewhere) { settings_->setVisible(!elsewhere); }
 
  signals:
   /// The user wants to tune the averaged model.
