@@ -3,7 +3,10 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 #include "app/workbench/features/features.h"
 #include "app/workbench/labs/force/force_lab_view.h"
@@ -44,6 +47,16 @@ class OriginsFeatureTest : public testing::Test {
     return QTest::qWaitFor([this] { return bench.labs.origins.origin() != nullptr; }, kBuildMs);
   }
   const Origin& origin() { return *bench.labs.origins.origin(); }
+  /// The rows stand by their effect, as far as it is known.
+  static QModelIndex rowOf(OriginWindow& view, const OriginRecord& record) {
+    const QAbstractItemModel& rows = *view.table().model();
+    for (int row = 0; row < rows.rowCount(); ++row) {
+      if (rows.index(row, 0).data() == record.participant && rows.index(row, 1).data() == record.what)
+        return rows.index(row, 1);
+    }
+    ADD_FAILURE() << "no row of " << record.what.toStdString();
+    return {};
+  }
 
   QTemporaryDir folder;
   QString path = tests::demoStudyIn(folder);
@@ -69,7 +82,7 @@ TEST_F(OriginsFeatureTest, AVertexOfTheBenchLeadsToTheRawStrokes) {
   EXPECT_TRUE(QTest::qWaitFor([&] { return bench.labs.origins.influence(0).has_value(); }, kBuildMs));
 
   const elicitation::StrokeKey key = origin().records[5].stroke;
-  const QModelIndex sixth = view.table().model()->index(5, 1);
+  const QModelIndex sixth = rowOf(view, origin().records[5]);
   view.table().setCurrentIndex(sixth);
   emit view.table().clicked(sixth);
   EXPECT_EQ(bench.window.stage(), Stage::kBuild);
@@ -107,12 +120,35 @@ TEST_F(OriginsFeatureTest, AVoteLeadsToItsJudgements) {
   ASSERT_TRUE(answered());
   ASSERT_EQ(origin().records.size(), 2U);  // S3 and S4 (elicitation.md 3)
   OriginWindow& view = *bench.origins->view();
-  view.table().setCurrentIndex(view.table().model()->index(1, 0));
+  view.table().setCurrentIndex(rowOf(view, origin().records[1]));
   emit view.table().clicked(view.table().currentIndex());
   const JudgementGrid& grid = lab.judgements().grid();
   ASSERT_TRUE(QTest::qWaitFor([&] { return lab.judgements().table().currentIndex().column() == grid.columnOf(0.9); },
                               kBuildMs));
   EXPECT_EQ(grid.participant(lab.judgements().table().currentIndex().row()), "S4");
+}
+
+TEST_F(OriginsFeatureTest, WhatMovesTheForceMostStandsFirst) {
+  bench.window.enter(Stage::kBuild);
+  ForceLabView& lab = *bench.views.force;
+  bench.views.labs->reveal(&lab);
+  emit lab.votes().originAsked(0.4, {});
+  ASSERT_TRUE(answered());
+  const std::size_t count = origin().records.size();
+  ASSERT_EQ(count, 4U);  // all four nurses judged 0.4 N
+  std::vector<std::pair<double, QString>> by_effect;
+  for (std::size_t i = 0; i < count; ++i) {
+    ASSERT_TRUE(QTest::qWaitFor([&] { return bench.labs.origins.influence(i).has_value(); }, kBuildMs));
+    ASSERT_TRUE(*bench.labs.origins.influence(i));
+    by_effect.emplace_back(-(*bench.labs.origins.influence(i))->difference.largest_n, origin().records[i].participant);
+  }
+  std::stable_sort(by_effect.begin(), by_effect.end(),
+                   [](const auto& one, const auto& other) { return one.first < other.first; });
+  ASSERT_LT(by_effect.front().first, 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(bench.origins->view()->table().model()->index(static_cast<int>(i), 0).data().toString(),
+              by_effect[i].second);
+  }
 }
 
 TEST_F(OriginsFeatureTest, AModelThatWasNotBuiltFromTheStudySaysSo) {

@@ -86,6 +86,7 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   view_ = makeLabTable(*sorted_, 1, tr("Records behind the number"), this);
   view_->verticalHeader()->setDefaultSectionSize(kRow);
   sortByHeads(*view_);
+  view_->sortByColumn(kMovesColumn, Qt::DescendingOrder);
   moved_->setFixedHeight(3 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
   moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
@@ -143,7 +144,10 @@ void OriginWindow::refreshState() {
     notes_->setText(failure);
   }
   notes_->setVisible(!notes_->text().isEmpty());
-  view_->setVisible(origin == nullptr || !origin->records.empty());
+  const bool some = origin != nullptr && !origin->records.empty();
+  for (QWidget* const part :
+       {static_cast<QWidget*>(view_), static_cast<QWidget*>(moved_), static_cast<QWidget*>(lead_)})
+    part->setVisible(some || (origin == nullptr && failure.isEmpty()));
   if (view_->model()->rowCount() > 0 && chosenRow() < 0) view_->selectRow(0);
   followChosen();
 }
