@@ -53,6 +53,7 @@ void addFeel(Bench& bench) {
     layout->setChecked(feels);
     if (feels) feel.raiseHeadAtFirst();
   });
+  QObject::connect(view, &FeelPanel::largeAsked, layout, &QAction::trigger);
   QObject::connect(start, &QAction::triggered, view, &FeelPanel::toggle);
   QObject::connect(stop, &QAction::triggered, &feel, &FeelController::stop);
   QObject::connect(flex, &QAction::triggered, &feel, [&feel] { feel.setNeckFlexed(!feel.isNeckFlexed()); });

@@ -81,9 +81,8 @@ namespace {
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
 constexpr int kRoomyWidth = 820;  // px at 100 %: from this size on all steps of the procedure are listed
 constexpr int kRoomyHeight = 360;
-constexpr int kLowHeight = 380;   // px at 100 %: below it the hand, the force and the picture alone are shown
-constexpr int kLowestTrace = 28;  // px, its least height then, and with more room
-constexpr int kLowTrace = 50;
+constexpr int kLowHeight = 380;     // px at 100 %: below it the hand, the force and the picture alone are shown
+constexpr int kLowTrace = 50;       // px, the least height of the trace with more room
 constexpr int kLowestPicture = 84;  // px, with large text in a low panel
 constexpr int kOpenWidth = 900;     // px: from this size on the panel is for feeling alone
 constexpr int kOpenHeight = 480;
@@ -115,6 +114,7 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
       force_(new QLabel(this)),
       bar_(new ForceBar(this)),
       limits_(new ElidedLabel(this)),
+      large_(new QPushButton(tr("Feel large (F10)"), this)),
       split_(new QCheckBox(tr("Split"), this)),
       follow_(new QCheckBox(tr("Plots follow"), this)),
       legend_(new QLabel(this)),
@@ -147,17 +147,20 @@ void FeelPanel::build() {
     box->setFocusPolicy(Qt::TabFocus);
     box->setFont(theme::smallFont());
   }
+  large_->setFont(theme::headingFont());
+  large_->setMinimumHeight(5 * theme::kGrid);
+  large_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  large_->setToolTip(tr("Show the hand, the force and the patient in the whole window"));
+  large_->hide();
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
   follow_->setToolTip(tr("Move depth and speed of all plots with the tube in the hand"));
   follow_->setChecked(feel_.followsHand());
   showLegend();
 
   auto* number_row = makeRow({{force_, 0, Qt::AlignTop}, {bar_, 1}});
-  auto* options = makeRow({split_,
-                           follow_,
-                           {limits_, 1},
-                           new PlotMenu(
-                               *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this)});
+  copy_ = new PlotMenu(
+      *trace_, [this] { return traceTable(scene_, feel_.history(), traced_on_); }, this);
+  auto* options = makeRow({split_, follow_, {limits_, 1}, copy_});
   hand_ = new QVBoxLayout;
   hand_->setSpacing(4);
   hand_->addWidget(pad_);
@@ -165,6 +168,7 @@ void FeelPanel::build() {
   hand_->addLayout(options);
   hand_->addWidget(legend_);
   hand_->addWidget(trace_, 1);
+  hand_->addWidget(large_);
 
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
@@ -213,7 +217,7 @@ void FeelPanel::showLegend() {
   QStringList rows{lines.mid(0, kInOneRow).join(gap)};
   if (lines.size() > kInOneRow) rows << lines.mid(kInOneRow).join(gap);
   legend_->setText(rows.join(QStringLiteral("<br>")));
-  legend_->setVisible(!lines.isEmpty());
+  legend_->setVisible(!low_ && !lines.isEmpty());
 }
 
 void FeelPanel::arrange() {
@@ -256,8 +260,13 @@ void FeelPanel::setOpen(bool open) {
 void FeelPanel::setLow(bool low) {
   low_ = low;
   pad_->setLow(low);
-  trace_->setMinimumHeight(low ? kLowestTrace : kLowTrace);
-  placement_->setVisible(!low);
+  // A trace of some px says nothing.
+  for (QWidget* part :
+       {static_cast<QWidget*>(trace_), static_cast<QWidget*>(split_), copy_, static_cast<QWidget*>(placement_)})
+    part->setVisible(!low);
+  large_->setVisible(low);
+  showLegend();
+  if (!low) trace_->setHistory(feel_.history());
   for (DrawerButton* drawer : drawers_) drawer->setFolded(low);
 }
 
@@ -271,6 +280,7 @@ void FeelPanel::connectAll() {
     showLegend();
     trace_->setHistory(feel_.history());
   });
+  connect(large_, &QPushButton::clicked, this, &FeelPanel::largeAsked);
   connect(follow_, &QCheckBox::toggled, &feel_, &FeelController::setFollowsHand);
   connect(placement_, &PlacementCard::newPlacementRequested, &feel_, &FeelController::newPlacement);
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
@@ -342,7 +352,7 @@ void FeelPanel::showFelt() {
   placement_->setProgress(feel_.strokes(), depth_mm, tube_->regionText());
   device_->showProgress();
   trace_due_ = !trace_due_;
-  if (trace_due_ || !feel_.isRunning()) trace_->setHistory(feel_.history());
+  if (!low_ && (trace_due_ || !feel_.isRunning())) trace_->setHistory(feel_.history());
 }
 
 void FeelPanel::showRecording(bool armed, std::optional<int> recorded_s) {

@@ -388,6 +388,8 @@ class FeelPanel : public QWidget {
 
  signals:
   void roomChanged(bool roomy);
+  /// The user wants the panel as the whole window.
+  void largeAsked();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -419,13 +421,15 @@ class FeelPanel : public QWidget {
   QLabel* force_;
   ForceBar* bar_;
   ElidedLabel* limits_;
+  QPushButton* large_;       ///< in a low panel, in place of the trace
+  QWidget* copy_ = nullptr;  ///< of the trace
   QCheckBox* split_;
   QCheckBox* follow_;
   QLabel* legend_;
   ForceTracePlot* trace_;
   bool roomy_ = false;
   bool open_ = false;  ///< the panel is the whole window
-  bool low_ = false;   ///< the panel has no height for more than the hand and the picture
+  bool low_ = false;   ///< the panel has no height for more than the hand, the force and the picture
   bool armed_ = false;
   std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace
