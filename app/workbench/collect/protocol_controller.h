@@ -58,6 +58,8 @@ class ProtocolController : public QObject {
   /// There is something to store: a change, or no protocol yet.
   bool isDirty() const { return version_ == 0 || changes() > 0; }
   const std::optional<ProtocolProblem>& problem() const { return problem_; }
+  /// Nothing is stored and nothing was typed: what is missing is no mistake yet.
+  bool isNew() const { return version_ == 0 && !unreadable_ && changes() == 0; }
 
   /// Stores the draft. `reason`: of an amendment. Ends with `stored` or `refused`.
   void store(const QString& reason, const QString& author);

@@ -211,7 +211,7 @@ QWidget* ProtocolField::makeInput() {
 
 QString ProtocolField::trouble() const {
   const auto& problem = protocol_.problem();
-  return problem && problem->field == spec_.name ? problem->sentence : QString();
+  return problem && !protocol_.isNew() && problem->field == spec_.name ? problem->sentence : QString();
 }
 
 // What is typed stays as it is typed, also where it is refused.

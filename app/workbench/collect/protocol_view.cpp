@@ -454,8 +454,12 @@ void ProtocolView::followFoot() {
   discard_->setEnabled(!protocol_.isStoring());
   store_->setEnabled(protocol_.mayStore() && protocol_.isDirty() && !problem && reasoned && !protocol_.isStoring());
   store_->setText(amends ? tr("&Store version %1").arg(protocol_.version() + 1) : tr("&Store"));
-  setInk(*foot_, problem ? theme::errorInk() : theme::ink());
-  if (problem) {
+  setInk(*foot_, problem && !protocol_.isNew() ? theme::errorInk() : theme::ink());
+  if (problem && protocol_.isNew()) {
+    foot_->setText(
+        tr("Still needed before it can be stored: the consent text, which says whose study it is and whom to "
+           "ask."));
+  } else if (problem) {
     foot_->setText(problem->field.empty()
                        ? harmless(problem->sentence)
                        : tr("One setting has to be corrected first. %1").arg(harmless(problem->sentence)));

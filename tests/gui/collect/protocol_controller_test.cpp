@@ -53,8 +53,14 @@ TEST_F(ProtocolControllerTest, BeginsWithThePublishedExperimentWithoutAConsentTe
   EXPECT_EQ(protocol.value("force.ladder.highest_n"), QStringLiteral("1.7"));
   ASSERT_TRUE(protocol.problem());
   EXPECT_EQ(protocol.problem()->field, "consent.en");
+  EXPECT_TRUE(protocol.isNew());
+  protocol.set("force.ladder.highest_n", QStringLiteral("high"));
+  EXPECT_FALSE(protocol.isNew());
+  protocol.discard();
+  EXPECT_TRUE(protocol.isNew());
   protocol.set("consent.en", QStringLiteral("Please read."));
   EXPECT_FALSE(protocol.problem());
+  EXPECT_FALSE(protocol.isNew());
 }
 
 TEST_F(ProtocolControllerTest, ALadderThatTheDeviceCannotHoldIsRefusedAtItsField) {
