@@ -103,6 +103,11 @@ bool NumberBox::takesText() {
   return number.has_value();
 }
 
+void NumberBox::restore() {
+  lineEdit()->setText(prefix() + textFromValue(QDoubleSpinBox::value()) + suffix());
+  setRefusal({});
+}
+
 bool NumberBox::commit() {
   if (!takesText()) return false;
   interpretText();
@@ -168,6 +173,12 @@ void NumberBox::keyPressEvent(QKeyEvent* event) {
     event->accept();
     return;
   }
+  // Esc takes back what is typed; with nothing typed it is for what the box stands in.
+  if (event->key() == Qt::Key_Escape && isTyped()) {
+    restore();
+    event->accept();
+    return;
+  }
   QDoubleSpinBox::keyPressEvent(event);
 }
 
@@ -183,6 +194,8 @@ void NumberBox::focusOutEvent(QFocusEvent* event) {
 
 void NumberBox::hideEvent(QHideEvent* event) {
   QDoubleSpinBox::hideEvent(event);
+  // What nobody took is not there when the box is seen again.
+  if (isTyped()) restore();
   setRefusal({});
 }
 

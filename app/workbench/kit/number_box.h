@@ -37,7 +37,8 @@ class NumberBox : public QDoubleSpinBox {
   /// The value given to `setExact`, with all its digits, while the box shows it; otherwise the typed number.
   double exact() const { return value() == shown_ ? exact_ : value(); }
 
-  /// Takes the typed text as the value. Returns false if it is refused: the text stays, and the box says why.
+  /// Takes the typed text as the value. Returns false if it is refused: the text stays, and the box says why, until it
+  /// is mended, or Esc or the end of the page brings the value back.
   bool commit();
   /// Why the text in the box was refused; empty if it was not.
   QString refusal() const { return refusal_; }
@@ -51,6 +52,8 @@ class NumberBox : public QDoubleSpinBox {
  private:
   bool isTyped() const;
   bool takesText();
+  /// Shows the value again instead of what is typed.
+  void restore();
   void setRefusal(const QString& sentence);
 
   QString room_for_;

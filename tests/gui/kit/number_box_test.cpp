@@ -105,6 +105,24 @@ TEST(NumberBox, LeavingTheFieldChecksItToo) {
   EXPECT_EQ(box.value(), 13.5);
 }
 
+TEST(NumberBox, EscAndTheEndOfThePageBringTheValueBack) {
+  NumberBox box(kDepthInput, 1);
+  box.show();
+  enter(box, QStringLiteral("50"));
+  const QString shown = box.text();
+  enter(box, QStringLiteral("9999"));
+  ASSERT_FALSE(box.refusal().isEmpty());
+  QTest::keyClick(&box, Qt::Key_Escape);
+  EXPECT_TRUE(box.refusal().isEmpty());
+  EXPECT_EQ(box.text(), shown);
+  enter(box, QStringLiteral("9999"));
+  box.hide();
+  box.show();
+  EXPECT_TRUE(box.refusal().isEmpty());
+  EXPECT_EQ(box.text(), shown);
+  EXPECT_EQ(box.value(), 50);
+}
+
 TEST(NumberBox, WholeNumbersOnly) {
   NumberBox box({"parts", {}, "1", 2, 8, {}}, 1);
   box.setWhole();
