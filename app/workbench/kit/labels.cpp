@@ -127,7 +127,7 @@ void ElidedLabel::elide() {
   const int room = width() - std::max(0, indent());
   const bool fits = fontMetrics().horizontalAdvance(full_) <= room;
   const QString& text = fits || brief_.isEmpty() ? full_ : brief_;
-  const QString shown = fontMetrics().elidedText(text, Qt::ElideRight, room);
+  const QString shown = fontMetrics().elidedText(text, cut_, room);
   setText(shown);
   QStringList tip;
   if (shown != full_) tip << full_;

@@ -57,6 +57,8 @@ class ElidedLabel : public QLabel {
 
   /// Shows `brief` if `text` does not fit. Without `brief` the end of `text` is cut.
   void setFullText(const QString& text, const QString& brief = {});
+  /// Cuts the middle instead: the end says what matters.
+  void keepEnd() { cut_ = Qt::ElideMiddle; }
   /// What the text means, below it in the tool tip.
   void setHint(const QString& hint);
 
@@ -72,6 +74,7 @@ class ElidedLabel : public QLabel {
   QString full_;
   QString brief_;
   QString hint_;
+  Qt::TextElideMode cut_ = Qt::ElideRight;
 };
 
 }  // namespace tactus::workbench

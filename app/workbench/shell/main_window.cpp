@@ -106,6 +106,12 @@ void StageRail::setStage(std::optional<Stage> stage) {
     button->setAutoExclusive(stage.has_value());
     button->setChecked(stage == button->stage());
   }
+  // The frame of the keyboard goes with the stage, whatever entered it.
+  const bool had_focus =
+      std::any_of(buttons_.begin(), buttons_.end(), [](const StageButton* button) { return button->hasFocus(); });
+  for (StageButton* button : buttons_) {
+    if (had_focus && button->isChecked()) button->setFocus();
+  }
 }
 
 void StageRail::setCompact(bool compact) {
@@ -266,7 +272,14 @@ void MainWindow::addLayout(const QString& id, std::vector<PanelPlace> layout) {
 }
 
 Panel& MainWindow::addPanel(const QString& id, const QString& title, QWidget* content) {
-  return panels().addPanel(id, title, content);
+  Panel& panel = panels().addPanel(id, title, content);
+  // The layout keeps it closed, also after the end of the program.
+  connect(&panel, &Panel::closed, this, [this, &panel] {
+    if (isVisible())
+      banner_->showOffer(tr("The panel %1 is closed and stays closed in this stage.").arg(panel.windowTitle()),
+                         {tr("Show it again"), [&panel] { panel.reveal(); }});
+  });
+  return panel;
 }
 
 void MainWindow::addStrip(QWidget* strip) { column_->insertWidget(column_->indexOf(screens_), strip); }

@@ -39,6 +39,7 @@ OperatingStrip::OperatingStrip(const ModelController& models, SceneController& s
     label->setFont(theme::smallFont());
   }
   said_->setAccessibleName(tr("Message"));
+  said_->keepEnd();  // newtons stand there
   said_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   message_time_->setSingleShot(true);
   message_time_->setInterval(kMessageMs);

@@ -1,6 +1,7 @@
 #include "app/workbench/shell/panel_area.h"
 
 #include <QAction>
+#include <QCloseEvent>
 #include <QContextMenuEvent>
 #include <QDockWidget>
 #include <QMenu>
@@ -22,6 +23,11 @@ namespace tactus::workbench {
 void Panel::reveal() {
   show();
   raise();
+}
+
+void Panel::closeEvent(QCloseEvent* event) {
+  QDockWidget::closeEvent(event);
+  emit closed();
 }
 
 // Out of the window it is a window of its own.

@@ -32,7 +32,12 @@ class Panel : public QDockWidget {
   /// Shows the panel before others in the same place.
   void reveal();
 
+ signals:
+  /// The user closed it.
+  void closed();
+
  protected:
+  void closeEvent(QCloseEvent* event) override;
   bool focusNextPrevChild(bool next) override;
 };
 

@@ -220,16 +220,18 @@ void StartView::listRecent() {
   qDeleteAll(recent_entries_);
   recent_entries_.clear();
   const QDateTime now = QDateTime::currentDateTime();
+  // Whoever has worked here goes on with that.
+  explore_->setPrimary(recent_.files().isEmpty());
   int place = 2;  // below the heading and "Open…"
   for (const RecentFile& file : recent_.files().mid(0, kRecentShown)) {
     const QString name = shownFileName(file.path);
     QStringList note;
-    if (!file.model.isEmpty()) note << name;
+    if (!file.model.isEmpty()) note << harmless(file.model);
     if (const QString when = whenText(file.opened, now); !when.isEmpty()) note << when;
     if (note.isEmpty()) note << harmless(QFileInfo(file.path).absolutePath());
-    auto* entry =
-        new StartEntry(file.model.isEmpty() ? name : harmless(file.model), note.join(QStringLiteral(" · ")), panel_);
+    auto* entry = new StartEntry(name, note.join(QStringLiteral(" · ")), panel_);
     entry->setOneLine(true);
+    entry->setPrimary(recent_entries_.isEmpty());
     entry->setToolTip(tr("Open %1").arg(harmless(file.path)));
     recent_column_->insertWidget(place++, entry);
     recent_entries_ << entry;

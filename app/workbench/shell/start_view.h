@@ -22,6 +22,7 @@ class StartEntry : public QAbstractButton {
   const QString& note() const { return note_; }
   /// True: the entry that a newcomer should take, on the accent color.
   void setPrimary(bool primary);
+  bool isPrimary() const { return primary_; }
   /// Notes in one line, cut in the middle where it is too long; otherwise they take as many lines as they need.
   void setOneLine(bool one_line);
 

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QSlider>
 #include <QTest>
@@ -21,6 +22,7 @@
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/start_view.h"
 #include "app/workbench/understand/curves/curve_plot.h"
 #include "app/workbench/understand/curves/curves_panel.h"
@@ -239,6 +241,21 @@ TEST_F(MainWindowTest, AModelFileCanBeDropped) {
   EXPECT_NE(bench.models.current(), nullptr);
   EXPECT_FALSE(drop(QUrl::fromLocalFile(folder.path(QStringLiteral("picture.png")))));
   EXPECT_FALSE(drop(QUrl(QStringLiteral("https://example.org/model.json"))));
+}
+
+// A panel that was closed by chance is one click away, in its place.
+TEST_F(MainWindowTest, AClosedPanelOffersItselfAgain) {
+  openSample();
+  window.enter(Stage::kTune);
+  Panel& curves = *bench.panels.curves;
+  ASSERT_TRUE(curves.isVisible());
+  curves.close();
+  EXPECT_EQ(window.banner().message(),
+            QStringLiteral("The panel Force curves is closed and stays closed in this stage."));
+  for (QPushButton* const button : window.banner().findChildren<QPushButton*>()) {
+    if (button->text() == QStringLiteral("Show it again")) button->click();
+  }
+  EXPECT_TRUE(curves.isVisible());
 }
 
 const QByteArray kOther =

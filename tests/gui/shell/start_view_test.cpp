@@ -77,6 +77,18 @@ class StartViewTest : public testing::Test {
   Workbench bench{settings, folder.path(QStringLiteral("autosave"))};
 };
 
+// The filled button leads to the demo on the first day, and to what was open last on the days after.
+TEST_F(StartViewTest, TheLastFileIsTheWayOnByItsName) {
+  EXPECT_TRUE(entry(QStringLiteral("Explore the demo study"))->isPrimary());
+  bench.recent.add(folder.path(QStringLiteral("first.tactus")), QStringLiteral("The same model"));
+  bench.recent.add(folder.path(QStringLiteral("second.tactus")), QStringLiteral("The same model"));
+  EXPECT_FALSE(entry(QStringLiteral("Explore the demo study"))->isPrimary());
+  ASSERT_NE(entry(QStringLiteral("second.tactus")), nullptr);
+  ASSERT_NE(entry(QStringLiteral("first.tactus")), nullptr);
+  EXPECT_TRUE(entry(QStringLiteral("second.tactus"))->isPrimary());
+  EXPECT_FALSE(entry(QStringLiteral("first.tactus"))->isPrimary());
+}
+
 // From the first start to a model on the screen: one click.
 TEST_F(StartViewTest, TheDemoStudyIsOneClickAway) {
   StartEntry* explore = entry(QStringLiteral("Explore the demo study"));
