@@ -101,8 +101,15 @@ void paintFrame(QPainter& painter, const QStyleOptionViewItem& option) {
 
 }  // namespace
 
-QColor findingColor(FindingGroup group) {
-  switch (group) {
+QColor findingColor(const ShownFinding& shown) {
+  constexpr double kFeltJnd = 1;
+  constexpr double kStrongJnd = 2;
+  if (shown.noticeable) {
+    return *shown.noticeable >= kStrongJnd ? theme::errorInk()
+           : *shown.noticeable >= kFeltJnd ? theme::warningInk()
+                                           : theme::mutedInk();
+  }
+  switch (shown.group) {
     case FindingGroup::kCoverage: return theme::warningInk();
     case FindingGroup::kConflict: return theme::errorInk();
     case FindingGroup::kDirection: return theme::accent();
@@ -139,7 +146,7 @@ void FindingDelegate::paintHeading(QPainter& painter, const QStyleOptionViewItem
   const QPolygonF closed = {{-3, -5}, {4, 0}, {-3, 5}};
   const QPolygonF open = {{-5, -3}, {5, -3}, {0, 4}};
   painter.setPen(Qt::NoPen);
-  painter.setBrush(quiet ? theme::mutedInk() : findingColor(first.group));
+  painter.setBrush(quiet ? theme::mutedInk() : findingColor(first));
   painter.drawPolygon((model_.rowAt(row).unfolded ? open : closed).translated(middle));
   painter.setFont(theme::headingFont());
   painter.setPen(quiet ? theme::mutedInk() : theme::ink());
@@ -165,7 +172,7 @@ void FindingDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
   painter->setRenderHint(QPainter::Antialiasing);
   const QRect row = option.rect.adjusted(0, 0, -1, 0);
   paintFrame(*painter, option);
-  const QColor color = quiet || old_ ? theme::mutedInk() : findingColor(shown.group);
+  const QColor color = quiet || old_ ? theme::mutedInk() : findingColor(shown);
   const QColor ink = quiet || old_ ? theme::mutedInk() : theme::ink();
   const QFontMetrics head(theme::headingFont());
   const int top = row.top() + kPad / 2 + 2;

@@ -30,8 +30,8 @@ class FindingsModel;
 // Paints one row of the findings: sign and kind, the experts concerned, the newtons at stake, and the sentence in up to
 // two lines.
 
-/// Color of a group of findings.
-QColor findingColor(FindingGroup group);
+/// The color of a finding: by the just-noticeable differences at stake, and by its group where they are not known.
+QColor findingColor(const ShownFinding& shown);
 
 class FindingDelegate : public QStyledItemDelegate {
   Q_OBJECT

@@ -216,21 +216,23 @@ void LegendChip::paintEvent(QPaintEvent* /*event*/) {
   pen.setColor(theme::inLook(pen.color()));
   pen.setWidthF(std::min(pen.widthF(), 4.0));
   painter.setPen(pen);
-  painter.drawLine(QPointF(swatch.left(), middle), QPointF(swatch.right(), middle));
-  if (look_.dots) {
+  if (isChecked()) {
+    painter.drawLine(QPointF(swatch.left(), middle), QPointF(swatch.right(), middle));
+  } else {  // an empty frame: not in the plot
+    painter.setPen(QPen(pen.color(), 1));
+    painter.drawRect(swatch.adjusted(0.5, 0.5, -0.5, -0.5));
+  }
+  if (look_.dots && isChecked()) {
     painter.setBrush(pen.color());
     painter.drawEllipse(swatch.center(), 2.2, 2.2);
   }
   painter.setOpacity(1);
   painter.setPen(isChecked() ? theme::ink() : theme::mutedInk());
-  QFont words = font();
-  words.setStrikeOut(!isChecked());
-  painter.setFont(words);
   const QRect room = rect().adjusted(kSwatch + 2 * kInside, 0, 0, 0);
-  const bool fits = QFontMetrics(words).horizontalAdvance(text()) <= room.width();
+  const bool fits = fontMetrics().horizontalAdvance(text()) <= room.width();
   const QString shown = fits || brief_.isEmpty() ? text() : brief_;
   painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                   QFontMetrics(words).elidedText(shown, Qt::ElideRight, room.width()));
+                   fontMetrics().elidedText(shown, Qt::ElideRight, room.width()));
 }
 
 void LegendChip::enterEvent(QEnterEvent* event) {
