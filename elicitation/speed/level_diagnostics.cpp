@@ -381,7 +381,7 @@ std::optional<std::string> sameTermNote(std::span<const LevelSpeeds> levels, con
   if (means.size() < 2) return std::nullopt;
   return "Participant " + participant + ": with the averaged terms the mean speeds of all levels (" +
          base::joined(means, ", ") + " mm/s) read as " + averaged.terms[term].id +
-         "; with terms of the participant's own (--terms own) they read as " + base::joined(own_terms, ", ") + ".";
+         "; with speed terms of the participant's own they read as " + base::joined(own_terms, ", ") + ".";
 }
 
 }  // namespace tactus::elicitation

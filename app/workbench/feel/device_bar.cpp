@@ -270,7 +270,7 @@ QString DeviceBar::stateText() const {
     parts << tr("edit felt after %1 (longest %2)")
                  .arg(ticksText(latency->last_ticks), numberText(static_cast<double>(latency->longest_ticks)));
   const haptics::LoopStatistics statistics = feel_.session().statistics();
-  if (statistics.missed > 0) parts << tr("%n tick(s) late", nullptr, static_cast<int>(statistics.missed));
+  if (statistics.missed > 0) parts << tr("%n force update(s) came late", nullptr, static_cast<int>(statistics.missed));
   if (statistics.restarts > 0)
     parts << tr("force begun anew after %n stall(s)", nullptr, static_cast<int>(statistics.restarts));
   return parts.join(QStringLiteral(" · "));

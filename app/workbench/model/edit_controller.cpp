@@ -137,7 +137,7 @@ void EditController::redo() {
   commit();
   const QString what = redoText();
   auto there = fetch(history_->states()[history_->current()].redo);
-  settle(there ? history_->redo(stamp()) : there, tr("Done again: %1").arg(what));
+  settle(there ? history_->redo(stamp()) : there, tr("Redone: %1").arg(what));
 }
 
 void EditController::returnTo(editing::StateId state) {

@@ -423,17 +423,17 @@
 <context>
     <name>tactus::workbench::CompareCard</name>
     <message numerus="yes">
-        <source>%n term(s), rule(s) or setting(s) differ from A to B:</source>
-        <translation>
-            <numerusform>%n term, rule or setting differs from A to B:</numerusform>
-            <numerusform>%n terms, rules or settings differ from A to B:</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>and %n more</source>
         <translation>
             <numerusform>and %n more</numerusform>
             <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n term(s), rule(s) or setting(s) differ, %1 → %2:</source>
+        <translation>
+            <numerusform>%n term, rule or setting differs, %1 → %2:</numerusform>
+            <numerusform>%n terms, rules or settings differ, %1 → %2:</numerusform>
         </translation>
     </message>
 </context>
@@ -491,17 +491,17 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n tick(s) late</source>
-        <translation>
-            <numerusform>%n tick late</numerusform>
-            <numerusform>%n ticks late</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>force begun anew after %n stall(s)</source>
         <translation>
             <numerusform>force begun anew after %n stall</numerusform>
             <numerusform>force begun anew after %n stalls</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n force update(s) came late</source>
+        <translation>
+            <numerusform>%n force update came late</numerusform>
+            <numerusform>%n force updates came late</numerusform>
         </translation>
     </message>
 </context>
@@ -720,17 +720,17 @@
 <context>
     <name>tactus::workbench::RulePanel</name>
     <message numerus="yes">
-        <source>%1 of %n expert(s) speak · mean %2</source>
-        <translation>
-            <numerusform>%1 of %n expert speaks · mean %2</numerusform>
-            <numerusform>%1 of %n experts speak · mean %2</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%1 of %n rule(s) act · %2</source>
         <translation>
             <numerusform>%1 of %n rule acts · %2</numerusform>
             <numerusform>%1 of %n rules act · %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %n expert(s) have a rule here · mean %2</source>
+        <translation>
+            <numerusform>%1 of %n expert has a rule here · mean %2</numerusform>
+            <numerusform>%1 of %n experts have a rule here · mean %2</numerusform>
         </translation>
     </message>
 </context>

@@ -4,6 +4,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
@@ -30,18 +31,26 @@ QComboBox* choiceBox(const QString& name, QWidget* parent) {
   return box;
 }
 
-/// `+ rule of S4: …`, `− term …`, `term 'slow' of 'speed': 0, 0, 40, 60 → 0, 0, 45, 60`.
+/// `+ rule of S4: …`, `− term …`, `term slow of speed: 0, 0, 40, 60 → 0, 0, 45, 60`: ids as words.
 QString changeText(const analysis::ModelChange& change) {
   using Kind = analysis::ModelChange::Kind;
-  const QString place = harmless(text(change.place));
-  const QString before = harmless(text(change.before));
-  const QString after = harmless(text(change.after));
+  const auto words = [](const std::string& ids) { return harmless(spelled(ids)).remove(QLatin1Char('\'')); };
+  const QString place = words(change.place);
+  const QString before = words(change.before);
+  const QString after = words(change.after);
   switch (change.kind) {
     case Kind::kAdded: return QStringLiteral("+ %1: %2").arg(place, after);
     case Kind::kRemoved: return QStringLiteral("− %1: %2").arg(place, before);
     case Kind::kChanged: break;
   }
   return QStringLiteral("%1: %2 → %3").arg(place, before, after);
+}
+
+analysis::ModelChange reversed(analysis::ModelChange change) {
+  using Kind = analysis::ModelChange::Kind;
+  std::swap(change.before, change.after);
+  if (change.kind != Kind::kChanged) change.kind = change.kind == Kind::kAdded ? Kind::kRemoved : Kind::kAdded;
+  return change;
 }
 
 }  // namespace
@@ -161,11 +170,18 @@ void CompareCard::showChanges() {
   const auto& result = compare_.result();
   changes_->setVisible(result.has_value());
   if (!result) return;
-  const auto& changes = result->changes;
+  // An arrow leads from what was to what is now.
+  const bool back = compare_.choice(CompareSide::kA).kind == CompareChoice::Kind::kOpen;
+  auto changes = result->changes;
+  for (analysis::ModelChange& change : changes) {
+    if (back) change = reversed(std::move(change));
+  }
   QStringList lines;
-  lines << (changes.empty() ? tr("No term, rule or setting differs.")
-                            : tr("%n term(s), rule(s) or setting(s) differ from A to B:", nullptr,
-                                 static_cast<int>(changes.size())));
+  lines << (changes.empty()
+                ? tr("No term, rule or setting differs.")
+                : tr("%n term(s), rule(s) or setting(s) differ, %1 → %2:", nullptr, static_cast<int>(changes.size()))
+                      .arg(back ? QStringLiteral("B") : QStringLiteral("A"),
+                           back ? QStringLiteral("A") : QStringLiteral("B")));
   for (std::size_t i = 0; i < std::min(changes.size(), kMostChanges); ++i) lines << changeText(changes[i]);
   if (changes.size() > kMostChanges)
     lines << tr("and %n more", nullptr, static_cast<int>(changes.size() - kMostChanges));

@@ -147,7 +147,7 @@ void CompareStrip::showState() {
   const QString letter = is_a ? QStringLiteral("A") : QStringLiteral("B");
   const QString name = compare_.nameOf(compare_.choice(*side));
   shown_->setFullText(felt_ ? tr("On screen and device: %1, %2").arg(letter, name)
-                            : tr("Shown is %1: %2").arg(letter, name));
+                            : tr("%1 is on the screen: %2").arg(letter, name));
   const CompareSide hidden = is_a ? CompareSide::kB : CompareSide::kA;
   other_->setFullText(
       tr("%1: %2").arg(is_a ? QStringLiteral("B") : QStringLiteral("A"), compare_.nameOf(compare_.choice(hidden))));

@@ -169,7 +169,7 @@ HistoryPanel::HistoryPanel(EditController& edits, CompareController& compare, Sc
       side_(nullptr),
       switch_(new QToolButton(this)),
       snapshot_(new QLineEdit(this)),
-      name_it_(new QPushButton(tr("Name it"), this)),
+      name_it_(new QPushButton(tr("Name version"), this)),
       expert_(new QComboBox(this)),
       sign_off_(new QPushButton(this)),
       author_field_(new QLineEdit(author.name(), this)),

@@ -56,7 +56,7 @@ RuleListPane::RuleListPane(RuleController& rules, QWidget* parent)
       form_(new RuleForm(rules, this)),
       refresh_(new Refresh(this, [this] { refresh(); })) {
   setFocusProxy(table_);
-  text_->setPlaceholderText(tr("Filter: well stomach, or if … and … then …"));
+  text_->setPlaceholderText(tr("Filter: words of a rule, or if … and … then …"));
   text_->setClearButtonEnabled(true);
   text_->setAccessibleName(tr("Filter by words of the rule"));
   only_->addItem(tr("All rules"), static_cast<int>(Only::kAll));

@@ -447,7 +447,7 @@ QString RulePanel::summary() const {
     const auto speaking = std::count_if(explanation.experts.begin(), explanation.experts.end(),
                                         [](const auto& expert) { return !expert.abstains; });
     if (speaking == 0) return tr("no rule fires");
-    return tr("%1 of %n expert(s) speak · mean %2", nullptr, static_cast<int>(explanation.experts.size()))
+    return tr("%1 of %n expert(s) have a rule here · mean %2", nullptr, static_cast<int>(explanation.experts.size()))
         .arg(speaking)
         .arg(forceText(explanation.force_n, scene_.model()->model.output.unit));
   }

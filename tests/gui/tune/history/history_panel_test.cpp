@@ -165,11 +165,11 @@ TEST_F(HistoryPanelTest, TheStripSaysWhatIsShownAndTheKeySwitches) {
     const auto labels = strip->findChildren<QLabel*>();
     return std::any_of(labels.begin(), labels.end(), [&](auto* label) { return label->text().contains(words); });
   };
-  EXPECT_TRUE(
-      QTest::qWaitFor([&] { return says(QStringLiteral("Shown is B: Before the last edit")); }, tests::kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("B is on the screen: Before the last edit")); },
+                              tests::kPatience));
   EXPECT_EQ(bench.scene.model()->model, tests::twoExperts());
   action(Qt::CTRL | Qt::Key_B)->trigger();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("Shown is A")); }, tests::kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return says(QStringLiteral("A is on the screen")); }, tests::kPatience));
   EXPECT_EQ(bench.scene.model()->model, bench.models.current()->model);
   action(Qt::CTRL | Qt::SHIFT | Qt::Key_B)->trigger();
   EXPECT_FALSE(strip->isVisible());
@@ -208,8 +208,11 @@ TEST_F(HistoryPanelTest, TheComparisonListsTheTermsAndRulesThatDiffer) {
   settle();
   const auto* const changes = bench.window.findChild<QLabel*>(QStringLiteral("compare_changes"));
   ASSERT_NE(changes, nullptr);
-  EXPECT_TRUE(changes->text().contains(QStringLiteral("rule of 'A': depth near, speed slow")))
+  // From before the edit (B) to the model as it is (A).
+  EXPECT_TRUE(changes->text().contains(QStringLiteral("B → A"))) << changes->text().toStdString();
+  EXPECT_TRUE(changes->text().contains(QStringLiteral("rule of A: depth near, speed slow: ")))
       << changes->text().toStdString();
+  EXPECT_TRUE(changes->text().endsWith(QStringLiteral("0.5"))) << changes->text().toStdString();
 }
 
 TEST_F(HistoryPanelTest, StatesOfAnotherHistoryAreGoneAtOnce) {
@@ -242,7 +245,7 @@ TEST_F(HistoryPanelTest, ANameAndItsButtonAreOneStopOfTab) {
   QTest::keyClick(name, Qt::Key_Right);
   auto* button = qobject_cast<QPushButton*>(bench.window.focusWidget());
   ASSERT_NE(button, nullptr);
-  EXPECT_EQ(button->text(), QStringLiteral("Name it"));
+  EXPECT_EQ(button->text(), QStringLiteral("Name version"));
   EXPECT_FALSE(stops.contains(button));
 }
 
