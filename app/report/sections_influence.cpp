@@ -9,6 +9,7 @@
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/uncertainty/force_bands.h"
+#include "elicitation/uncertainty/own_words.h"
 
 namespace tactus::report {
 namespace {
@@ -27,6 +28,7 @@ std::string_view whatOf(BandKind kind) {
     case BandKind::kAgain: return "these participants once more";
     case BandKind::kOthers: return "as many other participants like these";
     case BandKind::kNext: return "one more participant";
+    case BandKind::kWords: return "the words of each participant";
   }
   return "";
 }
@@ -58,9 +60,11 @@ std::string bandPlot(const ReportContext& context, const elicitation::ForceBand&
     low.push_back({depth_mm, one.force_n ? std::optional(one.low_n) : std::nullopt});
     high.push_back({depth_mm, one.force_n ? std::optional(one.high_n) : std::nullopt});
   }
-  SvgPlot plot =
-      depthPlot(context, "95 % band of the averaged force: " + std::string(whatOf(band.kind)), 250, forceAxis(context));
-  plot.between(low, high, kSky, 0.45, "95 % at each depth");
+  const bool words = band.kind == BandKind::kWords;
+  SvgPlot plot = depthPlot(
+      context, (words ? "Averaged force under " : "95 % band of the averaged force: ") + std::string(whatOf(band.kind)),
+      250, forceAxis(context));
+  plot.between(low, high, kSky, 0.45, words ? "lowest to highest" : "95 % at each depth");
   plot.line(mean, {.color = kInk, .width = 2.4}, "Averaged force");
   return plot.svg();
 }
@@ -116,16 +120,25 @@ Table splitTable(const ReportContext& context, const ForceBands& bands) {
   return table;
 }
 
+void addWordsAndRules(HtmlPage& page, const ReportContext& context) {
+  const auto found = elicitation::wordsAndRules(context.in.study, context.in.built, context.in.build_settings);
+  if (!found || found->points == 0) return;
+  page.paragraph(strong("Whose words, whose rules.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                 " " + Markup(elicitation::wordsAndRulesSentence(*found)) + " Over the whole input space.");
+}
+
 }  // namespace
 
 void addUncertainty(HtmlPage& page, const ReportContext& context) {
   if (context.in.replicates == 0) return;
   const std::size_t people = context.in.study.participants.size();
   const auto points = pointsOf(context);
-  auto bands = ForceBands::of(
-      context.in.study, context.in.built, context.in.build_settings,
-      {.points = points,
-       .replicates = std::min(context.in.replicates, people > kMany ? kReplicatesOfMany : kMostReplicates)});
+  const bool many = people > kMany;
+  auto bands =
+      ForceBands::of(context.in.study, context.in.built, context.in.build_settings,
+                     {.points = points,
+                      .replicates = std::min(context.in.replicates, many ? kReplicatesOfMany : kMostReplicates),
+                      .words = !many});
   if (!bands || bands->planned() == 0) return;
   while (bands->add(bands->planned())) {
   }
@@ -134,8 +147,9 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
 
   page.section("How far the averaged force can be trusted");
   page.paragraph(
-      "Three questions with three answers. “Again”: what would these participants give once more? “Others”: what would "
-      "as many other participants give? “Next”: where would the force of one more participant lie? A few participants "
+      "Four questions with four answers. “Again”: what would these participants give once more? “Others”: what would "
+      "as many other participants give? “Next”: where would the force of one more participant lie? “Words”: what would "
+      "the same rules give if the words of the force were those of one participant? A few participants "
       "say little about others, and the band “others” says how little.");
   Figure figure{.caption = strong("Bands around the averaged force.") + " " +
                            marks(context, {Badge::kComputed, Badge::kSimulated}) +
@@ -146,7 +160,8 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
                            " Cut at the forces that the model can give.",
                 .panels = {}};
   std::vector<Markup> remarks;
-  for (const auto kind : {BandKind::kAgain, BandKind::kOthers, BandKind::kNext}) {
+  for (const auto kind : {BandKind::kAgain, BandKind::kOthers, BandKind::kNext, BandKind::kWords}) {
+    if (kind == BandKind::kWords && many) continue;
     const auto band = bands->band(kind);
     const std::string label = "“" + std::string(name(kind)) + "”";
     if (band.points.empty()) {
@@ -171,13 +186,14 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
                            " depths the mean of the draws is more than a quarter of their standard deviation away from "
                            "the averaged force. The estimate sits on an edge there, usually of the vote.");
     }
-    if (abstains > 0) {
+    if (abstains > 0 && kind != BandKind::kWords) {
       remarks.emplace_back(label + ": up to " + base::formatFixed(100 * abstains, 1) +
                            " % of the draws give no force at some depth; no hole was filled.");
     }
   }
   if (!figure.panels.empty()) page.figure(figure);
   page.table(splitTable(context, *bands));
+  if (!many) addWordsAndRules(page, context);
   if (!remarks.empty()) page.list(remarks);
 }
 

@@ -1,5 +1,6 @@
 #include "app/workbench/screen_pictures.h"
 
+#include <QComboBox>
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
@@ -270,6 +271,11 @@ base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
       QString name = lab->objectName();
       if (pages != nullptr) pages->setCurrentIndex(page);
       if (page > 0) name += QStringLiteral("_") + pages->widget(page)->objectName();
+      if (name == QLatin1String("experts_words_and_rules")) {
+        auto* const band = lab->findChild<QComboBox*>(QStringLiteral("band"));
+        band->setCurrentIndex(band->count() - 1);  // own words
+        emit band->activated(band->currentIndex());
+      }
       waitForLab(screen);
       if (auto added = album.add(stageId(Stage::kBuild), name, title, bench.window); !added) return added;
     }

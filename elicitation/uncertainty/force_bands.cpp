@@ -41,6 +41,7 @@ std::string_view name(BandKind kind) noexcept {
     case BandKind::kAgain: return "again";
     case BandKind::kOthers: return "others";
     case BandKind::kNext: return "next";
+    case BandKind::kWords: return "words";
   }
   return "";
 }
@@ -76,6 +77,9 @@ base::Result<ForceBands> ForceBands::of(const study::Study& study, const BuiltMo
   const auto range = analysis::reachableRange(built.model, compiled);
   out.lowest_n_ = range.fired > 0 ? range.min_n : built.model.output.min;
   out.highest_n_ = range.fired > 0 ? range.max_n : built.model.output.max;
+  if (out.settings_.words) {
+    if (auto ok = out.prepareWords(study, built); !ok) return tl::unexpected(ok.error());
+  }
   if (out.settings_.again) {
     out.prepareStrokes(study, built);
     out.prepareThresholds(built);
@@ -125,11 +129,26 @@ void ForceBands::prepareThresholds(const BuiltModel& built) {
   }
 }
 
+base::Result<void> ForceBands::prepareWords(const study::Study& study, const BuiltModel& built) {
+  words_ = elicitation::ownWords(study, built, study_.settings());
+  for (const auto& own : words_) {
+    auto& forces = under_words_.emplace_back(settings_.points.size());
+    const auto model = underWords(built.model, own);
+    if (!model) continue;
+    TACTUS_TRY(const auto compiled, fuzzy::compile(*model));
+    for (std::size_t p = 0; p < forces.size(); ++p) {
+      const auto force = compiled.evaluate(settings_.points[p]);
+      if (force.fired) forces[p] = force.force_n;
+    }
+  }
+  return {};
+}
+
 void ForceBands::plan() {
   const auto people = study_.people();
   const bool enumerated = people <= kMostEnumerated;
   for (const Drawn drawn : kOfPeople) {
-    if (people < 2 || (drawn != Drawn::kPeople && !settings_.split) ||
+    if (people < 2 || !settings_.others || (drawn != Drawn::kPeople && !settings_.split) ||
         (drawn == Drawn::kWhoMoved && !study_.hasSpeeds()) || (drawn == Drawn::kWhoJudged && !study_.hasJudgements())) {
       continue;
     }
@@ -321,7 +340,30 @@ void ForceBands::setHalfWidths(BandKind kind, ForceBand& band) const {
   }
 }
 
+ForceBand ForceBands::wordBand() const {
+  ForceBand band{BandKind::kWords, {}, {}, missingWordNotes(words_, study_.model().output)};
+  if (words_.empty()) return band;
+  for (std::size_t p = 0; p < own_.size(); ++p) {
+    std::vector<double> forces;
+    for (const auto& one : under_words_) {
+      if (one[p]) forces.push_back(*one[p]);
+    }
+    auto& point = band.points.emplace_back(BandPoint{own_[p], 0, 0, 0, 0, false});
+    point.abstains = 1 - static_cast<double>(forces.size()) / static_cast<double>(words_.size());
+    if (forces.empty()) {
+      point.force_n.reset();
+      continue;
+    }
+    const auto [lowest, highest] = std::minmax_element(forces.begin(), forces.end());
+    point.low_n = *lowest;
+    point.high_n = *highest;
+    point.half_width_n = (*highest - *lowest) / 2;
+  }
+  return band;
+}
+
 ForceBand ForceBands::band(BandKind kind) const {
+  if (kind == BandKind::kWords) return wordBand();
   ForceBand band{kind, {}, {}, {}};
   const bool again = kind == BandKind::kAgain;
   const bool can = again ? find(Drawn::kOwnStrokes) != nullptr || find(Drawn::kOwnJudgements) != nullptr

@@ -1,8 +1,9 @@
-// How far the averaged force can be trusted: three bands with plain names, each with its parts.
+// How far the averaged force can be trusted: four bands with plain names, each with its parts.
 //
 //   "again":  these participants once more: other strokes of theirs, their judgements with the noise of a hand.
 //   "others": as many other participants like these. The participants are drawn, each as a whole.
 //   "next":   one more participant.
+//   "words":  these participants' own words: the averaged rules with the force words of one of them at a time.
 //
 // Bands are for one point at a time, not for a whole curve. A band says nothing about holes: where a replicate gives no
 // force it is left out, and `abstains` says how often.
@@ -21,6 +22,7 @@
 #include "core/study/records.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/speed/stroke_bootstrap.h"
+#include "elicitation/uncertainty/own_words.h"
 
 namespace tactus::elicitation {
 
@@ -101,8 +103,8 @@ class ResampledStudy {
   bool has_judgements_ = false;
 };
 
-enum class BandKind { kAgain, kOthers, kNext };
-/// `again`, `others`, `next`.
+enum class BandKind { kAgain, kOthers, kNext, kWords };
+/// `again`, `others`, `next`, `words`.
 std::string_view name(BandKind kind) noexcept;
 
 /// What is drawn anew in a plan; everything else stays.
@@ -128,10 +130,10 @@ struct DrawnForce {
 
 struct BandPoint {
   std::optional<double> force_n;  ///< the averaged force; nothing where no rule fires
-  double half_width_n = 0;        ///< before the band is cut at the reachable range
+  double half_width_n = 0;        ///< before the band is cut at the reachable range; of "words" half the range
   double low_n = 0;
   double high_n = 0;
-  double abstains = 0;
+  double abstains = 0;  ///< share of what the band is made of (draws, experts, participants) without a force there
   bool on_edge = false;
 };
 
@@ -148,7 +150,9 @@ struct BandSettings {
   std::uint64_t seed = 1;
   std::size_t replicates = 2000;  ///< of each plan that is not enumerated; bands are shown from 200 on
   bool again = true;              ///< whether the plans of the band "again" are made
-  bool split = true;              ///< whether the parts of the band "others" are drawn too
+  bool others = true;             ///< whether the plans of the band "others" are made
+  bool split = true;              ///< whether its parts are drawn too
+  bool words = true;              ///< whether the band "words" is made
 };
 
 /// Adds replicates in batches, so that a caller can show, refine and stop.
@@ -168,12 +172,16 @@ class ForceBands {
   /// The band from the replicates so far (add() at least once).
   /// "others": force ± t(n-1) sqrt(n / (n-1)) sd of kPeople. "next": ± t(n-1) s sqrt(1 + 1/n), s the standard deviation
   /// of the experts' own forces; too narrow where they share words. "again": ± t sqrt(variances of kOwnStrokes,
-  /// widened for few strokes, and kOwnJudgements).
-  /// With one participant "others" and "next" have no points.
+  /// widened for few strokes, and kOwnJudgements). "words": from the lowest to the highest force under own words, no
+  /// interval; it needs no replicates, and the averaged force can lie outside.
+  /// With one participant "others" and "next" have no points; "words" has none if no force was judged.
   ForceBand band(BandKind kind) const;
 
   /// One entry per point, for each plan; empty for a plan that the study has no data for.
   std::vector<DrawnForce> drawn(Drawn plan) const;
+  /// Each participant's own words, and the force under them at each point, participant after participant.
+  const std::vector<OwnWords>& ownWords() const noexcept { return words_; }
+  const std::vector<std::vector<std::optional<double>>>& underOwnWords() const noexcept { return under_words_; }
   /// The smallest force whose cumulated weight reaches `share`; nothing without a force. For comparisons.
   std::optional<double> drawnQuantile(Drawn plan, std::size_t point, double share) const;
 
@@ -189,12 +197,14 @@ class ForceBands {
   ForceBands(ResampledStudy study, BandSettings settings);
   void prepareStrokes(const study::Study& study, const BuiltModel& built);
   void prepareThresholds(const BuiltModel& built);
+  base::Result<void> prepareWords(const study::Study& study, const BuiltModel& built);
   void plan();
   void addOne(Plan& plan);
   Resample nextOf(const Plan& plan, double& weight);
   std::vector<study::ForceJudgement> judgedAgain(std::size_t who);
   const Plan* find(Drawn drawn) const;
   void setHalfWidths(BandKind kind, ForceBand& band) const;
+  ForceBand wordBand() const;
 
   ResampledStudy study_;
   BandSettings settings_;
@@ -208,6 +218,8 @@ class ForceBands {
   std::optional<DrawSpread> stroke_spread_;              // absent if strokes cannot be drawn
   std::string no_strokes_;                               // why not
   std::vector<std::vector<double>> thresholds_n_;        // of each participant; empty without judgements
+  std::vector<OwnWords> words_;
+  std::vector<std::vector<std::optional<double>>> under_words_;  // of each of words_, at each point
 };
 
 }  // namespace tactus::elicitation

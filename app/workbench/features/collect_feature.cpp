@@ -260,6 +260,7 @@ void LabsFeature::addExperts(Bench& bench) {
   screen.watch(experts->work(), tr("Comparing the weights"));
   screen.watch(experts->bands().work(), tr("Drawing participants again"));
   shareOperatingPoint(bench, *experts, *view);
+  screen.watch(experts->wordsAndRules(), tr("Comparing words and rules"));
   // While a model is being built for tuning: it leads there.
   const auto leads = std::make_shared<bool>(false);
   QObject* const context = &bench.features;

@@ -54,5 +54,24 @@ TEST_F(BandLabTest, LiesAroundTheAveragedForceAndIsWidestForAnotherParticipant) 
   EXPECT_FALSE(bands.work().isBusy());
 }
 
+TEST_F(BandLabTest, OwnWordsAreOneLineForEachPersonAndNeedNoDraws) {
+  BandLab& bands = lab.bands();
+  bands.choose(BandKind::kWords);
+  ASSERT_TRUE(comesTrue([&] { return bands.shown() != nullptr && !bands.work().isBusy(); }));
+  const ShownBand& shown = *bands.shown();
+  EXPECT_EQ(shown.planned, 0U);
+  ASSERT_EQ(shown.own_words.size(), 4U);
+  for (std::size_t p = 0; p < shown.x.size(); ++p) {
+    for (const OwnWordCurve& curve : shown.own_words) {
+      if (!curve.forces_n[p]) continue;
+      EXPECT_LE(shown.band.points[p].low_n, *curve.forces_n[p]);
+      EXPECT_GE(shown.band.points[p].high_n, *curve.forces_n[p]);
+    }
+  }
+  const QString text = bandText(shown);
+  EXPECT_FALSE(text.contains(QStringLiteral("95 %"))) << "a range, no interval";
+  EXPECT_TRUE(text.contains(QStringLiteral("S1"))) << "who never used the lowest word";
+}
+
 }  // namespace
 }  // namespace tactus::workbench

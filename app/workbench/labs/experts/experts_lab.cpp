@@ -23,7 +23,10 @@ constexpr std::size_t kFirstShown = 200;   // replicates: fewer would only jump
 constexpr std::size_t kBatchPeople = 100;  // replicates times participants between two looks whether to stop
 
 ShownBand bandOf(const elicitation::ForceBands& bands, BandKind kind, const std::vector<double>& x) {
-  return {kind, x, bands.band(kind), bands.done(), bands.planned()};
+  ShownBand out{kind, x, bands.band(kind), bands.done(), bands.planned(), {}};
+  for (std::size_t who = 0; kind == BandKind::kWords && who < bands.ownWords().size(); ++who)
+    out.own_words.push_back({bands.ownWords()[who].participant, bands.underOwnWords()[who]});
+  return out;
 }
 
 }  // namespace
@@ -44,6 +47,8 @@ BandLab::Answer BandLab::compute(const Order& order, const RunOf<ShownBand>& run
   elicitation::BandSettings settings;
   settings.points = analysis::linePoints(model, curve.values, curve.x_input, kBandPoints);
   settings.again = order.kind == BandKind::kAgain;
+  settings.others = order.kind == BandKind::kOthers;
+  settings.words = order.kind == BandKind::kWords;
   std::vector<double> x;
   for (const auto& point : settings.points) x.push_back(point[curve.x_input]);
   TACTUS_CHECK(model.inputs.size() == curve.values.size());
@@ -61,7 +66,11 @@ BandLab::Answer BandLab::compute(const Order& order, const RunOf<ShownBand>& run
     run.hand(bandOf(*bands, order.kind, x));
   }
   auto whole = std::make_shared<const ShownBand>(bandOf(*bands, order.kind, x));
-  if (whole->band.points.empty()) return tl::unexpected(tr("One participant alone says nothing about others."));
+  if (whole->band.points.empty()) {
+    return tl::unexpected(order.kind == BandKind::kWords
+                              ? tr("No force was judged, so no participant has words of their own.")
+                              : tr("One participant alone says nothing about others."));
+  }
   return whole;
 }
 
@@ -81,6 +90,7 @@ QString bandName(BandKind kind) {
     case BandKind::kAgain: return BandLab::tr("Again");
     case BandKind::kOthers: return BandLab::tr("Others");
     case BandKind::kNext: return BandLab::tr("Next");
+    case BandKind::kWords: return BandLab::tr("Own words");
   }
   return {};
 }
@@ -90,6 +100,7 @@ QString bandMeaning(BandKind kind) {
     case BandKind::kAgain: return BandLab::tr("The same participants once more");
     case BandKind::kOthers: return BandLab::tr("As many other participants like these");
     case BandKind::kNext: return BandLab::tr("One more participant");
+    case BandKind::kWords: return BandLab::tr("The same rules under the force words of one participant at a time");
   }
   return {};
 }
@@ -104,9 +115,14 @@ QString bandText(const ShownBand& shown) {
   QStringList lines;
   if (shown.done < shown.planned)
     lines << BandLab::tr("Unfinished: %1 of %2 draws.").arg(shown.done).arg(shown.planned);
-  lines << BandLab::tr("%1, 95 % at each depth by itself: at most ± %2.")
-               .arg(bandMeaning(shown.kind), quantityText(widest, "N"));
-  if (abstains > 0) {
+  if (shown.kind == BandKind::kWords) {
+    lines << BandLab::tr("%1, from the lowest to the highest: at most %2 wide. Each line is one person.")
+                 .arg(bandMeaning(shown.kind), quantityText(2 * widest, "N"));
+  } else {
+    lines << BandLab::tr("%1, 95 % at each depth by itself: at most ± %2.")
+                 .arg(bandMeaning(shown.kind), quantityText(widest, "N"));
+  }
+  if (abstains > 0 && shown.kind != BandKind::kWords) {
     lines << BandLab::tr("Up to %1 % of the draws give no force somewhere.").arg(numberText(abstains * 100, 0));
   }
   for (const std::string& one : shown.band.assumed) lines << text(one);
@@ -228,9 +244,17 @@ ExpertsLab::ExpertsLab(LabData& data, LabModel& model, QObject* parent)
                 if (!compiled) return nullptr;
                 return std::make_shared<const figures::ForceCurves>(
                     figures::computeCurves(of, *compiled, at.x_input, at.values));
-              }) {
-  for (Computation* cell :
-       {static_cast<Computation*>(&compared_), static_cast<Computation*>(&curves_), &bands_.work()}) {
+              }),
+      words_and_rules_([&model] { return model.inputs(); },
+                       [](const BuiltStudy& from, const auto& run) -> decltype(words_and_rules_)::Answer {
+                         auto found = elicitation::wordsAndRules(from.study->study, *from.model, from.settings,
+                                                                 {{}, run.stop, run.progress});
+                         if (run.stop.stop_requested()) return nullptr;
+                         if (!found) return tl::unexpected(text(found.error().message()));
+                         return std::make_shared<const elicitation::WordsAndRules>(std::move(*found));
+                       }) {
+  for (Computation* cell : {static_cast<Computation*>(&compared_), static_cast<Computation*>(&curves_), &bands_.work(),
+                            static_cast<Computation*>(&words_and_rules_)}) {
     cell->needs(model_);
   }
   connect(&compared_, &Computation::valueChanged, this, &ExpertsLab::changed);
@@ -265,6 +289,7 @@ void ExpertsLab::takeModel() {
   }
   compared_.refresh();
   curves_.refresh();
+  words_and_rules_.refresh();
   bands_.setCurve(curve());
   emit changed();
 }
@@ -312,6 +337,16 @@ void ExpertsLab::setWanted(bool wanted) {
   compared_.hold(*this, wanted);
   curves_.hold(*this, wanted);
   bands_.work().hold(*this, wanted);
+}
+
+QString wordsAndRulesText(const elicitation::WordsAndRules& found) {
+  if (found.participants.size() < 2) {
+    return ExpertsLab::tr(
+        "Fewer than two experts have both rules and words of their own: there is nothing to compare.");
+  }
+  if (found.points == 0) return ExpertsLab::tr("Nowhere do two experts have a force under their own words.");
+  return ExpertsLab::tr("The experts lie %1 apart: %2 if only their words differ, %3 if only their rules do.")
+      .arg(pairNewtons(found.both.sd_n), pairNewtons(found.words.sd_n), pairNewtons(found.rules.sd_n));
 }
 
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves) {

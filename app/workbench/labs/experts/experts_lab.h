@@ -15,11 +15,18 @@
 #include "app/workbench/labs/data/lab_data.h"
 #include "elicitation/model/expert_weights_compared.h"
 #include "elicitation/uncertainty/force_bands.h"
+#include "elicitation/uncertainty/own_words.h"
 
 namespace tactus::workbench {
 
-// How far the averaged force can be trusted along the curve: one of the bands "again", "others" and "next"
+// How far the averaged force can be trusted along the curve: one of the bands "again", "others", "next" and "words"
 // (elicitation/uncertainty/force_bands.h), made in batches in the background and refined while it is shown.
+
+/// The force along one input under the own words of one participant.
+struct OwnWordCurve {
+  std::string participant;
+  std::vector<std::optional<double>> forces_n;  ///< one per point of the band
+};
 
 /// A band along one input.
 struct ShownBand {
@@ -28,6 +35,7 @@ struct ShownBand {
   elicitation::ForceBand band;
   std::size_t done = 0;  ///< replicates
   std::size_t planned = 0;
+  std::vector<OwnWordCurve> own_words;  ///< of the band "words": what it is made of
 };
 
 /// Thread: gui.
@@ -73,7 +81,7 @@ class BandLab : public QObject {
   Computed<Order, ShownBand> band_;
 };
 
-/// `Again`, `Others`, `Next`, with what each means.
+/// `Again`, `Others`, `Next`, `Own words`, with what each means.
 QString bandName(elicitation::BandKind kind);
 QString bandMeaning(elicitation::BandKind kind);
 /// What the band says and leaves out, for below the curve.
@@ -104,6 +112,8 @@ class ExpertsLab : public QObject {
   /// Each policy beside equal weights, as far as it is computed.
   const std::vector<ComparedWeights>& compared() const;
   Computation& work() { return compared_; }
+  /// What the experts' words and what their rules do to the disagreement; computed while it is held.
+  Computed<BuiltStudy, elicitation::WordsAndRules>& wordsAndRules() { return words_and_rules_; }
   /// The band around the averaged force along these curves.
   BandLab& bands() { return bands_; }
   const LabData& data() const { return data_; }
@@ -145,7 +155,11 @@ class ExpertsLab : public QObject {
   BandLab bands_;
   Computed<BuiltStudy, std::vector<ComparedWeights>> compared_;
   Computed<BandLab::Curve, figures::ForceCurves> curves_;
+  Computed<BuiltStudy, elicitation::WordsAndRules> words_and_rules_;
 };
+
+/// One sentence: how far the experts lie apart, and what their words and their rules alone make of it.
+QString wordsAndRulesText(const elicitation::WordsAndRules& found);
 
 /// The distance of each expert from the mean along the curves, one list per expert; NaN where the expert abstains.
 std::vector<std::vector<double>> pullsOf(const figures::ForceCurves& curves);

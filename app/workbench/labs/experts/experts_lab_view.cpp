@@ -125,6 +125,34 @@ void LeaveOneOutPlot::drawBand(const figures::ForceCurves& curves) {
   legend_.push_back({name, Qt::NoPen, theme::onCard(fill)});
 }
 
+void LeaveOneOutPlot::drawExperts(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
+                                  const std::vector<std::size_t>& numbers) {
+  const QVector<double> x(curves.x.begin(), curves.x.end());
+  for (std::size_t e = 0; e < curves.experts.size(); ++e) {
+    const QPen pen = expertPen(numbers[e], numbers.size());
+    addLine(*forces_, pen).setData(x, forcesOf(curves.experts[e]), true);
+    legend_.push_back({harmless(labelOf(model.experts[e])), pen});
+  }
+}
+
+// In the place of the experts' own curves, in their colors; people without rules have none.
+void LeaveOneOutPlot::drawOwnWords(const fuzzy::ForceModel& model, const std::vector<std::size_t>& numbers) {
+  const QVector<double> x(band_->x.begin(), band_->x.end());
+  for (const OwnWordCurve& curve : band_->own_words) {
+    const auto expert = std::find_if(model.experts.begin(), model.experts.end(),
+                                     [&](const fuzzy::Expert& one) { return one.id == curve.participant; });
+    QPen pen(theme::mutedInk(), 1, Qt::DotLine);
+    if (expert != model.experts.end()) {
+      pen = expertPen(numbers[static_cast<std::size_t>(expert - model.experts.begin())], numbers.size());
+      pen.setWidthF(1);
+    }
+    QVector<double> forces;
+    for (const auto& force_n : curve.forces_n) forces << force_n.value_or(qQNaN());
+    addLine(*forces_, pen).setData(x, forces, true);
+    legend_.push_back({tr("Words of %1").arg(harmless(text(curve.participant))), pen});
+  }
+}
+
 void LeaveOneOutPlot::drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
                                  const std::vector<std::size_t>& numbers) {
   const QVector<double> x(curves.x.begin(), curves.x.end());
@@ -132,11 +160,8 @@ void LeaveOneOutPlot::drawForces(const fuzzy::ForceModel& model, const figures::
   styleAxis(*left, model.output);
   left->setLabel(axisText(model.output));
   drawBand(curves);
-  for (std::size_t e = 0; e < curves.experts.size(); ++e) {
-    const QPen pen = expertPen(numbers[e], numbers.size());
-    addLine(*forces_, pen).setData(x, forcesOf(curves.experts[e]), true);
-    legend_.push_back({harmless(labelOf(model.experts[e])), pen});
-  }
+  band_ && band_->kind == elicitation::BandKind::kWords ? drawOwnWords(model, numbers)
+                                                        : drawExperts(model, curves, numbers);
   const QPen pen(theme::mean(), kMeanPx);
   addLine(*forces_, pen).setData(x, forcesOf(curves.mean), true);
   legend_.push_back({tr("Mean"), pen});
@@ -287,7 +312,7 @@ using elicitation::WeightPolicy;
 constexpr WeightPolicy kPolicies[] = {WeightPolicy::kEqual, WeightPolicy::kYears, WeightPolicy::kCategory,
                                       WeightPolicy::kColumn, WeightPolicy::kTable};
 constexpr elicitation::BandKind kBands[] = {elicitation::BandKind::kAgain, elicitation::BandKind::kOthers,
-                                            elicitation::BandKind::kNext};
+                                            elicitation::BandKind::kNext, elicitation::BandKind::kWords};
 
 }  // namespace
 
@@ -344,8 +369,9 @@ QWidget* ExpertsLabView::makeLeft() {
   pairs->verticalHeader()->show();
   pairs->verticalHeader()->setFont(theme::smallFont());
   pairs->horizontalHeader()->setStretchLastSection(false);
-  details->addTab(policies, tr("Choice of weights"));
+  details->addTab(policies, tr("Weights"));
   details->addTab(pairs, tr("Between experts"));
+  details->addTab(new WordsAndRulesView(lab_), tr("Words and rules"));
   auto* below = new Card;
   makeColumn(below, {details}, theme::kGrid, inset(theme::kGrid, theme::kGrid / 2));
   return makeSplit(Qt::Vertical, {weights, below});
@@ -354,6 +380,7 @@ QWidget* ExpertsLabView::makeLeft() {
 QWidget* ExpertsLabView::makeRight() {
   auto* page = new QWidget;
   makeColumn(settings_, {}, theme::kGrid / 2, inset(theme::kGrid, 0));
+  band_->setObjectName(QStringLiteral("band"));
   band_->setAccessibleName(tr("Band around the averaged force"));
   band_->setToolTip(tr("Choose the band that says how far the averaged force can be trusted."));
   band_->addItem(tr("Band: the experts"));

@@ -42,6 +42,9 @@ class LeaveOneOutPlot : public QWidget, public PlotSource {
  private:
   QCPGraph& addLine(QCPAxisRect& area, const QPen& pen);
   void drawBand(const figures::ForceCurves& curves);
+  void drawExperts(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
+                   const std::vector<std::size_t>& numbers);
+  void drawOwnWords(const fuzzy::ForceModel& model, const std::vector<std::size_t>& numbers);
   void drawForces(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
                   const std::vector<std::size_t>& numbers);
   void drawPulls(const fuzzy::ForceModel& model, const figures::ForceCurves& curves,
@@ -52,6 +55,37 @@ class LeaveOneOutPlot : public QWidget, public PlotSource {
   QCPAxisRect* pulls_;
   std::vector<LegendEntry> legend_;
   std::optional<ShownBand> band_;
+};
+
+// Whose words, whose rules: the disagreement of the experts with shared and with own words, by shared and by own rules.
+
+/// A row of it: shared or own words.
+struct WordsRow {
+  QString words, shared_rules, own_rules, shared_tip, own_tip;
+};
+
+class WordsAndRulesView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `lab` outlives this.
+  explicit WordsAndRulesView(ExpertsLab& lab, QWidget* parent = nullptr);
+
+  const Columns<WordsRow>& table() const { return *table_; }
+  QString sentence() const;
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
+
+ private:
+  void refreshState();
+
+  ExpertsLab& lab_;
+  Columns<WordsRow>* table_;
+  QTableView* view_;
+  QLabel* sentence_;
+  QLabel* notes_;
 };
 
 /// An expert with the weight, which can be edited, and what leaving this one out would change.
