@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QRadioButton>
 #include <QSignalSpy>
+#include <QTabWidget>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -212,6 +213,37 @@ TEST_F(LabViews, AWeightIsTypedIntoTheTable) {
   EXPECT_FALSE(table.setData(table.index(1, WeightTable::kWeight), QStringLiteral("many"), Qt::EditRole));
   EXPECT_TRUE(
       comesTrue([&] { return table.index(1, WeightTable::kWeight).data().toString() == QStringLiteral("2.5"); }));
+}
+
+TEST_F(LabViews, WordsAndRulesAreComparedWhileTheirPageIsShown) {
+  ExpertsLab lab(data, model);
+  ExpertsLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return view.weights().rowCount() == 4; }));
+  EXPECT_EQ(lab.wordsAndRules().value(), nullptr);
+  auto* const page = view.findChild<WordsAndRulesView*>();
+  ASSERT_NE(page, nullptr);
+  auto* const pages = view.findChild<QTabWidget*>();
+  pages->setCurrentWidget(page);
+  ASSERT_TRUE(comesTrue([&] { return page->table().rowCount() == 2; }));
+  const elicitation::WordsAndRules& found = *lab.wordsAndRules().value();
+  EXPECT_EQ(found.participants.size(), 4U);
+  EXPECT_EQ(page->sentence(), wordsAndRulesText(found));
+  EXPECT_TRUE(page->table().row(0).shared_rules.startsWith(QStringLiteral("0"))) << "one model has one force";
+  pages->setCurrentIndex(0);
+  EXPECT_FALSE(lab.wordsAndRules().isHeld());
+}
+
+TEST_F(LabViews, TheForcesThatEachPersonCalledByAWordAreDrawnWithTheirAgreement) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return !lab.votes().intervals.empty(); }));
+  ASSERT_TRUE(comesTrue([&] { return view.intervals().legend().size() == 4; }));
+  EXPECT_TRUE(view.intervals().summary().contains(QStringLiteral("3 of 3"))) << "of the lowest word, in Table 2";
+  view.intervals().setIntervals(lab.votes().words, {}, 1.1);
+  EXPECT_TRUE(view.intervals().summary().startsWith(QStringLiteral("No force")));
+  EXPECT_TRUE(view.intervals().legend().empty());
 }
 
 TEST_F(LabViews, OneButtonComparesTheChoicesAndAClickShowsTwoCurves) {

@@ -27,6 +27,7 @@ ForceVotes forceVotes(const study::Study& study, const std::string& series, std:
     return out;
   }
   out.steps = elicitation::vote(*counts, out.enrolled);
+  out.intervals = elicitation::wordIntervals(study.judgements, series, out.words.terms);
   for (std::size_t i = 0; i < kForceMethods.size(); ++i) {
     ForceMethod& method = out.methods[i];
     method.from = kForceMethods[i];

@@ -19,6 +19,7 @@
 #include "core/study/records.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/force/force_voting.h"
+#include "elicitation/force/word_intervals.h"
 
 namespace tactus::workbench {
 
@@ -40,7 +41,8 @@ struct ForceVotes {
   std::vector<elicitation::VoteStep> steps;
   int enrolled = 0;  ///< participants of the study
   std::array<ForceMethod, kForceMethods.size()> methods;
-  QString refusal;  ///< why there is no vote; empty if there is one
+  std::vector<elicitation::WordInterval> intervals;  ///< the forces that each participant called by each word
+  QString refusal;                                   ///< why there is no vote; empty if there is one
 };
 
 /// The votes of `series`, as elicitation::buildModel counts them. `end_n`: end of the force universe, if it is given.

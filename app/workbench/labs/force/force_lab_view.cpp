@@ -142,6 +142,7 @@ class ForceLab;
 /// The words by one method; empty if it gives none.
 PlotTable forceTermsTable(const ForceLab& lab, elicitation::ForceTermsFrom from);
 PlotTable deliveredTable(const ForceLab& lab);
+PlotTable wordIntervalTable(const ForceLab& lab);
 
 namespace {
 
@@ -173,6 +174,16 @@ PlotTable deliveredTable(const ForceLab& lab) {
     table.rows.push_back(
         {forces.participants[one.participant], one.commanded_n, cellOf(one.least_n), cellOf(one.felt_n)});
   }
+  return table;
+}
+
+PlotTable wordIntervalTable(const ForceLab& lab) {
+  PlotTable table = labTable(lab.data(), ForceTables::tr("forces that each participant called by each word"),
+                             QStringLiteral("-word-intervals"));
+  table.columns = {"person", "word", "left_n", "right_n"};
+  const ForceVotes& votes = lab.votes();
+  for (const auto& one : votes.intervals)
+    table.rows.push_back({one.participant, votes.words.terms[one.word].id, one.left_n, one.right_n});
   return table;
 }
 
@@ -211,10 +222,12 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
       judgements_(new JudgementView),
       checks_(new Columns<ParticipantChecks>(checkColumns(), this)),
       delivered_(new DeliveredPlot),
+      intervals_(new WordIntervalPlot),
       details_(makeTabs()),
       series_(new QComboBox) {
   judgements_->setObjectName(QStringLiteral("judgements"));
   delivered_->setObjectName(QStringLiteral("delivered"));
+  intervals_->setObjectName(QStringLiteral("word_intervals"));
   series_->setAccessibleName(tr("Series that votes"));
   series_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   series_->setToolTip(tr("Choose the series that votes for the words of the force."));
@@ -234,9 +247,12 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   makeColumn(checks, {participants}, theme::kGrid, inset(theme::kGrid));
   details_->addTab(checks, tr("Checks"));
   details_->addTab(delivered_, tr("Delivered force"));
+  details_->addTab(intervals_, tr("Words of each participant"));
   details_->setCornerWidget(new StatisticHelp({Statistic::kWeightedKappa, Statistic::kInterval}));
   delivered_->addTool(new PlotMenu(
       *delivered_, [this] { return deliveredTable(lab_); }, delivered_));
+  intervals_->addTool(new PlotMenu(
+      *intervals_, [this] { return wordIntervalTable(lab_); }, intervals_));
   auto* below = new Card;
   makeColumn(below, {details_}, theme::kGrid, inset(theme::kGrid, theme::kGrid / 2));
   makeColumn(this, {makeSplit(Qt::Vertical, {{top_, 3}, {below, 2}})});
@@ -279,6 +295,7 @@ void ForceLabView::refreshState() {
   judgements_->setJudgements(lab_.votes().words, lab_.judgements());
   checks_->setRows(lab_.checks());
   delivered_->setForces(deliveredForces(lab_.judgements()));
+  intervals_->setIntervals(lab_.votes().words, lab_.votes().intervals, lab_.votes().words.max);
   followSeries();
 }
 

@@ -11,6 +11,8 @@
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"
+#include "core/fuzzy/force_model.h"
+#include "elicitation/force/word_intervals.h"
 
 class QComboBox;
 class QCustomPlot;
@@ -20,6 +22,8 @@ class QSplitter;
 class QTabWidget;
 
 namespace tactus::workbench {
+
+class ElidedLabel;
 
 // The delivered against the commanded force of every judgement, in the colors of the participants.
 
@@ -60,6 +64,39 @@ class DeliveredPlot : public QWidget, public PlotSource {
   std::vector<LegendEntry> legend_;
 };
 
+// From the lowest to the highest force that each participant called by each word: a lane for each word, in it a line
+// for each participant, and as a surface the share of these intervals at each force.
+
+class WordIntervalPlot : public QWidget, public PlotSource {
+  Q_OBJECT
+
+ public:
+  explicit WordIntervalPlot(QWidget* parent = nullptr);
+
+  /// `end_n`: where the axis of the force ends at least.
+  void setIntervals(const fuzzy::Variable& words, const std::vector<elicitation::WordInterval>& intervals,
+                    double end_n);
+  /// Adds `tool` beside the summary; it is there while there is something to draw.
+  void addTool(QWidget* tool);
+  const QString& summary() const { return summary_text_; }
+
+  std::vector<LegendEntry> legend() const override { return legend_; }
+  void paintPicture(QCPPainter& painter, const QSize& size) override;
+
+ private:
+  void namePeople();
+  void drawAgreement(const fuzzy::Variable& words, const std::vector<elicitation::WordInterval>& intervals);
+  void drawPeople(const std::vector<std::string>& people, const std::vector<elicitation::WordInterval>& intervals);
+
+  QCustomPlot* plot_;
+  ElidedLabel* summary_;
+  QHBoxLayout* people_;  ///< their names in their colors
+  QHBoxLayout* head_;
+  QString summary_text_;
+  QWidget* tool_ = nullptr;
+  std::vector<LegendEntry> legend_;
+};
+
 class ForceLab;
 class ForceTermsView;
 class JudgementView;
@@ -75,6 +112,7 @@ class ForceLabView : public LabView {
   VotesView& votes() { return *votes_; }
   ForceTermsView& terms() { return *terms_; }
   JudgementView& judgements() { return *judgements_; }
+  WordIntervalPlot& intervals() { return *intervals_; }
   QTabWidget& details() { return *details_; }
   /// Chooses a judgement.
   void showJudgement(const std::string& participant, const std::string& series, double force_n);
@@ -93,6 +131,7 @@ class ForceLabView : public LabView {
   JudgementView* judgements_;
   Columns<ParticipantChecks>* checks_;
   DeliveredPlot* delivered_;
+  WordIntervalPlot* intervals_;
   QTabWidget* details_;
   QComboBox* series_;
   QSplitter* top_;

@@ -1,0 +1,174 @@
+#include <QLabel>
+#include <algorithm>
+#include <cmath>
+
+#include "app/figures/colors.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/base/theme.h"
+#include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
+#include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/term_colors.h"
+
+namespace tactus::workbench {
+namespace {
+
+constexpr double kLane = 0.84;  // of the place of a word: the height of full agreement
+constexpr double kEnd = 5;      // px
+constexpr float kShareFill = 0.3F;
+constexpr std::size_t kMostNamed = 8;  // participants beside the summary
+
+std::vector<std::string> peopleIn(const std::vector<elicitation::WordInterval>& intervals) {
+  std::vector<std::string> people;
+  for (const auto& one : intervals) {
+    if (people.empty() || people.back() != one.participant) people.push_back(one.participant);
+  }
+  return people;
+}
+
+/// The color numbers that these participants have as experts.
+std::vector<std::size_t> numbersOf(const std::vector<std::string>& people) {
+  std::vector<fuzzy::Expert> experts(people.size());
+  for (std::size_t i = 0; i < people.size(); ++i) experts[i].id = people[i];
+  return figures::expertNumbers(experts);
+}
+
+/// `Very small 3 of 3 · Small 2 of 4`: how many of the intervals of a word share a force.
+QString summaryText(const fuzzy::Variable& words, const std::vector<elicitation::WordInterval>& intervals) {
+  if (intervals.empty()) return WordIntervalPlot::tr("No force of this series was called by a word.");
+  QStringList parts;
+  for (std::size_t word = 0; word < words.terms.size(); ++word) {
+    const auto users = std::count_if(intervals.begin(), intervals.end(),
+                                     [word](const elicitation::WordInterval& one) { return one.word == word; });
+    double most = 0;
+    for (const auto& one : elicitation::intervalAgreement(intervals, word)) most = std::max(most, one.share);
+    parts << WordIntervalPlot::tr("%1 %2 of %3")
+                 .arg(labelOf(words.terms[word]))
+                 .arg(std::lround(most * static_cast<double>(users)))
+                 .arg(users);
+  }
+  return WordIntervalPlot::tr("Intervals that share a force, at most: %1").arg(parts.join(QStringLiteral(" · ")));
+}
+
+}  // namespace
+
+WordIntervalPlot::WordIntervalPlot(QWidget* parent)
+    : QWidget(parent),
+      plot_(makePlot(this)),
+      summary_(new ElidedLabel(this)),
+      people_(makeRow({}, theme::kGrid)),
+      head_(makeRow({{summary_, 1}, people_}, kStyleGap)) {
+  setMuted(*summary_);
+  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
+  makeColumn(this, {head_, {plot_, 1}}, theme::kGrid / 2, inset(theme::kGrid, theme::kGrid / 2));
+  setAccessibleName(tr("Forces that each participant called by each word"));
+  setToolTip(
+      tr("Lines: from the lowest to the highest force that a participant called so. Surface: the share of the "
+         "participants who used the word whose line holds this force; it reaches the next word where all agree."));
+}
+
+void WordIntervalPlot::setIntervals(const fuzzy::Variable& words,
+                                    const std::vector<elicitation::WordInterval>& intervals, double end_n) {
+  summary_text_ = summaryText(words, intervals);
+  summary_->setFullText(summary_text_);
+  const bool some = !intervals.empty();
+  plot_->setVisible(some);
+  if (tool_ != nullptr) tool_->setVisible(some);
+  summary_->setAlignment(some ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
+  legend_.clear();
+  plot_->clearPlottables();
+  fuzzy::Variable axis = words;
+  axis.max = end_n;
+  for (const auto& one : intervals) axis.max = std::max(axis.max, one.right_n);
+  styleAxis(*plot_->xAxis, axis);
+  plot_->xAxis->setLabel(axisText(axis));
+  fuzzy::Variable lanes;
+  lanes.max = static_cast<double>(words.terms.size());
+  styleAxis(*plot_->yAxis, lanes);
+  auto names = QSharedPointer<QCPAxisTickerText>::create();
+  for (std::size_t word = 0; word < words.terms.size(); ++word)
+    names->addTick(static_cast<double>(word) + kLane / 2, labelOf(words.terms[word]));
+  plot_->yAxis->setTicker(names);
+  plot_->yAxis->grid()->setVisible(false);
+  drawAgreement(words, intervals);
+  drawPeople(peopleIn(intervals), intervals);
+  namePeople();
+  redraw(*plot_);
+}
+
+void WordIntervalPlot::drawAgreement(const fuzzy::Variable& words,
+                                     const std::vector<elicitation::WordInterval>& intervals) {
+  for (std::size_t word = 0; word < words.terms.size(); ++word) {
+    const auto base = static_cast<double>(word);
+    QVector<double> x;
+    QVector<double> y;
+    double end_n = 0;
+    for (const auto& one : elicitation::intervalAgreement(intervals, word)) {
+      if (x.isEmpty() || one.left_n > end_n) {
+        if (!x.isEmpty()) x << end_n, y << base;
+        x << one.left_n;
+        y << base;
+      }
+      x << one.left_n << one.right_n;
+      y << base + kLane * one.share << base + kLane * one.share;
+      end_n = one.right_n;
+    }
+    if (!x.isEmpty()) x << end_n, y << base;
+    auto* const shares = new QCPCurve(plot_->xAxis, plot_->yAxis);
+    QColor fill = termLine(words, words.terms, word);
+    fill.setAlphaF(kShareFill);
+    shares->setPen(QPen(theme::onCard(fill), 1));  // a single force has no width
+    shares->setBrush(theme::onCard(fill));
+    QVector<double> order(x.size());
+    for (qsizetype i = 0; i < order.size(); ++i) order[i] = static_cast<double>(i);
+    shares->setData(order, x, y, true);
+  }
+}
+
+void WordIntervalPlot::drawPeople(const std::vector<std::string>& people,
+                                  const std::vector<elicitation::WordInterval>& intervals) {
+  const auto numbers = numbersOf(people);
+  for (std::size_t who = 0; who < people.size(); ++who) {
+    QVector<double> order;
+    QVector<double> x;
+    QVector<double> y;
+    const double place = kLane * (static_cast<double>(who) + 0.5) / static_cast<double>(people.size());
+    for (const auto& one : intervals) {
+      if (one.participant != people[who]) continue;
+      x << one.left_n << one.right_n << qQNaN();
+      y << static_cast<double>(one.word) + place << static_cast<double>(one.word) + place << qQNaN();
+    }
+    for (qsizetype i = 0; i < x.size(); ++i) order << static_cast<double>(i);
+    const QColor color = theme::expert(numbers[who]);
+    auto* const line = new QCPCurve(plot_->xAxis, plot_->yAxis);
+    line->setPen(QPen(color, 1.6));
+    line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, kEnd));
+    line->setName(text(people[who]));
+    line->setData(order, x, y, true);
+    legend_.push_back({harmless(text(people[who])), QPen(color, 2), Qt::NoBrush, true});
+  }
+}
+
+void WordIntervalPlot::namePeople() {
+  while (QLayoutItem* const item = people_->takeAt(0)) {
+    delete item->widget();
+    delete item;
+  }
+  if (legend_.size() > kMostNamed) return;
+  for (const LegendEntry& one : legend_) {
+    auto* const name = new QLabel(QStringLiteral("● %1").arg(one.name), this);
+    name->setTextFormat(Qt::PlainText);
+    setInk(*name, theme::readableText(one.pen.color()));
+    people_->addWidget(name);
+  }
+}
+
+void WordIntervalPlot::addTool(QWidget* tool) {
+  tool_ = tool;
+  head_->addWidget(tool);
+}
+
+void WordIntervalPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
+
+}  // namespace tactus::workbench
