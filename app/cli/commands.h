@@ -364,4 +364,12 @@ struct StudyCompareOptions : BuildOptions {};
 /// The averaged model under other choices of the method, one at a time, in newtons and just-noticeable differences.
 base::Result<Output> studyCompare(const StudyCompareOptions& options);
 
+/// The options of `build`; `out` is a CSV file for the bands, or empty. `replicates` 0: no band that needs draws.
+struct StudyBandsOptions : BuildOptions {
+  std::vector<std::string> at;  ///< `INPUT=VALUE`, inputs of the curve other than its usual ones
+};
+/// The bands around the averaged force along the depth, and how far the participants disagree through their words and
+/// their rules (elicitation/uncertainty).
+base::Result<Output> studyBands(const StudyBandsOptions& options);
+
 }  // namespace tactus::cli

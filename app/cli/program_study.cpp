@@ -72,6 +72,20 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                addBuildOptions(command, o, "compare");
                addJson(command, o.json);
              });
+  addCommand(
+      study, chosen, "bands", "How far the averaged force can be trusted; whose words, whose rules", studyBands,
+      [](CLI::App& command, StudyBandsOptions& o) {
+        addBuildOptions(command, o, "bands");
+        command
+            .add_option("--at", o.at,
+                        "INPUT=VALUE of the curve along the depth; default: lubrication=1, neck_flexion=60, "
+                        "speed=50")
+            ->type_name("INPUT=VALUE")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_option("--out", o.out, "CSV file for the bands at every 5 mm; no default")->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(study, chosen, "form", "The questionnaire as a web page, for a survey system or on paper", studyForm,
              [](CLI::App& command, StudyFormOptions& o) {
                command.add_option("STUDY", o.study, "Study file, or folder with the CSV tables")

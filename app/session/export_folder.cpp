@@ -152,7 +152,8 @@ using base::Result;
 /// What an export puts into its folder, besides recordings and models.
 const std::set<std::string>& knownFiles() {
   static const std::set<std::string> files = [] {
-    std::set<std::string> names = {"codebook.json", "codebook.md", std::string(kTrialsTable)};
+    std::set<std::string> names = {"codebook.json", "codebook.md", std::string(kTrialsTable),
+                                   std::string(kWordIntervalsTable)};
     for (const auto table : {study::kParticipantsTable, study::kSpeedsTable, study::kJudgementsTable,
                              study::kAnswersTable, study::kRulesTable}) {
       names.emplace(table);

@@ -14,6 +14,8 @@
 #include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
+#include "elicitation/force/word_intervals.h"
+#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::session {
 namespace {
@@ -106,6 +108,31 @@ std::vector<RecordTable> viewTables(const std::vector<std::string>& input_ids, b
             {"status", ColumnKind::kText, "", "answered, skipped, cant_tell or cleared"}}},
           std::move(rules)};
 }
+
+namespace {
+
+constexpr std::string_view kSeriesOfWords = "ascending";  // the series that votes unless another one is chosen
+
+RecordTable wordIntervalsTable() {
+  return {kWordIntervalsTable,
+          kWordIntervalsTable,
+          "A word that a participant used for a force of the ascending series",
+          "",
+          {{"person", ColumnKind::kText, "", "Code of the participant"},
+           {"word", ColumnKind::kText, "", "Term of the force"},
+           {"left_n", ColumnKind::kNumber, "N", "Lowest force called so"},
+           {"right_n", ColumnKind::kNumber, "N", "Highest force called so"}}};
+}
+
+std::string wordIntervalsText(const study::Study& study) {
+  const auto words = elicitation::ngtOutput().terms;
+  base::CsvWriter csv({"person", "word", "left_n", "right_n"});
+  for (const auto& one : elicitation::wordIntervals(study.judgements, kSeriesOfWords, words))
+    csv.cell(one.participant).cell(words[one.word].id).cell(one.left_n).cell(one.right_n).endRow();
+  return csv.text();
+}
+
+}  // namespace
 
 std::string asJson(const Codebook& codebook) {
   using Layout = base::JsonWriter::Layout;
@@ -236,8 +263,10 @@ class Exporter {
     }
     if (auto ok = base::writeFileAtomically(path(kTrialsTable), trialsText(all_trials, options_.shareable)); !ok)
       return ok;
+    if (auto ok = base::writeFileAtomically(path(kWordIntervalsTable), wordIntervalsText(view.study)); !ok) return ok;
     view_tables_ = viewTables(inputs_, options_.shareable);
     view_tables_.push_back(trialsTable(options_.shareable));
+    view_tables_.push_back(wordIntervalsTable());
     for (const auto& table : view_tables_) {
       codebook_.tables.push_back({std::string(table.file), &table});
       if (options_.mark == store::ByteOrderMark::kNone) continue;

@@ -1,9 +1,11 @@
 // `tactus report`: the page of a study file or a folder of tables, with the options of `build`.
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
 #include "elicitation/variables/ngt_variables.h"
 
@@ -72,6 +74,51 @@ TEST_F(Report, StudyCompareSaysWhichChoicesMatter) {
   for (const auto& one : json.at("factors")) EXPECT_NE(one.at("sentence"), "") << one.at("factor");
   EXPECT_EQ(alphas, (std::set<std::string>{"0.8", "0.95", "1"})) << "all but the one that is set";
   EXPECT_EQ(ProgramRun({"study", "compare", folder_.file("absent")}).status, 1);
+}
+
+TEST_F(Report, StudyBandsSayWhoseWordsAndWhoseRules) {
+  const std::string out = folder_.file("bands.csv");
+  const ProgramRun text({"study", "bands", tables_, "--replicates", "20", "--out", out});
+  ASSERT_EQ(text.status, 0) << text.err;
+  EXPECT_NE(text.out.find("whose words, whose rules"), std::string::npos) << text.out;
+  EXPECT_NE(unwrapped(text.out).find("The two do not add up."), std::string::npos) << text.out;
+  const auto table = base::CsvTable::read(out);
+  ASSERT_TRUE(table) << table.error().message();
+  EXPECT_EQ(table->rowCount(), 121U);
+  for (const char* column : {"depth_mm", "force_n", "again_low_n", "others_high_n", "next_low_n", "words_high_n"})
+    EXPECT_TRUE(table->find(column)) << column;
+
+  const ProgramRun run({"study", "bands", tables_, "--replicates", "0", "--at", "speed=100", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json.at("at").at("speed"), 100);
+  EXPECT_EQ(json.at("at").at("neck_flexion"), 60);
+  for (const auto& band : json.at("bands"))
+    EXPECT_EQ(band.at("available"), band.at("band") == "next" || band.at("band") == "words") << band.at("band");
+  std::size_t seen = 0;
+  for (const auto& point : json.at("points")) {
+    double low = 1e9, high = -1e9, sum = 0, count = 0;
+    for (const auto& force : point.at("own_words_n")) {
+      if (force.is_null()) continue;
+      low = std::min(low, force.get<double>());
+      high = std::max(high, force.get<double>());
+      sum += force.get<double>();
+      ++count;
+    }
+    if (count == 0) continue;
+    ++seen;
+    EXPECT_EQ(point.at("words_low_n"), low);
+    EXPECT_EQ(point.at("words_high_n"), high);
+    EXPECT_NEAR(point.at("own_words_mean_n").get<double>(), sum / count, 1e-12);
+  }
+  EXPECT_GT(seen, 0U);
+  EXPECT_FALSE(json.at("word_intervals").empty());
+  EXPECT_NE(json.at("words_and_rules").at("sentence"), "");
+
+  const ProgramRun along({"study", "bands", tables_, "--at", "depth=100"});
+  EXPECT_EQ(along.status, 1);
+  EXPECT_NE(along.err.find("--at"), std::string::npos) << along.err;
+  EXPECT_NE(ProgramRun({"study", "bands", tables_, "--at", "sped=100"}).err.find("speed"), std::string::npos);
 }
 
 }  // namespace

@@ -123,6 +123,24 @@ TEST_F(ExportedStudy, CodebookDescribesEveryColumnOfEveryTable) {
   }
 }
 
+TEST_F(ExportedStudy, HasTheForcesThatEachPersonCalledByEachWord) {
+  const auto file = imported();
+  ASSERT_TRUE(exportStudy(file, path("out")));
+  const auto table = base::CsvTable::read(path("out/word_intervals.csv"));
+  ASSERT_TRUE(table) << table.error().message();
+  EXPECT_EQ(table->columns(), (std::vector<std::string>{"person", "word", "left_n", "right_n"}));
+  ASSERT_EQ(table->rowCount(), 4U) << "no answer is no word";
+  EXPECT_EQ(table->cell(3, 0), "S4");
+  EXPECT_EQ(table->cell(3, 1), "small");
+  EXPECT_EQ(table->number(3, 2).value(), 0.1 * 3);
+  EXPECT_EQ(table->number(3, 3).value(), 0.1 * 3);
+  // For sharing they have the new codes, in their order.
+  ASSERT_TRUE(exportStudy(file, path("shared"), {.shareable = true, .seed = 7}));
+  const auto shared = base::CsvTable::read(path("shared/word_intervals.csv")).value();
+  const auto judged = base::CsvTable::read(path("shared/judgements.csv")).value();
+  for (std::size_t row = 0; row < 4; ++row) EXPECT_EQ(shared.cell(row, 0), judged.cell(2 * row, 0));
+}
+
 TEST_F(ExportedStudy, MarksEveryTable) {
   const auto file = imported();
   ExportOptions options;
@@ -247,7 +265,7 @@ TEST_F(ExportedStudy, ShareableTellsNothingOfPersonsAndPlaces) {
   const auto done = exportStudy(*file, path("out"), options);
   ASSERT_TRUE(done) << done.error().message();
   const auto files = bytesBelow(path("out"));
-  EXPECT_EQ(files.size(), 8U);
+  EXPECT_EQ(files.size(), 9U);
   for (const auto& [name, bytes] : files) {
     for (const auto& text : identifying) {
       if (name.starts_with("codebook") && (text == "records" || text == "consent")) continue;  // words of the codebook
