@@ -400,4 +400,34 @@ Result<void> EditHistory::provide(StateId state, const study::RecordId& version,
   return {};
 }
 
+base::Result<StateId> beginningOf(const EditHistory& history, StateId tuned, StateId target, const StateReader& read) {
+  const auto sameBuild = [](const ForceModel& one, const ForceModel& other) {
+    return one.created_utc == other.created_utc && one.generator == other.generator &&
+           one.provenance == other.provenance;
+  };
+  const auto wayTo = [&](StateId state) {
+    std::vector<StateId> out = {state};
+    while (history.states()[out.back()].parent) out.push_back(*history.states()[out.back()].parent);
+    return out;
+  };
+  TACTUS_TRY(const auto last, read(tuned));
+  TACTUS_TRY(const auto now, read(target));
+  const std::vector<StateId> way = wayTo(tuned);
+  if (sameBuild(last->model, now->model)) {
+    const std::vector<StateId> other = wayTo(target);
+    const std::set<StateId> there(other.begin(), other.end());
+    const auto common = std::find_if(way.begin(), way.end(), [&](StateId state) { return there.contains(state); });
+    return common == way.end() ? way.back() : *common;
+  }
+  // A build is one run of the way, so its beginning is found by halves: states may have to be read from a file.
+  std::size_t same = 0;
+  std::size_t end = way.size();
+  while (end - same > 1) {
+    const std::size_t middle = same + (end - same) / 2;
+    TACTUS_TRY(const auto earlier, read(way[middle]));
+    (sameBuild(earlier->model, last->model) ? same : end) = middle;
+  }
+  return way[same];
+}
+
 }  // namespace tactus::editing

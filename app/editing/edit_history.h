@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -205,6 +206,16 @@ class EditHistory {
   };
   std::optional<Shown> shown_;
 };
+
+// Where the edits of a version begin, to carry them over to another one (rebase.h).
+
+/// Gives the model of a state, read where it is not in memory.
+using StateReader = std::function<base::Result<SharedModel>(StateId)>;
+
+/// The state with which the edits of `tuned` that `target` lacks begin: in another build of the model the oldest
+/// ancestor of `tuned` of the same build; else where the ways to the two states part. Builds are told apart by the
+/// time, program and origin that the model names, which no edit changes. `tuned` itself: there are no edits.
+base::Result<StateId> beginningOf(const EditHistory& history, StateId tuned, StateId target, const StateReader& read);
 
 // The history as rows from top to bottom: the line of undo and redo, and the branches beside it.
 

@@ -91,6 +91,14 @@ Result<std::size_t> findTermIn(const OpenList& list, std::string_view term) {
   return fail(ErrorCode::kReference, list.title(), quoted(term), "one of " + idsOf(*list.terms));
 }
 
+const std::vector<fuzzy::Term>* termsIn(const ForceModel& model, const TermListId& list) {
+  const auto variable = findVariable(model, list.variable);
+  if (!variable) return nullptr;
+  if (list.expert.empty()) return &(*variable)->terms;
+  const auto expert = findExpert(model, list.expert);
+  return expert && reads(**expert, list) ? &termsFor(**expert, **variable) : nullptr;
+}
+
 TermListId listOf(const Expert& expert, std::string_view variable) {
   const bool own = std::any_of(expert.overrides.begin(), expert.overrides.end(),
                                [variable](const fuzzy::TermOverride& entry) { return entry.variable == variable; });

@@ -57,6 +57,9 @@ base::Result<OpenList> openList(fuzzy::ForceModel& model, const TermListId& list
 /// Position of the term in the list, or an error that lists the terms.
 base::Result<std::size_t> findTermIn(const OpenList& list, std::string_view term);
 
+/// The terms of the list; null where the model does not have it.
+const std::vector<fuzzy::Term>* termsIn(const fuzzy::ForceModel& model, const TermListId& list);
+
 /// The list that the rules of `expert` read for `variable`: its own or the shared one.
 TermListId listOf(const fuzzy::Expert& expert, std::string_view variable);
 

@@ -1,9 +1,11 @@
 // Tens of thousands of random gestures: never an invalid model, undo always exact, terms that sum to one still do.
 #include <gtest/gtest.h>
 #include <limits>
+#include <numeric>
 
 #include "app/editing/edit.h"
 #include "app/editing/edit_history.h"
+#include "app/editing/rebase.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
 #include "app/editing/step_fixes.h"
@@ -225,6 +227,55 @@ TEST(GestureFuzz, TermsThatSumToOneStillDo) {
     model = std::move(edit->model);
   }
   EXPECT_GT(moved, 10000);
+}
+
+/// `count` accepted edits of `model`.
+fuzzy::ForceModel tuned(fuzzy::ForceModel model, std::uint64_t seed, int count) {
+  Gestures gestures(seed, false);
+  for (int k = 0; k < count; ++k) {
+    auto edit = gestures.any(model);
+    if (edit) model = std::move(edit->model);
+  }
+  return model;
+}
+
+// Carried over to the model they come from, the edits give the tuned one; to the tuned one, nothing; to any other, a
+// valid model, and the same one in any order of those that go together.
+TEST(GestureFuzz, EditsAreCarriedOver) {
+  base::Random random(support::seedOfToday());
+  int carried = 0;
+  const int runs = support::rounds(300);
+  for (int run = 0; run < runs; ++run) {
+    const std::uint64_t seed = support::firstSeedOfToday() + static_cast<std::uint64_t>(run);
+    const auto base = run % 3 == 0 ? support::s4AsPrinted()
+                                   : support::randomModel(random, {.gaussians = run % 2 == 0, .adversarial = false});
+    const auto mine = tuned(base, seed, 1 + run % 12);
+    const auto all = [](const Rebase& rebase) {
+      std::vector<std::size_t> out(rebase.edits.size());
+      std::iota(out.begin(), out.end(), std::size_t{0});
+      return out;
+    };
+    const auto onto = [&](const fuzzy::ForceModel& target) {
+      return rebase(base, mine, ready(target).value()).value();
+    };
+
+    const Rebase back = onto(base);
+    ASSERT_TRUE(sameBits(carryOver(back, all(back)).value().model, mine)) << "seed " << seed;
+    for (const CarriedEdit& edit : back.edits) {
+      ASSERT_TRUE(edit.canApply() || edit.outcome == CarriedEdit::Outcome::kAlreadySo)
+          << edit.what << ": " << edit.note;
+      ++carried;
+    }
+    const Rebase again = onto(mine);
+    for (const CarriedEdit& edit : again.edits) ASSERT_FALSE(edit.canApply()) << "seed " << seed << ": " << edit.what;
+
+    const auto other = tuned(base, seed + 1'000'000, 6);
+    const Rebase moved = onto(other);
+    for (std::size_t e = 0; e < moved.edits.size(); ++e) {
+      ASSERT_TRUE(carryOver(moved, std::span(&e, 1))) << "seed " << seed << ": " << moved.edits[e].what;
+    }
+  }
+  EXPECT_GT(carried, 2 * runs);
 }
 
 }  // namespace
