@@ -192,6 +192,17 @@ struct DiffOptions {
 /// The difference of two models: terms and rules, and newtons.
 base::Result<Output> diff(const DiffOptions& options);
 
+struct RebaseOptions {
+  std::string base;               ///< the model that was tuned, as it was built
+  std::string tuned;              ///< its tuned version
+  std::string target;             ///< the model that was built anew
+  std::vector<std::size_t> only;  ///< numbers of the edits to carry over, from 1; empty: all that apply
+  std::string out;                ///< model file; empty: none is written
+  bool json = false;
+};
+/// The edits between two models, tried on a third one: what each moves, or why it does not apply.
+base::Result<Output> rebase(const RebaseOptions& options);
+
 struct ServeOptions {
   std::string model;
   std::uint16_t port = 0;  ///< of the loopback; 0: a free one

@@ -108,6 +108,15 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("B", o.second, "Model file")->required()->transform(inputFile());
                addJson(command, o.json);
              });
+  addCommand(app, chosen, "rebase", "The edits of a tuned model, carried over to a model that was built anew", rebase,
+             [](CLI::App& command, RebaseOptions& o) {
+               command.add_option("BASE", o.base, "Model file as it was built")->required()->transform(inputFile());
+               command.add_option("TUNED", o.tuned, "Its tuned version")->required()->transform(inputFile());
+               command.add_option("NEW", o.target, "The model that was built anew")->required()->transform(inputFile());
+               command.add_option("--only", o.only, "Number of an edit to carry over; may be repeated. Without: all");
+               command.add_option("-o,--out", o.out, "Model file to write: NEW with the edits")->check(notEmpty());
+               addJson(command, o.json);
+             });
 }
 
 }  // namespace tactus::cli

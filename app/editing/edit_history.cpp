@@ -309,6 +309,13 @@ void EditHistory::repeatSignOff(const Stamp& stamp, const std::string& label) {
   record(EventKind::kSignOff, label, stamp, versionOf(current_));
 }
 
+const std::string& EditHistory::nameOf(StateId state) const {
+  const auto named = std::find_if(events_.rbegin(), events_.rend(), [&](const Event& event) {
+    return event.kind == EventKind::kSnapshot && event.state == state;
+  });
+  return named != events_.rend() ? named->label : labelOf(state);
+}
+
 std::vector<StateId> EditHistory::line() const {
   std::vector<StateId> out = {current_};
   while (states_[out.back()].parent) out.push_back(*states_[out.back()].parent);
@@ -400,25 +407,25 @@ Result<void> EditHistory::provide(StateId state, const study::RecordId& version,
   return {};
 }
 
-base::Result<StateId> beginningOf(const EditHistory& history, StateId tuned, StateId target, const StateReader& read) {
-  const auto sameBuild = [](const ForceModel& one, const ForceModel& other) {
-    return one.created_utc == other.created_utc && one.generator == other.generator &&
-           one.provenance == other.provenance;
-  };
-  const auto wayTo = [&](StateId state) {
-    std::vector<StateId> out = {state};
-    while (history.states()[out.back()].parent) out.push_back(*history.states()[out.back()].parent);
-    return out;
-  };
-  TACTUS_TRY(const auto last, read(tuned));
-  TACTUS_TRY(const auto now, read(target));
-  const std::vector<StateId> way = wayTo(tuned);
-  if (sameBuild(last->model, now->model)) {
-    const std::vector<StateId> other = wayTo(target);
-    const std::set<StateId> there(other.begin(), other.end());
-    const auto common = std::find_if(way.begin(), way.end(), [&](StateId state) { return there.contains(state); });
-    return common == way.end() ? way.back() : *common;
-  }
+namespace {
+
+// No edit changes what a model says of its build.
+bool sameBuild(const ForceModel& one, const ForceModel& other) {
+  return one.created_utc == other.created_utc && one.generator == other.generator && one.provenance == other.provenance;
+}
+
+/// From the state to the model that was opened.
+std::vector<StateId> wayFrom(const EditHistory& history, StateId state) {
+  std::vector<StateId> out = {state};
+  while (history.states()[out.back()].parent) out.push_back(*history.states()[out.back()].parent);
+  return out;
+}
+
+}  // namespace
+
+Result<StateId> firstOfBuild(const EditHistory& history, StateId state, const StateReader& read) {
+  TACTUS_TRY(const auto last, read(state));
+  const std::vector<StateId> way = wayFrom(history, state);
   // A build is one run of the way, so its beginning is found by halves: states may have to be read from a file.
   std::size_t same = 0;
   std::size_t end = way.size();
@@ -428,6 +435,17 @@ base::Result<StateId> beginningOf(const EditHistory& history, StateId tuned, Sta
     (sameBuild(earlier->model, last->model) ? same : end) = middle;
   }
   return way[same];
+}
+
+Result<StateId> beginningOf(const EditHistory& history, StateId tuned, StateId target, const StateReader& read) {
+  TACTUS_TRY(const auto last, read(tuned));
+  TACTUS_TRY(const auto now, read(target));
+  if (!sameBuild(last->model, now->model)) return firstOfBuild(history, tuned, read);
+  const std::vector<StateId> other = wayFrom(history, target);
+  const std::unordered_set<StateId> there(other.begin(), other.end());
+  const std::vector<StateId> way = wayFrom(history, tuned);
+  const auto common = std::find_if(way.begin(), way.end(), [&](StateId state) { return there.contains(state); });
+  return common == way.end() ? way.back() : *common;
 }
 
 }  // namespace tactus::editing

@@ -155,6 +155,8 @@ class EditHistory {
   const std::vector<State>& states() const { return states_; }
   const std::vector<Event>& events() const { return events_; }
   const std::string& labelOf(StateId state) const { return events_[states_[state].event].label; }
+  /// The name that the user gave the state last, or its label.
+  const std::string& nameOf(StateId state) const;
   /// The version of the event that made the state.
   const study::RecordId& versionOf(StateId state) const { return events_[states_[state].event].id; }
   /// The undo list: from the opened model through the current state to the end of redo.
@@ -212,9 +214,12 @@ class EditHistory {
 /// Gives the model of a state, read where it is not in memory.
 using StateReader = std::function<base::Result<SharedModel>(StateId)>;
 
-/// The state with which the edits of `tuned` that `target` lacks begin: in another build of the model the oldest
-/// ancestor of `tuned` of the same build; else where the ways to the two states part. Builds are told apart by the
-/// time, program and origin that the model names, which no edit changes. `tuned` itself: there are no edits.
+/// The oldest ancestor of `state` of the same build: the model as it was built. Builds are told apart by the time,
+/// program and origin that the model names, which no edit changes.
+base::Result<StateId> firstOfBuild(const EditHistory& history, StateId state, const StateReader& read);
+
+/// The state with which the edits of `tuned` begin that `target` lacks: for a target of another build, firstOfBuild;
+/// else where the ways to the two states part. `tuned` itself: there are no edits.
 base::Result<StateId> beginningOf(const EditHistory& history, StateId tuned, StateId target, const StateReader& read);
 
 // The history as rows from top to bottom: the line of undo and redo, and the branches beside it.
