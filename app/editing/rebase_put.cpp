@@ -4,9 +4,6 @@
 
 #include "app/editing/rebase.h"
 #include "app/editing/term_edits.h"
-#include "core/base/check.h"
-#include "core/base/error.h"
-#include "core/base/text.h"
 
 namespace tactus::editing {
 namespace {

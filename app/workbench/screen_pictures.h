@@ -52,6 +52,12 @@ class PictureAlbum {
   std::vector<Picture> pictures_;
 };
 
+struct Workbench;
+
+/// Stage Collect: of the demo study, which `bench` has open, and of one with sessions in progress in `folder`, which is
+/// open afterwards.
+base::Result<void> addCollectPictures(PictureAlbum& album, Workbench& bench, const QString& folder);
+
 /// Makes the demo study, or a copy of another one, in a folder of its own and takes the pictures into `settings.folder`
 /// (PictureAlbum). Neither settings nor files of the user are touched. Needs a QApplication.
 base::Result<void> writeScreenPictures(const PictureSettings& settings);

@@ -127,9 +127,34 @@ TEST_F(StudyFeatureTest, AModelOfTheAnswersIsOfferedAndNotStoredUnasked) {
   ASSERT_TRUE(comesTrue([this] { return bench.models.current() != nullptr && !bench.study.isBusy(); }));
   EXPECT_TRUE(window.banner().message().startsWith(QStringLiteral("Built from the answers in sample.tactus")));
   EXPECT_TRUE(window.canEnter(Stage::kTune));
+
+  // What was tuned is offered again when the model is built anew.
+  fuzzy::ForceModel tuned = bench.edits.model();
+  tuned.created_utc = "2025-11-21T08:00:00Z";  // of the day before, not of this second
+  ASSERT_TRUE(bench.edits.apply(editing::finished(tuned, "Built earlier")));
+  tuned.default_force_n = 0.125;
+  ASSERT_TRUE(bench.edits.apply(editing::finished(tuned, "Another force")));
+  bench.edits.snapshot(QStringLiteral("my tuned version"));
+  bench.study_models.buildModel();
+  const auto button = [this](const QString& text) -> QPushButton* {
+    for (auto* one : window.banner().findChildren<QPushButton*>()) {
+      if (one->isVisible() && one->text() == text) return one;
+    }
+    return nullptr;
+  };
+  ASSERT_TRUE(comesTrue([&] { return button(QStringLiteral("Carry them over…")) != nullptr; }));
+  EXPECT_TRUE(window.banner().message().contains(QStringLiteral("1 edit of yours is in “my tuned version”")))
+      << window.banner().message().toStdString();
+  EXPECT_NE(button(QStringLiteral("Back to my tuned version")), nullptr);
+  button(QStringLiteral("Carry them over…"))->click();
+  EXPECT_TRUE(bench.carry.isActive());
+  ASSERT_TRUE(comesTrue([this] { return bench.carry.rows().size() == 1 && !bench.carry.list().isBusy(); }));
+  ASSERT_TRUE(bench.carry.carry());
+  EXPECT_EQ(bench.edits.model().default_force_n, 0.125);
+  ASSERT_TRUE(comesTrue([this] { return !bench.study.isBusy(); }));
   bench.study.close();
   ASSERT_TRUE(comesTrue([this] { return !bench.study.isOpen(); }));
-  EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 1U);
+  EXPECT_EQ(store::modelVersions(tests::lookInto(path))->size(), 6U);
 }
 
 TEST_F(StudyFeatureTest, AStudyIsDroppedOnTheWindow) {

@@ -6,6 +6,15 @@
 
 namespace tactus::workbench {
 
+namespace {
+
+// The curve on the screen.
+CurveSetting curveOf(const SceneController& scene) {
+  return scene.model() == nullptr ? CurveSetting() : CurveSetting{scene.xInput(), scene.values()};
+}
+
+}  // namespace
+
 Labs::Labs(StudyConnection& study, const AuthorName& author)
     : data(study), depth(data, [&author] { return author.name(); }) {}
 
@@ -16,15 +25,14 @@ Bench::Bench(QSettings& user_settings, const QString& autosave_root, DeviceAcces
       feel(scene, device),
       link(models),
       edits(models),
-      compare(models, edits,
-              [this] {
-                return scene.model() == nullptr ? CurveSetting() : CurveSetting{scene.xInput(), scene.values()};
-              }),
+      compare(models, edits, [this] { return curveOf(scene); }),
       author(settings, edits),
       autosave(models, edits, autosave_root),
       recovery(models, edits, autosave, autosave_root),
       selection(edits),
       terms(edits),
+      carry(
+          edits, [this] { return terms.locked(); }, [this] { return curveOf(scene); }),
       rules(edits, scene, selection),
       ghost(edits, scene),
       references(scene),

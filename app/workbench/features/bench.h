@@ -37,6 +37,7 @@
 #include "app/workbench/study/table_import.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
+#include "app/workbench/tune/history/carry_controller.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/recovery_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
@@ -48,6 +49,7 @@ class QSettings;
 
 namespace tactus::workbench {
 
+class CarryDialog;
 class CollectView;
 class CurvesPanel;
 class DepthLabView;
@@ -93,6 +95,7 @@ struct BenchViews {
   FeelPanel* feel = nullptr;
   MembershipEditor* membership_editor = nullptr;
   HistoryPanel* history = nullptr;
+  CarryDialog* carry = nullptr;
   LinkDialog* link = nullptr;
   CollectView* collect = nullptr;
   StartView* start = nullptr;
@@ -138,6 +141,7 @@ struct Bench {
   RecoveryController recovery;
   Selection selection;  ///< before its users
   TermController terms;
+  CarryController carry;
   RuleController rules;
   GhostController ghost;
   ReferenceController references;

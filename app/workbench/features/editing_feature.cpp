@@ -9,6 +9,7 @@
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/shell/undo_keys.h"
+#include "app/workbench/tune/history/carry_dialog.h"
 #include "app/workbench/tune/history/compare_strip.h"
 #include "app/workbench/tune/history/history_panel.h"
 #include "app/workbench/tune/terms/membership_editor.h"
@@ -34,6 +35,32 @@ void showHiddenSide(Bench& bench) {
   const auto set = model ? bench.ghost.setReference(*model, compare.nameOf(compare.choice(hidden)))
                          : base::Result<void>(tl::unexpected(model.error()));
   if (!set) bench.window.say(text(set.error().message()));
+}
+
+}  // namespace
+
+namespace {
+
+// The edits of an earlier version, beside the window; the one under the mouse is the ghost of the curves.
+void addCarry(Bench& bench) {
+  auto* const dialog = new CarryDialog(bench.carry, &bench.window);
+  bench.views.carry = dialog;
+  QObject::connect(bench.views.history, &HistoryPanel::carryAsked, dialog, &CarryDialog::bringUp);
+  QObject::connect(&bench.carry, &CarryController::previewed, &bench.ghost,
+                   [&bench](const std::shared_ptr<const OpenModel>& model, const QString& name) {
+                     const bool shown = model && bench.ghost.setReference(model, name);
+                     if (!shown) showHiddenSide(bench);
+                   });
+  QAction* const action =
+      bench.window.menus().addAction(MenuSlot::kEditStates, HistoryFeature::tr("Carry earlier edits &over…"));
+  QObject::connect(action, &QAction::triggered, dialog, [&bench, dialog] {
+    if (const auto earlier = bench.carry.earlier()) return dialog->bringUp(earlier->state);
+    bench.window.say(HistoryFeature::tr(
+        "No version before the build of this model was edited. Edits of any version: its menu in the panel History."));
+  });
+  const auto show = [&bench, action] { action->setEnabled(bench.edits.isOpen()); };
+  QObject::connect(&bench.edits, &EditController::modelReset, &bench.features, show);
+  show();
 }
 
 }  // namespace
@@ -65,6 +92,7 @@ void addHistory(Bench& bench) {
                                 Qt::CTRL | Qt::SHIFT | Qt::Key_N, &HistoryPanel::askSnapshot);
   QAction* const sign_off = ask(MenuSlot::kEditStates, HistoryFeature::tr("&Sign off by an expert…"),
                                 Qt::CTRL | Qt::SHIFT | Qt::Key_G, &HistoryPanel::askSignOff);
+  addCarry(bench);
   QAction* const sides = menus.addAction(MenuSlot::kEditCompare, HistoryFeature::tr("&Compare: switch between A and B"),
                                          Qt::CTRL | Qt::Key_B);
   QAction* const end = menus.addAction(MenuSlot::kEditCompare, HistoryFeature::tr("&End the comparison"),

@@ -107,6 +107,8 @@ class StudyFeature : public QObject {
 
   void onOpened();
   void showReadOnly(ReadOnlyReason beside);
+  /// A model was built beside the one that was open: the way back, and its edits.
+  void offerBack(const QString& sentence, const MessageAct& back);
   /// `go_on_there`: the copy is open afterwards, with what the study could not take.
   void chooseCopy(bool go_on_there = false);
   void buildModel();

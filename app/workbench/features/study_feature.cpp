@@ -23,6 +23,7 @@
 #include "app/workbench/feel/recordings/recordings_card.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/operating_strip.h"
+#include "app/workbench/tune/history/carry_dialog.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -201,10 +202,7 @@ void StudyFeature::connectAll() {
     if (isToRecord() && !bench_.study_models.hasModel()) return;  // the model that is felt is open already
     bench_.study.isReadOnly() && !bench_.study_models.hasModel() ? showReadOnly({sentence, {}}) : note(sentence);
   });
-  connect(&bench_.study_models, &StudyModels::backOffered, this,
-          [this](const QString& sentence, const MessageAct& act) {
-            bench_.study.isReadOnly() ? showReadOnly({sentence, act}) : bench_.window.banner().showOffer(sentence, act);
-          });
+  connect(&bench_.study_models, &StudyModels::backOffered, this, &StudyFeature::offerBack);
   connect(&bench_.study_models, &StudyModels::buildOffered, this, [this](const QString& sentence) {
     const MessageAct build{tr("Build the averaged model"), [this] { buildModel(); }};
     bench_.study.isReadOnly() ? showReadOnly({sentence, build}) : bench_.window.banner().showOffer(sentence, build);
@@ -213,6 +211,22 @@ void StudyFeature::connectAll() {
   connect(&bench_.feel_store, &FeelStore::said, this, [this](const QString& sentence) { bench_.window.say(sentence); });
   connect(&bench_.feel_store, &FeelStore::failed, this,
           [this](const QString& sentence, const MessageAct& act) { bench_.window.banner().showRemedy(sentence, act); });
+}
+
+void StudyFeature::offerBack(const QString& sentence, const MessageAct& back) {
+  const auto earlier = bench_.carry.earlier();
+  if (!earlier) {
+    bench_.window.banner().showOffer(tr("%1 What was open before stays in the history.").arg(sentence), back);
+    return;
+  }
+  bench_.compare.choose(CompareSide::kA, {CompareChoice::Kind::kOpen, 0, {}});
+  bench_.compare.choose(CompareSide::kB, {CompareChoice::Kind::kState, earlier->state, {}});
+  const QString name = harmless(text(bench_.edits.history().nameOf(earlier->state)));
+  bench_.window.banner().showOffer(
+      tr("%1 %n edit(s) of yours are in “%2”; Ctrl+B shows the new model and that version in turn.", nullptr,
+         static_cast<int>(earlier->edits))
+          .arg(sentence, name),
+      {tr("Carry them over…"), [this, state = earlier->state] { bench_.views.carry->bringUp(state); }}, back);
 }
 
 void StudyFeature::chooseNew() {

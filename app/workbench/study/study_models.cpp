@@ -429,14 +429,13 @@ bool StudyModels::putBeside(const fuzzy::ForceModel& built, const std::string& l
   if (!same) return false;
   edits_.commit();
   const editing::StateId before = edits_.history().current();
-  const QString name = harmless(text(edits_.history().labelOf(before)));
+  const QString name = harmless(text(edits_.history().nameOf(before)));
   if (!edits_.apply(editing::finished(built, label))) return false;
   if (edits_.history().current() == before) {
     emit said(tr("%1 It is the model that is open already.").arg(sentence));
     return true;
   }
-  emit backOffered(tr("%1 What was open before stays in the history.").arg(sentence),
-                   {tr("Back to %1").arg(elided(name)), [this, before] { edits_.returnTo(before); }});
+  emit backOffered(sentence, {tr("Back to %1").arg(elided(name)), [this, before] { edits_.returnTo(before); }});
   return true;
 }
 

@@ -189,7 +189,7 @@ class StudyModels : public QObject, private StudyKeeper {
   /// The study has no model, but answers: one sentence, beside which `buildModel` is offered.
   void buildOffered(const QString& sentence);
   /// A model was built beside the one that was open, which stays in the history: one sentence, and the way back.
-  void backOffered(const QString& sentence, const tactus::workbench::MessageAct& act);
+  void backOffered(const QString& sentence, const tactus::workbench::MessageAct& back);
   /// `savedText`, `keepsModel` or the state of the connection changed.
   void savedChanged();
   void notesChanged();

@@ -411,6 +411,30 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::CarryDialog</name>
+    <message numerus="yes">
+        <source>%n edit(s) of “%1”, each tried alone on the open model. Those that you choose become one step, which Undo takes back.</source>
+        <translation>
+            <numerusform>%n edit of “%1”, tried on the open model. Chosen, it becomes one step, which Undo takes back.</numerusform>
+            <numerusform>%n edits of “%1”, each tried alone on the open model. Those that you choose become one step, which Undo takes back.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n of them put(s) something else in the place of what the new model has of its own; choose what counts.</source>
+        <translation>
+            <numerusform>%n of them puts something else in the place of what the new model has of its own; choose what counts.</numerusform>
+            <numerusform>%n of them put something else in the place of what the new model has of its own; choose what counts.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Carry over %n edit(s)</source>
+        <translation>
+            <numerusform>Carry over %n edit</numerusform>
+            <numerusform>Carry over %n edits</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ClusterPlot</name>
     <message numerus="yes">
         <source>▲ %n warning(s)</source>
@@ -758,6 +782,16 @@
         <translation>
             <numerusform>Of 1000 ticks a second 99 % are at most %1 ms late, positions %2 ms old; %n missed</numerusform>
             <numerusform>Of 1000 ticks a second 99 % are at most %1 ms late, positions %2 ms old; %n missed</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::StudyFeature</name>
+    <message numerus="yes">
+        <source>%1 %n edit(s) of yours are in “%2”; Ctrl+B shows the new model and that version in turn.</source>
+        <translation>
+            <numerusform>%1 %n edit of yours is in “%2”; Ctrl+B shows the new model and that version in turn.</numerusform>
+            <numerusform>%1 %n edits of yours are in “%2”; Ctrl+B shows the new model and that version in turn.</numerusform>
         </translation>
     </message>
 </context>

@@ -323,6 +323,9 @@ void HistoryPanel::openMenu(const QPoint& at) {
   QMenu menu(this);
   connect(menu.addAction(tr("Return to this state")), &QAction::triggered, this,
           [this, state] { edits_.returnTo(state); });
+  QAction* const carry = menu.addAction(tr("Carry its edits over to this model…"));
+  carry->setEnabled(state != edits_.history().current());
+  connect(carry, &QAction::triggered, this, [this, state] { emit carryAsked(state); });
   menu.addSeparator();
   const auto as = [&](const QString& name, CompareSide side) {
     connect(menu.addAction(name), &QAction::triggered, this, [this, state, side] {

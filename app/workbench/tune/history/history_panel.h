@@ -90,6 +90,8 @@ class HistoryPanel : public Card {
  signals:
   /// The user went to this state, which is the current one now.
   void visited(tactus::editing::StateId state);
+  /// The user wants to look at the edits of this state on the open model.
+  void carryAsked(tactus::editing::StateId state);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
