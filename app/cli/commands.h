@@ -104,6 +104,16 @@ struct WhyOptions {
 /// Why the force at a point is what it is, and what would change it.
 base::Result<Output> why(const WhyOptions& options);
 
+struct ReplayOptions {
+  std::string study;
+  std::string model;            ///< the model after
+  std::string before;           ///< model file to compare with; empty: the last version in the study
+  std::vector<std::string> at;  ///< `INPUT=VALUE` of conditions that strokes have no recorded value for
+  bool json = false;
+};
+/// Runs the recorded strokes of a study through two models: what would feel different.
+base::Result<Output> replayStrokes(const ReplayOptions& options);
+
 struct PullOptions {
   std::string model;
   std::vector<std::string> at;       ///< `INPUT=VALUE`, each input once

@@ -167,6 +167,19 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
                addJson(command, o.json);
              });
+  addCommand(app, chosen, "replay", "Recorded strokes through another model: what would feel different", replayStrokes,
+             [](CLI::App& command, ReplayOptions& o) {
+               command.add_option("STUDY", o.study, "Study file with recorded strokes")->required()->check(notEmpty());
+               addModel(command, o.model);
+               command.add_option("--before", o.before, "Model to compare with; by default the last one in the study")
+                   ->transform(inputFile());
+               command
+                   .add_option("--at", o.at,
+                               "INPUT=VALUE, separated by commas: conditions of strokes that have none recorded")
+                   ->delimiter(',')
+                   ->check(notEmpty());
+               addJson(command, o.json);
+             });
   addCommand(app, chosen, "pull", "The smallest edits that give a wanted force at a point", pull,
              [](CLI::App& command, PullOptions& o) {
                addModel(command, o.model);

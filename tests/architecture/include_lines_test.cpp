@@ -39,9 +39,9 @@ const std::map<std::string, Permission>& permissions() {
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
   const std::set<std::string> below =
-      joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/report", "app/session",
-              "app/devices", "app/webform", "core/render", "core/haptics/simulated", "core/store", "core/model_io",
-              "core/exchange/import", "core/analysis/pull", "experiments", "questionnaires"},
+      joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/replay", "app/report",
+              "app/session", "app/devices", "app/webform", "core/render", "core/haptics/simulated", "core/store",
+              "core/model_io", "core/exchange/import", "core/analysis/pull", "experiments", "questionnaires"},
              {base, haptics, elicitation, model});
   // Plots go through plot/; only what needs more of QCustomPlot than plot/ offers includes it.
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
@@ -61,6 +61,7 @@ const std::map<std::string, Permission>& permissions() {
                                        "tune/rules",
                                        "tune/findings",
                                        "tune/history",
+                                       "tune/strokes",
                                        "understand/curves",
                                        "understand/map",
                                        "understand/here",
@@ -157,11 +158,16 @@ const std::map<std::string, Permission>& permissions() {
         {}}},
       {"app/link", {joined({"core/fuzzy", "core/haptics/servo"}, {base}), {"netinet/"}}},
       {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},
-      {"app/cli",
-       {joined({"app", "app/bundle", "app/dataset", "app/demo", "app/editing", "app/link", "core/analysis/pull",
-                "app/session", "app/simulation", "app/devices", "app/report", "app/webform", "experiments",
-                "questionnaires", "core/exchange", "core/exchange/import", "core/store", "core/model_io"},
+      {"app/replay",
+       {joined({"app/editing", "core/haptics/sources", "core/model_io", "core/render", "core/store"},
                {base, model, elicitation}),
+        {}}},
+      {"app/cli",
+       {joined(
+            {"app", "app/bundle", "app/dataset", "app/demo", "app/editing", "app/link", "core/analysis/pull",
+             "app/replay", "app/session", "app/simulation", "app/devices", "app/report", "app/webform", "experiments",
+             "questionnaires", "core/exchange", "core/exchange/import", "core/store", "core/model_io"},
+            {base, model, elicitation}),
         {"CLI/"}}},
       {"app/workbench/base", room({})},
       {"app/workbench/kit", room({"base"})},
@@ -173,6 +179,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/workbench/tune/rules", room(shared)},
       {"app/workbench/tune/findings", room(shared)},
       {"app/workbench/tune/history", room(shared)},
+      {"app/workbench/tune/strokes", room({"base", "kit", "model", "study/connection"})},
       {"app/workbench/understand/curves", room(shared)},
       {"app/workbench/understand/map", room(shared)},
       {"app/workbench/understand/here", room(shared)},
