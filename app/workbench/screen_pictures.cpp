@@ -205,6 +205,28 @@ base::Result<void> addCarry(PictureAlbum& album, Workbench& bench) {
   return {};
 }
 
+/// The recorded strokes after an edit where they all pass, which is taken back.
+base::Result<void> addStrokes(PictureAlbum& album, Workbench& bench) {
+  const fuzzy::ForceModel& model = bench.edits.model();
+  const fuzzy::Expert& expert = model.experts[0];
+  std::vector<std::size_t> at_the_nose;
+  for (std::size_t rule = 0; rule < expert.rules.size(); ++rule) {
+    for (const fuzzy::Condition& condition : expert.rules[rule].conditions) {
+      if (condition.term == "nasal_cavity") at_the_nose.push_back(rule);
+    }
+  }
+  bench.panels.strokes->reveal();
+  auto edit = editing::setConsequent(model, expert.id, at_the_nose, model.output.terms.back().id);
+  if (!bench.edits.apply(std::move(edit))) return {};
+  waitFor([&strokes = bench.strokes] {
+    return strokes.state() == StrokesController::State::kShown && strokes.comparison().summary.felt > 0;
+  });
+  const QString title = stageName(Stage::kTune) + QStringLiteral(": ") + bench.panels.strokes->windowTitle();
+  auto added = album.add(stageId(Stage::kTune), QStringLiteral("strokes_after_edit"), title, bench.window);
+  bench.edits.undo();
+  return added;
+}
+
 /// The result of a bundle.
 base::Result<void> addBundle(PictureAlbum& album, Workbench& bench, const QString& folder) {
   QEventLoop loop;
@@ -289,6 +311,8 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   if (auto opened = openStudy(bench, study); !opened) return opened;
   for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kDeliver}) {
     if (auto added = addStage(album, bench, stage); !added) return added;
+    if (stage != Stage::kTune) continue;
+    if (auto added = addStrokes(album, bench); !added) return added;
   }
   if (auto added = addPull(album, bench); !added) return added;
   if (auto added = addBundle(album, bench, folder.filePath(QStringLiteral("ngt-demo-bundle"))); !added) return added;

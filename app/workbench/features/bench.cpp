@@ -42,6 +42,7 @@ Bench::Bench(QSettings& user_settings, const QString& autosave_root, DeviceAcces
       readiness(models, edits, bundles),
       study_models(study, models, edits),
       feel_store(feel, scene, study, [this] { return study_models.modelVersion(); }),
+      strokes(ghost, scene, study),
       collect(study),
       protocol(study),
       labs(study, author),

@@ -41,6 +41,7 @@
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/recovery_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
+#include "app/workbench/tune/strokes/strokes_controller.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/understand/curves/reference_controller.h"
 #include "app/workbench/understand/pull/pull_controller.h"
@@ -120,6 +121,7 @@ struct BenchPanels {
   Panel* rule_editor = nullptr;
   Panel* findings = nullptr;
   Panel* history = nullptr;
+  Panel* strokes = nullptr;
   Panel* readiness = nullptr;
   Panel* bundle = nullptr;
 };
@@ -152,6 +154,7 @@ struct Bench {
   StudyConnection study;
   StudyModels study_models;
   FeelStore feel_store;
+  StrokesController strokes;
   CollectController collect;
   ProtocolController protocol;
   Labs labs;

@@ -26,6 +26,7 @@ void addFeatures(Bench& bench) {
   addPull(bench);
   addFindings(bench);
   addStudy(bench);
+  addStrokes(bench);
   addCollect(bench);
   addStart(bench);
   addLabs(bench);

@@ -48,6 +48,8 @@ void addEditing(Bench& bench);
 void addFindings(Bench& bench);
 /// The menu Study, the state of storing, messages, and recordings in the panel Feel.
 void addStudy(Bench& bench);
+/// The recorded strokes before and after each edit, and the ways to record some and to replay one.
+void addStrokes(Bench& bench);
 /// Stage Collect: the study's home, its protocol, and sessions on the participant's screens.
 void addCollect(Bench& bench);
 /// The start screen: the demo study, new studies and models, imports, and recent files.

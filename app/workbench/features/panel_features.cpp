@@ -120,6 +120,21 @@ void addFindings(Bench& bench) {
                    });
 }
 
+void addStrokes(Bench& bench) {
+  bench.panels.strokes =
+      &bench.window.addPanel(QStringLiteral("strokes"), PanelFeatures::tr("Strokes"), makeStrokesPanel(bench.strokes));
+  QObject::connect(&bench.strokes, &StrokesController::recordRequested, &bench.features, [&bench] {
+    if (!bench.study.isOpen()) return bench.study_feature->recordIntoStudy();
+    bench.panels.feel->reveal();
+    bench.feel_store.setRecording(true);
+  });
+  QObject::connect(&bench.strokes, &StrokesController::replayRequested, &bench.features,
+                   [&bench](const study::RecordId& recording) {
+                     bench.panels.feel->reveal();
+                     bench.feel_store.replay(recording);
+                   });
+}
+
 void addPictures(Bench& bench) {
   QAction* const copy = bench.window.menus().addAction(
       MenuSlot::kFilePictures, PanelFeatures::tr("&Copy picture of the plot"), Qt::CTRL | Qt::SHIFT | Qt::Key_C);
@@ -170,15 +185,15 @@ void addScreens(Bench& bench) {
       Stage::kTune,
       {Place::first(*on.membership_editor), Place::behind(*on.rule_editor, *on.membership_editor),
        Place::behind(*on.findings, *on.membership_editor), Place::right(*on.curves, 51, *on.membership_editor),
-       Place::below(*on.feel, 43, *on.curves), Place::behind(*on.map, *on.feel), Place::behind(*on.surface, *on.feel),
-       Place::behind(*on.rules_here, *on.feel), Place::behind(*on.reading, *on.feel),
-       Place::behind(*on.history, *on.feel)},
+       Place::below(*on.feel, 43, *on.curves), Place::behind(*on.strokes, *on.feel), Place::behind(*on.map, *on.feel),
+       Place::behind(*on.surface, *on.feel), Place::behind(*on.rules_here, *on.feel),
+       Place::behind(*on.reading, *on.feel), Place::behind(*on.history, *on.feel)},
       // Two places instead of three. The surface, for which the tabs have no room, is in Understand.
       {Place::first(*on.membership_editor), Place::behind(*on.rule_editor, *on.membership_editor),
        Place::behind(*on.findings, *on.membership_editor), Place::behind(*on.history, *on.membership_editor),
        Place::right(*on.curves, 51, *on.membership_editor), Place::behind(*on.feel, *on.curves),
-       Place::behind(*on.map, *on.curves), Place::behind(*on.rules_here, *on.curves),
-       Place::behind(*on.reading, *on.curves)});
+       Place::behind(*on.strokes, *on.curves), Place::behind(*on.map, *on.curves),
+       Place::behind(*on.rules_here, *on.curves), Place::behind(*on.reading, *on.curves)});
   window.addLayout(feelLayout(), {Place::first(*on.feel)});
   window.addScreen(Stage::kDeliver, {Place::first(*on.readiness), Place::right(*on.bundle, 52, *on.readiness)});
 }

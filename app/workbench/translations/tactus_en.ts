@@ -786,6 +786,72 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::StrokesController</name>
+    <message numerus="yes">
+        <source>%n stroke(s) would meet a place where no rule fires.</source>
+        <translation>
+            <numerusform>%n stroke would meet a place where no rule fires.</numerusform>
+            <numerusform>%n strokes would meet a place where no rule fires.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s), and no force changes.</source>
+        <translation>
+            <numerusform>%n stroke, and no force changes.</numerusform>
+            <numerusform>%n strokes, and no force changes.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>None of %n stroke(s) would feel different: at most %1 JND.</source>
+        <translation>
+            <numerusform>None of %n stroke would feel different: at most %1 JND.</numerusform>
+            <numerusform>None of %n strokes would feel different: at most %1 JND.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n stroke(s), %1 would feel different: %2 most, by %3 at %4 mm.</source>
+        <translation>
+            <numerusform>Of %n stroke, %1 would feel different: %2 most, by %3 at %4 mm.</numerusform>
+            <numerusform>Of %n strokes, %1 would feel different: %2 most, by %3 at %4 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) SIMULATED</source>
+        <translation>
+            <numerusform>%n stroke SIMULATED</numerusform>
+            <numerusform>%n strokes SIMULATED</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) recorded with the force off: what they would meet</source>
+        <translation>
+            <numerusform>%n stroke recorded with the force off: what it would meet</numerusform>
+            <numerusform>%n strokes recorded with the force off: what they would meet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) left out: felt on a model that the study does not keep.</source>
+        <translation>
+            <numerusform>%n stroke left out: felt on a model that the study does not keep.</numerusform>
+            <numerusform>%n strokes left out: felt on a model that the study does not keep.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) left out: the recording is incomplete.</source>
+        <translation>
+            <numerusform>%n stroke left out: the recording is incomplete.</numerusform>
+            <numerusform>%n strokes left out: the recording is incomplete.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n stroke(s) left out: their own model does not give the recorded force again. They were recorded with another version of the program, on a device that limits the spring, or during an edit.</source>
+        <translation>
+            <numerusform>%n stroke left out: its own model does not give the recorded force again. It was recorded with another version of the program, on a device that limits the spring, or during an edit.</numerusform>
+            <numerusform>%n strokes left out: their own model does not give the recorded force again. They were recorded with another version of the program, on a device that limits the spring, or during an edit.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::StudyFeature</name>
     <message numerus="yes">
         <source>%1 %n edit(s) of yours are in “%2”; Ctrl+B shows the new model and that version in turn.</source>
