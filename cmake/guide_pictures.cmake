@@ -29,7 +29,8 @@ set(pictures
   path-method build/method
   path-rules build/rules
   path-speed build/speed
-  path-understand understand/overview)
+  path-understand understand/overview
+  tune-strokes tune/strokes_after_edit)
 
 set(made)
 while(pictures)
