@@ -1,4 +1,4 @@
-// Descriptive statistics of one sample.
+// Descriptive statistics of one sample, and the distribution functions that tests need.
 #pragma once
 
 #include <span>
@@ -16,5 +16,12 @@ double standardDeviation(std::span<const double> sample);
 double quantile(std::vector<double> sample, double share);
 
 inline double median(std::vector<double> sample) { return quantile(std::move(sample), 0.5); }
+
+/// The share of a normal distribution below `z` standard deviations.
+double normalShare(double z);
+
+/// Regularised incomplete beta function I_x(a, b), a and b > 0. `y`: 1 - x, given for its digits.
+/// Abramowitz and Stegun 26.5.8.
+double incompleteBeta(double a, double b, double x, double y);
 
 }  // namespace tactus::base

@@ -287,4 +287,87 @@ struct FeelEnd {
   bool operator==(const FeelEnd&) const = default;
 };
 
+// The records of a blind comparison by hand (a duel), as events of the same sessions: its plan, each answer, its end.
+
+/// One of the two models of a duel.
+struct DuelModel {
+  std::string name;                 ///< as the researcher chose it
+  std::optional<RecordId> version;  ///< in the same study; empty: a model from outside the study
+  std::string expert;               ///< id of the one expert that is felt alone; empty: the mean
+
+  bool operator==(const DuelModel&) const = default;
+};
+
+enum class DuelQuestion {
+  kHeavier,   ///< which was heavier?
+  kMoreReal,  ///< which was more like a real insertion?
+};
+
+/// When a duel ends.
+enum class DuelRule {
+  kFixed,       ///< after a number of trials that was fixed before
+  kSequential,  ///< when the evidence is enough, or after the number of trials
+  kOwnJnd,      ///< no comparison of two models: finds the smallest difference that this person feels on this device
+};
+
+/// The plan of a duel, stored before its first stroke. The id of its entry identifies the duel.
+struct DuelStart {
+  Entry entry;
+  FeltSetting setting;  ///< `model` and `model_version`: those of `a`
+  DuelModel a;
+  DuelModel b;  ///< for kOwnJnd the same as `a`
+  DuelQuestion question = DuelQuestion::kHeavier;
+  DuelRule rule = DuelRule::kFixed;
+  bool expects_b = true;  ///< the answers that name `b` are counted; otherwise those that name `a`
+  double from_mm = 0;     ///< the stroke
+  double to_mm = 0;
+  double speed_mm_s = 0;
+  std::uint64_t seed = 0;  ///< gives the order of everything; kept from every screen
+  int trials = 0;          ///< that compare the two; for kSequential at most
+  double sought_jnd = 1;   ///< the difference that the number of trials is made for
+  double power = 0.8;
+  std::optional<double> predicted_jnd;  ///< rms difference of the two along the stroke; empty: not known
+  bool gives_force = true;              ///< of the device; false: nothing was felt, and the duel counts for nothing
+
+  bool operator==(const DuelStart&) const = default;
+};
+
+enum class DuelTrialKind {
+  kPair,   ///< the two models
+  kLarge,  ///< catch trial: `a`, and `a` three just-noticeable differences heavier
+  kSame,   ///< catch trial: one model twice
+  kOwn,    ///< of kOwnJnd: `a`, and `a` heavier by `difference_jnd`
+};
+
+enum class DuelChoice { kFirst, kSecond, kCantTell };
+
+/// One trial: two strokes and an answer, or the stroke that made it come again.
+struct DuelAnswer {
+  Entry entry;
+  RecordId duel;  ///< the id of its DuelStart
+  int trial = 1;  ///< from 1, in the order of the plan
+  int attempt = 1;
+  DuelTrialKind kind = DuelTrialKind::kPair;
+  bool second_first = false;         ///< `b`, or the heavier one, was felt first
+  double difference_jnd = 0;         ///< of kLarge and kOwn
+  std::optional<DuelChoice> choice;  ///< empty: the trial came again
+  std::string repeated;              ///< why it came again (experiments/duel_run.h); empty if it was answered
+  double first_mm_s = 0;             ///< mean speed of the strokes; 0: not made
+  double second_mm_s = 0;
+  double response_s = 0;  ///< from the second stroke to the answer
+
+  bool operator==(const DuelAnswer&) const = default;
+};
+
+/// The end of a duel. A duel without one was interrupted and can go on.
+struct DuelEnd {
+  Entry entry;
+  RecordId duel;
+  std::string outcome;  ///< `differ`, `not_shown`, `measured`, `stopped` (experiments/duel_run.h)
+  int trials = 0;       ///< answered, without catch trials
+  double right = 0;     ///< "can't tell" is one half
+
+  bool operator==(const DuelEnd&) const = default;
+};
+
 }  // namespace tactus::study

@@ -33,5 +33,17 @@ TEST(Statistics, QuantilesInterpolate) {
   EXPECT_EQ(median({9, 1, 5}), 5);
 }
 
+TEST(Statistics, DistributionFunctions) {
+  EXPECT_DOUBLE_EQ(normalShare(0), 0.5);
+  // Φ(1.959963984540054) = 0.975, as R's pnorm has it.
+  EXPECT_NEAR(normalShare(1.959963984540054), 0.975, 1e-15);
+  // I_x(2, 3) = 6x² - 8x³ + 3x⁴, its polynomial.
+  for (const double x : {0.1, 0.4, 0.75}) {
+    EXPECT_NEAR(incompleteBeta(2, 3, x, 1 - x), 6 * x * x - 8 * x * x * x + 3 * x * x * x * x, 1e-15);
+  }
+  EXPECT_EQ(incompleteBeta(2, 3, 0, 1), 0);
+  EXPECT_EQ(incompleteBeta(2, 3, 1, 0), 1);
+}
+
 }  // namespace
 }  // namespace tactus::base
