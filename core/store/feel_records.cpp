@@ -7,98 +7,47 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "core/base/json/json_members.h"
-#include "core/base/json/json_writer.h"
+#include "core/store/felt_events.h"
 #include "core/store/query.h"
-#include "core/store/words.h"
 
 namespace tactus::store {
-namespace {
 
-using base::JsonDocument;
 using base::JsonMembers;
 using base::JsonWriter;
 using base::kAnyNumber;
-using base::NumberRange;
 using base::required;
 using base::Result;
 using study::EventRecord;
-
-constexpr NumberRange kPositive{0, std::numeric_limits<double>::max()};
-constexpr NumberRange kCount{0, std::numeric_limits<int>::max()};
-constexpr NumberRange kFromOne{1, std::numeric_limits<int>::max()};
-
-std::string oneLine(const JsonWriter& json) {
-  std::string text = json.text();
-  text.pop_back();  // the newline of a whole file
-  return text;
-}
-
-void write(const study::FeltSetting& setting, JsonWriter& json) {
-  if (!setting.device.empty()) json.key("device").value(setting.device);
-  json.key("simulated").value(setting.simulated);
-  if (!setting.model.empty()) json.key("model").value(setting.model);
-  if (setting.model_version) json.key("model_version").value(study::toText(*setting.model_version));
-  json.key("conditions").beginObject(JsonWriter::Layout::kInline);
-  for (const auto& [input, value] : setting.conditions) json.key(input).value(value);
-  json.endObject();
-}
-
-void read(JsonMembers& members, study::FeltSetting& setting) {
-  members.text("device", setting.device);
-  members.flag(required("simulated"), setting.simulated);
-  members.text("model", setting.model);
-  members.numbers(required("conditions"), setting.conditions, kAnyNumber);
-  if (!members.has("model_version")) return;
-  std::string version;
-  members.text("model_version", version);
-  setting.model_version = study::parseRecordId(version);
-  if (!setting.model_version) members.refuse("model_version", "32 hexadecimal digits");
-}
-
-/// Reads the detail of `event` with `read`, which gets the members of its object. Ignores members of a newer program.
-template <class Read>
-Result<void> readDetail(const EventRecord& event, Read read) {
-  const std::string place = event.kind + " " + study::toText(event.entry.id);
-  const auto named = [&](base::Error error) {
-    error.place = error.place.empty() ? place : place + ": " + error.place;
-    return tl::unexpected(std::move(error));
-  };
-  const auto document = JsonDocument::parse(event.detail);
-  if (!document) return named(document.error());
-  std::optional<base::Error> error;
-  JsonMembers members(document->root(), error);
-  read(members);
-  if (error) return named(*std::move(error));
-  return {};
-}
-
-EventRecord event(const study::Entry& entry, std::string_view kind, const JsonWriter& json) {
-  return {entry, std::string(kind), oneLine(json)};
-}
-
-}  // namespace
 
 EventRecord eventOf(const study::PlacementRecord& record) {
   JsonWriter json;
   json.beginObject(JsonWriter::Layout::kInline).key("duration_s").value(record.duration_s);
   json.key("strokes").value(record.strokes).key("peak_force_n").value(record.peak_force_n);
   json.key("mean_force_n").value(record.mean_force_n).key("depth_mm").value(record.depth_mm);
-  write(record.setting, json);
-  return event(record.entry, kPlacementKind, json.endObject());
+  writeSetting(record.setting, json);
+  return eventWith(record.entry, kPlacementKind, json.endObject());
+}
+
+EventRecord eventOf(const study::FeelMark& record) {
+  JsonWriter json;
+  json.beginObject(JsonWriter::Layout::kInline).key("depth_mm").value(record.depth_mm);
+  json.key("speed_mm_s").value(record.speed_mm_s).key("force_n").value(record.force_n);
+  json.key("model_force_n").value(record.model_force_n);
+  writeSetting(record.setting, json);
+  return eventWith(record.entry, kFeelMarkKind, json.endObject());
 }
 
 EventRecord eventOf(const study::FeelStart& record) {
   JsonWriter json;
   json.beginObject(JsonWriter::Layout::kInline).key("recording").value(record.number);
-  write(record.setting, json);
-  return event(record.entry, kFeelStartKind, json.endObject());
+  writeSetting(record.setting, json);
+  return eventWith(record.entry, kFeelStartKind, json.endObject());
 }
 
 EventRecord eventOf(const study::FeelEnd& record) {
   JsonWriter json;
   json.beginObject(JsonWriter::Layout::kInline).key("recording").value(record.recording);
-  return event(record.entry, kFeelEndKind, json.key("pieces").value(record.pieces).endObject());
+  return eventWith(record.entry, kFeelEndKind, json.key("pieces").value(record.pieces).endObject());
 }
 
 study::StrokeRecord strokeOf(const study::FeelPiece& record) {
@@ -116,13 +65,27 @@ study::StrokeRecord strokeOf(const study::FeelPiece& record) {
 Result<study::PlacementRecord> placementOf(const EventRecord& event) {
   study::PlacementRecord out;
   out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members) {
+  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
     members.number(required("duration_s"), out.duration_s, kPositive);
     members.integer(required("strokes"), out.strokes, kCount);
     members.number(required("peak_force_n"), out.peak_force_n, kPositive);
     members.number(required("mean_force_n"), out.mean_force_n, kAnyNumber);
     members.number(required("depth_mm"), out.depth_mm, kAnyNumber);
-    read(members, out.setting);
+    readSetting(members, out.setting);
+  });
+  if (!ok) return tl::unexpected(ok.error());
+  return out;
+}
+
+Result<study::FeelMark> feelMarkOf(const EventRecord& event) {
+  study::FeelMark out;
+  out.entry = event.entry;
+  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+    members.number(required("depth_mm"), out.depth_mm, kAnyNumber);
+    members.number(required("speed_mm_s"), out.speed_mm_s, kAnyNumber);
+    members.number(required("force_n"), out.force_n, kAnyNumber);
+    members.number(required("model_force_n"), out.model_force_n, kAnyNumber);
+    readSetting(members, out.setting);
   });
   if (!ok) return tl::unexpected(ok.error());
   return out;
@@ -131,9 +94,9 @@ Result<study::PlacementRecord> placementOf(const EventRecord& event) {
 Result<study::FeelStart> feelStartOf(const EventRecord& event) {
   study::FeelStart out;
   out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members) {
+  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
     members.integer(required("recording"), out.number, kFromOne);
-    read(members, out.setting);
+    readSetting(members, out.setting);
   });
   if (!ok) return tl::unexpected(ok.error());
   return out;
@@ -142,7 +105,7 @@ Result<study::FeelStart> feelStartOf(const EventRecord& event) {
 Result<study::FeelEnd> feelEndOf(const EventRecord& event) {
   study::FeelEnd out;
   out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members) {
+  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
     members.integer(required("recording"), out.recording, kFromOne);
     members.integer(required("pieces"), out.pieces, kCount);
   });
@@ -153,52 +116,10 @@ Result<study::FeelEnd> feelEndOf(const EventRecord& event) {
 namespace {
 
 using base::ErrorCode;
-using base::Result;
 using study::RecordId;
 
 /// Recordings count from 1 within their session.
 using RecordingKey = std::pair<RecordId, int>;
-
-Result<void> requireUsability(const StudyFile& file, const RecordId& session) {
-  Connection& connection = file.connection();
-  return guarded(connection, [&] {
-    Query query(connection, "SELECT kind FROM session WHERE id = ?");
-    if (!query.put(session).next()) {
-      refuse(ErrorCode::kReference, {}, "no session " + study::toText(session), "the id of a session");
-    }
-    const std::string kind = query.text();
-    if (fromWord<study::SessionKind>(kind) != study::SessionKind::kUsability) {
-      refuse(ErrorCode::kReference, "session " + study::toText(session), "one of the kind " + kind,
-             "one of the kind usability, in which models are felt");
-    }
-  });
-}
-
-/// Appends `record` as `event`, which has to tell it without loss.
-template <class Record>
-Result<void> appendEvent(StudyFile& file, const Record& record, Result<Record> (*read)(const study::EventRecord&)) {
-  if (auto ok = requireUsability(file, record.entry.session); !ok) return ok;
-  const study::EventRecord event = eventOf(record);
-  if (auto again = read(event); !again) return base::inFile(again.error(), file.path());
-  return append(file, event);
-}
-
-/// The events of one kind, read; each that cannot be is handed to `unreadable`, which returns whether to go on.
-template <class Record, class Unreadable>
-std::vector<Record> readEvents(const std::vector<study::EventRecord>& events, std::string_view kind,
-                               Result<Record> (*read)(const study::EventRecord&), Unreadable unreadable) {
-  std::vector<Record> out;
-  for (const auto& event : events) {
-    if (event.kind != kind) continue;
-    auto record = read(event);
-    if (record) {
-      out.push_back(std::move(*record));
-    } else {
-      unreadable(record.error());
-    }
-  }
-  return out;
-}
 
 /// A piece without its samples.
 struct PieceRow {
@@ -228,19 +149,6 @@ Result<std::map<RecordingKey, std::vector<PieceRow>>> pieceRows(const StudyFile&
       row.length_s = query.number();
       row.gap_follows = query.text() == kFeelGapVerdict;
       out[{session, recording}].push_back(row);
-    }
-    return out;
-  });
-}
-
-Result<std::map<RecordId, std::string>> codesOfSessions(const StudyFile& file) {
-  Connection& connection = file.connection();
-  return guarded(connection, [&] {
-    Query query(connection, "SELECT s.id, p.code FROM session AS s JOIN person_current AS p ON p.id = s.person_id");
-    std::map<RecordId, std::string> out;
-    while (query.next()) {
-      const RecordId session = query.id();
-      out[session] = query.text();
     }
     return out;
   });
@@ -283,10 +191,17 @@ void checkPieces(const std::string& name, const std::vector<PieceRow>& pieces, s
 }  // namespace
 
 Result<void> append(StudyFile& file, const study::PlacementRecord& record) {
-  return appendEvent(file, record, placementOf);
+  return appendEvent(file, eventOf(record), placementOf);
 }
-Result<void> append(StudyFile& file, const study::FeelStart& record) { return appendEvent(file, record, feelStartOf); }
-Result<void> append(StudyFile& file, const study::FeelEnd& record) { return appendEvent(file, record, feelEndOf); }
+Result<void> append(StudyFile& file, const study::FeelMark& record) {
+  return appendEvent(file, eventOf(record), feelMarkOf);
+}
+Result<void> append(StudyFile& file, const study::FeelStart& record) {
+  return appendEvent(file, eventOf(record), feelStartOf);
+}
+Result<void> append(StudyFile& file, const study::FeelEnd& record) {
+  return appendEvent(file, eventOf(record), feelEndOf);
+}
 Result<void> append(StudyFile& file, const study::FeelPiece& record) {
   if (auto ok = requireUsability(file, record.entry.session); !ok) return ok;
   return append(file, strokeOf(record));
@@ -299,6 +214,19 @@ Result<std::vector<study::PlacementRecord>> placements(const StudyFile& file, co
     if (!first) first = error;
   });
   if (first) return base::inFile(*first, file.path());
+  return out;
+}
+
+Result<std::vector<study::FeelMark>> feelMarks(const StudyFile& file) {
+  TACTUS_TRY(const auto all, events(file));
+  std::optional<base::Error> first;
+  auto out = readEvents(all, kFeelMarkKind, feelMarkOf, [&](const base::Error& error) {
+    if (!first) first = error;
+  });
+  if (first) return base::inFile(*first, file.path());
+  std::stable_sort(out.begin(), out.end(), [](const study::FeelMark& a, const study::FeelMark& b) {
+    return a.entry.when.utc_ms < b.entry.when.utc_ms;
+  });
   return out;
 }
 
@@ -370,6 +298,7 @@ Result<std::vector<std::string>> checkFeelRecords(const StudyFile& file) {
   std::vector<std::string> findings;
   const auto tell = [&](const base::Error& error) { findings.push_back(error.message()); };
   readEvents(all, kPlacementKind, placementOf, tell);
+  readEvents(all, kFeelMarkKind, feelMarkOf, tell);
   std::map<RecordingKey, int> ends;
   for (const auto& end : readEvents(all, kFeelEndKind, feelEndOf, tell)) {
     ends[{end.entry.session, end.recording}] = end.pieces;

@@ -18,30 +18,37 @@ namespace tactus::store {
 inline constexpr std::string_view kPlacementKind = "placement";
 inline constexpr std::string_view kFeelStartKind = "recording_started";
 inline constexpr std::string_view kFeelEndKind = "recording_finished";
+inline constexpr std::string_view kFeelMarkKind = "moment_marked";
 inline constexpr std::string_view kFeelLevel = "feel";
 inline constexpr std::string_view kFeelVerdict = "recorded";
 /// Verdict of a piece after which samples were lost.
 inline constexpr std::string_view kFeelGapVerdict = "recorded_until_gap";
 
 study::EventRecord eventOf(const study::PlacementRecord& record);
+study::EventRecord eventOf(const study::FeelMark& record);
 study::EventRecord eventOf(const study::FeelStart& record);
 study::EventRecord eventOf(const study::FeelEnd& record);
 study::StrokeRecord strokeOf(const study::FeelPiece& record);
 
 /// The record stored in an event. Returns an error if the detail does not match the kind.
 base::Result<study::PlacementRecord> placementOf(const study::EventRecord& event);
+base::Result<study::FeelMark> feelMarkOf(const study::EventRecord& event);
 base::Result<study::FeelStart> feelStartOf(const study::EventRecord& event);
 base::Result<study::FeelEnd> feelEndOf(const study::EventRecord& event);
 
 /// Adds a record to its session, as `append` in entries.h. Also returns an error for a session of another kind than
 /// usability, and for a number that is negative or not finite.
 base::Result<void> append(StudyFile& file, const study::PlacementRecord& record);
+base::Result<void> append(StudyFile& file, const study::FeelMark& record);
 base::Result<void> append(StudyFile& file, const study::FeelStart& record);
 base::Result<void> append(StudyFile& file, const study::FeelPiece& record);
 base::Result<void> append(StudyFile& file, const study::FeelEnd& record);
 
 /// The placements by session, in the order of insertion. Returns an error if one cannot be read.
 base::Result<std::vector<study::PlacementRecord>> placements(const StudyFile& file, const Selection& selection = {});
+
+/// The marked moments from the oldest to the newest. Returns an error if one cannot be read.
+base::Result<std::vector<study::FeelMark>> feelMarks(const StudyFile& file);
 
 /// A recording without its samples.
 struct FeelSummary {

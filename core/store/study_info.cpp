@@ -4,6 +4,7 @@
 
 #include "core/base/files/checksums.h"
 #include "core/store/conflicts.h"
+#include "core/store/duel_records.h"
 #include "core/store/entries.h"
 #include "core/store/feel_records.h"
 #include "core/store/record_checksum.h"
@@ -141,6 +142,9 @@ Result<std::vector<std::string>> checkStudy(const StudyFile& file) {
     auto felt = checkFeelRecords(file);
     if (!felt) throw Refusal{std::move(felt.error())};
     for (auto& finding : *felt) findings.push_back(std::move(finding));
+    auto compared = checkDuelRecords(file);
+    if (!compared) throw Refusal{std::move(compared.error())};
+    for (auto& finding : *compared) findings.push_back(std::move(finding));
     return findings;
   });
 }

@@ -56,6 +56,7 @@ base::Result<std::vector<PastIncident>> pastIncidents(const StudyFile& file);
 ///   codes       one code for two persons
 ///   corrections two of one record, or corrections in a circle
 ///   feeling     placements and recordings that contradict each other (feel_records.h)
+///   duels       answers and ends without their plan (duel_records.h)
 base::Result<std::vector<std::string>> checkStudy(const StudyFile& file);
 
 }  // namespace tactus::store

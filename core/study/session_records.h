@@ -258,6 +258,18 @@ struct PlacementRecord {
   bool operator==(const PlacementRecord&) const = default;
 };
 
+/// A moment that was marked while the hand held the tube: where it was, and what it felt.
+struct FeelMark {
+  Entry entry;
+  FeltSetting setting;
+  double depth_mm = 0;
+  double speed_mm_s = 0;     ///< of the tube, inward
+  double force_n = 0;        ///< on the hand
+  double model_force_n = 0;  ///< fuzzy force in use
+
+  bool operator==(const FeelMark&) const = default;
+};
+
 /// The start of a recording. The id of its entry identifies the recording.
 struct FeelStart {
   Entry entry;
@@ -363,7 +375,7 @@ struct DuelAnswer {
 struct DuelEnd {
   Entry entry;
   RecordId duel;
-  std::string outcome;  ///< `differ`, `not_shown`, `measured`, `stopped` (experiments/duel_run.h)
+  std::string outcome;  ///< `differ`, `not_shown`, `measured` (experiments/duel_run.h)
   int trials = 0;       ///< answered, without catch trials
   double right = 0;     ///< "can't tell" is one half
 

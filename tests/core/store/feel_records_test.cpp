@@ -169,5 +169,22 @@ TEST_F(FeelRecords, AWithdrawalRemovesThem) {
   EXPECT_TRUE(checkStudy(study_.file)->empty());
 }
 
+TEST_F(FeelRecords, MarkedMomentsAreReadAsWritten) {
+  const study::FeelMark first{records_.entry(felt_.id), setting(), 132.5, 48, 0.42, 0.4};
+  study::FeelMark second{records_.entry(felt_.id), setting(), -2, 0, 0, 0};
+  second.setting.model_version.reset();
+  ASSERT_EQ(refusal(first), "");
+  ASSERT_EQ(refusal(second), "");
+  EXPECT_EQ(feelMarks(study_.file).value(), (std::vector{first, second}));
+  EXPECT_TRUE(checkFeelRecords(study_.file)->empty());
+  study::FeelMark wrong = first;
+  wrong.entry = records_.entry(study_.session.id);  // of an elicitation
+  EXPECT_NE(refusal(wrong), "");
+  wrong.entry = records_.entry(felt_.id);
+  wrong.force_n = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal(wrong), "");
+  EXPECT_EQ(feelMarks(study_.file)->size(), 2U);
+}
+
 }  // namespace
 }  // namespace tactus::store
