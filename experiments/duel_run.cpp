@@ -309,12 +309,12 @@ DuelVerdict verdictOf(const DuelStart& start, std::span<const DuelAnswer> answer
 
 std::string_view name(DuelVerdict::Outcome outcome) noexcept {
   switch (outcome) {
-    case DuelVerdict::Outcome::kUnfinished: return "stopped";
+    case DuelVerdict::Outcome::kUnfinished: return "unfinished";
     case DuelVerdict::Outcome::kDiffer: return "differ";
     case DuelVerdict::Outcome::kNotShown: return "not_shown";
     case DuelVerdict::Outcome::kMeasured: return "measured";
   }
-  return "stopped";
+  return "unfinished";
 }
 
 study::DuelEnd endOf(const DuelRun& run) {

@@ -141,7 +141,7 @@ struct DuelVerdict {
 };
 DuelVerdict verdictOf(const study::DuelStart& start, std::span<const study::DuelAnswer> answers);
 
-/// `differ`, `not_shown`, `measured`; `stopped` for an unfinished one.
+/// `differ`, `not_shown`, `measured`, `unfinished`.
 std::string_view name(DuelVerdict::Outcome outcome) noexcept;
 
 /// The end of the duel of `run`. The caller completes its entry.
@@ -150,6 +150,13 @@ study::DuelEnd endOf(const DuelRun& run);
 /// `B "S4 alone" is felt as heavier: 18 of 23 (95 % interval 56–93 %).`, `Not shown to differ: … `, with what limits
 /// it: sequential, catch trials, a device without force.
 std::string sentenceOf(const study::DuelStart& start, const DuelVerdict& verdict);
+
+/// A duel as a report shows it.
+struct JudgedDuel {
+  std::string participant;
+  study::DuelStart start;
+  DuelVerdict verdict;
+};
 
 /// A person who is simulated.
 struct DuelResponder {

@@ -113,6 +113,40 @@ struct ReplayOptions {
 };
 /// Runs the recorded strokes of a study through two models: what would feel different.
 base::Result<Output> replayStrokes(const ReplayOptions& options);
+struct DuelPlanOptions {
+  std::vector<std::string> models;  ///< two model files to compare; empty: `jnd` alone
+  std::vector<std::string> at;      ///< `INPUT=VALUE`, each input of the models but the depth
+  std::optional<double> from_mm;    ///< the stroke
+  std::optional<double> to_mm;
+  std::optional<double> jnd;  ///< the difference that is looked for; by default the one along the stroke
+  double power = 0.8;
+  bool json = false;
+};
+/// How many trials a blind comparison by hand takes.
+base::Result<Output> duelPlan(const DuelPlanOptions& options);
+
+struct DuelSimulateOptions {
+  std::string rule = "fixed";  ///< fixed, sequential or own-jnd
+  int trials = 23;
+  double sought_jnd = 1;
+  double jnd = 0;         ///< the difference that the simulated persons feel
+  double own_jnd = 1;     ///< of the persons, as a multiple of the usual one
+  double cant_tell = 0;   ///< share of answers
+  double order_bias = 0;  ///< in JND, toward the first stroke
+  int runs = 2000;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+/// What simulated persons do in a blind comparison, beside the exact chances.
+base::Result<Output> duelSimulate(const DuelSimulateOptions& options);
+
+struct DuelResultsOptions {
+  std::string study;
+  std::string out;  ///< CSV file of the trials; empty: none
+  bool json = false;
+};
+/// The blind comparisons of a study. An unfinished one says nothing of its answers.
+base::Result<Output> duelResults(const DuelResultsOptions& options);
 
 struct PullOptions {
   std::string model;

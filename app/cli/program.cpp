@@ -106,6 +106,64 @@ std::vector<std::string> readingIds() {
   return ids;
 }
 
+CLI::Validator aboveZero(const std::string& what) {
+  return numberThat(what + " above 0 and at most 10", [](double x) { return x > 0 && x <= 10; });
+}
+
+void addDuelCommands(CLI::App& app, Chosen& chosen) {
+  CLI::App& duel = *app.add_subcommand("duel", "Blind comparison of two models by hand: plan, simulation, results");
+  duel.require_subcommand(1);
+  addCommand(duel, chosen, "plan", "How many trials it takes to feel a difference", duelPlan,
+             [](CLI::App& command, DuelPlanOptions& o) {
+               auto* const models = command.add_option("MODELS", o.models, "Two model files, A and B")->expected(2);
+               auto* const at =
+                   command.add_option("--at", o.at, "INPUT=VALUE for each input but the depth, separated by commas")
+                       ->delimiter(',')
+                       ->check(notEmpty());
+               auto* const from = command.add_option("--from", o.from_mm, "Where the stroke begins, mm");
+               auto* const to = command.add_option("--to", o.to_mm, "Where it ends, mm");
+               models->needs(at)->needs(from)->needs(to);
+               for (auto* const option : {at, from, to}) option->needs(models);
+               command.add_option("--jnd", o.jnd, "Difference to look for, in just-noticeable differences")
+                   ->check(aboveZero("a difference"));
+               command.add_option("--power", o.power, "Chance to find it")
+                   ->check(numberThat("a chance from 0.5 to 0.999", [](double x) { return x >= 0.5 && x <= 0.999; }));
+               command.parse_complete_callback([&o] {
+                 if (!o.jnd && o.models.empty()) throw CLI::RequiredError("--jnd or two models");
+               });
+               addJson(command, o.json);
+             });
+  addCommand(
+      duel, chosen, "simulate", "Simulated persons in a blind comparison, beside the exact chances", duelSimulate,
+      [](CLI::App& command, DuelSimulateOptions& o) {
+        const auto share = [] { return numberThat("a share from 0 to 1", [](double x) { return x >= 0 && x <= 1; }); };
+        const auto count = [](int most) {
+          return numberThat("a whole number from 1 to " + std::to_string(most),
+                            [most](double x) { return x >= 1 && x <= most && x == std::floor(x); });
+        };
+        command.add_option("--rule", o.rule, "When it ends")->check(oneOf({"fixed", "sequential", "own-jnd"}));
+        command.add_option("--trials", o.trials, "Trials; of a sequential comparison at most")->check(count(1000));
+        command.add_option("--sought", o.sought_jnd, "Difference that the plan looks for, JND")
+            ->check(aboveZero("a difference"));
+        command.add_option("--jnd", o.jnd, "Difference that is there, JND")
+            ->check(numberThat("a difference from 0 to 10", [](double x) { return x >= 0 && x <= 10; }));
+        command.add_option("--own-jnd", o.own_jnd, "The persons' own JND, as a multiple of the usual one")
+            ->check(aboveZero("a multiple"));
+        command.add_option("--cant-tell", o.cant_tell, "Share of answers that are \"can't tell\"")->check(share());
+        command.add_option("--order-bias", o.order_bias, "How much the first stroke seems heavier, JND")
+            ->check(numberThat("a bias from -10 to 10", [](double x) { return x >= -10 && x <= 10; }));
+        command.add_option("--runs", o.runs, "Simulated comparisons")->check(count(100'000));
+        command.add_option("--seed", o.seed, "Seed, a whole number")->check(wholeNumberUpTo(session::kLargestSeed));
+        addJson(command, o.json);
+      });
+  addCommand(duel, chosen, "results", "The blind comparisons of a study, each with its verdict", duelResults,
+             [](CLI::App& command, DuelResultsOptions& o) {
+               command.add_option("STUDY", o.study, "Study file")->required()->check(notEmpty());
+               command.add_option("--out", o.out, "CSV file of all trials of finished comparisons")->check(notEmpty());
+               addJson(command, o.json);
+             });
+}
+
 void addCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "demo", "The whole main job on the published data: study, models, export and report", demo,
              [](CLI::App& command, DemoOptions& o) {
@@ -284,6 +342,7 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   app.require_subcommand(1);
   Chosen chosen;
   addCommands(app, chosen);
+  addDuelCommands(app, chosen);
   addStudyCommands(app, chosen);
   addDeliveryCommands(app, chosen);
   addServeCommand(app, chosen, out, err);

@@ -52,6 +52,7 @@ base::Result<Output> writeReport(const ReportOptions& options) {
   TACTUS_TRY(auto made, buildStudy(options, RulesNeeded::kNo));
   for (auto& note : acceptedNotes(made.data, made.accepted)) made.built.notes.push_back(std::move(note));
   if (!made.in_order) return tl::unexpected(made.in_order.error());
+  TACTUS_TRY(auto duels, session::readDuels(options.study));
   const report::StudyReportInputs inputs{.study = made.tables.study,
                                          .built = made.built,
                                          .build_settings = made.settings,
@@ -62,7 +63,8 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                                       {"Created (UTC)", made.settings.created_utc}},
                                          .replicates = options.replicates,
                                          .usability = made.usability,
-                                         .in_order = std::move(*made.in_order)};
+                                         .in_order = std::move(*made.in_order),
+                                         .duels = std::move(duels)};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
   const auto experts = made.built.model.experts.size();

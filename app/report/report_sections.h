@@ -97,6 +97,8 @@ void addReadings(HtmlPage& page, const ReportContext& context);
 /// Fig. 13 and 18: the force that a simulated hand feels from the averaged model. Adds nothing if the model cannot be
 /// rendered.
 void addFeel(HtmlPage& page, const ReportContext& context);
+/// The blind comparisons of models by hand, each with its verdict; nothing without any.
+void addDuels(HtmlPage& page, const ReportContext& context);
 // sections_agreement.cpp
 void addAgreement(HtmlPage& page, const ReportContext& context);
 // sections_influence.cpp

@@ -160,4 +160,32 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
                           {.heading = "(b) Depth", .svg = placementDepthPlot(*placement, context)}}});
 }
 
+void addDuels(HtmlPage& page, const ReportContext& context) {
+  const auto& duels = context.in.duels;
+  if (duels.empty()) return;
+  page.section("Blind comparisons by hand");
+  Table table{.caption = strong("Blind comparisons.") +
+                         " Two models in one hand, as the first and the second stroke, in both orders; neither the "
+                         "person nor the screens knew which was which. Trials of one person are not independent of "
+                         "each other, so nothing is pooled over persons.",
+              .head = {{{.text = "Participant"},
+                        {.text = "A"},
+                        {.text = "B"},
+                        {.text = "Stroke"},
+                        numberCell("Trials", true),
+                        {.text = "What it shows"}}},
+              .body = {}};
+  for (const auto& [participant, start, verdict] : duels) {
+    const bool own = start.rule == study::DuelRule::kOwnJnd;
+    table.body.push_back({headingCell(participant + (start.setting.simulated ? " (simulated)" : "")),
+                          {.text = start.a.name},
+                          {.text = own ? "–" : start.b.name},
+                          {.text = base::formatNumber(start.from_mm) + " to " + base::formatNumber(start.to_mm) +
+                                   " mm at " + base::formatNumber(start.speed_mm_s) + " mm/s"},
+                          numberCell(std::to_string(verdict.trials), true),
+                          {.text = sentenceOf(start, verdict)}});
+  }
+  page.table(table);
+}
+
 }  // namespace tactus::report

@@ -151,6 +151,7 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
     addAgreement(page, context);
   }
   addUsability(page, context);
+  addDuels(page, context);
   addEnd(page, context);
   return page.html();
 }

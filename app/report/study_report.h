@@ -12,6 +12,7 @@
 #include "core/study/records.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/speed_bootstrap.h"
+#include "experiments/duel_run.h"
 #include "experiments/order_effects.h"
 #include "experiments/published_tables.h"
 #include "questionnaires/scale_summary.h"
@@ -58,6 +59,7 @@ struct StudyReportInputs {
   std::size_t replicates = elicitation::kBootstrapReplicates;  ///< draws of strokes for intervals; 0: no intervals
   std::vector<questionnaires::ScaleSummary> usability = {};    ///< of the usability scale; empty without answers
   std::vector<experiments::DoneInOrder> in_order = {};         ///< for catch trials and effects of the order
+  std::vector<experiments::JudgedDuel> duels = {};             ///< blind comparisons of models by hand
 };
 
 /// The page as HTML: self-contained, numbered tables and figures, for screen and paper. Each picture with data of a

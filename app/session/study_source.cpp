@@ -9,6 +9,7 @@
 #include "app/session/study_view.h"
 #include "app/session/table_words.h"
 #include "core/base/error.h"
+#include "core/store/duel_records.h"
 #include "core/store/entries.h"
 #include "core/store/study_file.h"
 #include "core/store/study_records.h"
@@ -76,6 +77,23 @@ base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::Stu
         {record->second->item, record->second->position, static_cast<std::size_t>(term - terms.begin())});
   }
   return out;
+}
+
+base::Result<std::vector<experiments::JudgedDuel>> judgedDuels(const store::StudyFile& file) {
+  TACTUS_TRY(auto duels, store::duels(file));
+  std::vector<experiments::JudgedDuel> out;
+  for (auto& duel : duels) {
+    const auto verdict = experiments::verdictOf(duel.start, duel.answers);
+    out.push_back({std::move(duel.code), std::move(duel.start), verdict});
+  }
+  return out;
+}
+
+base::Result<std::vector<experiments::JudgedDuel>> readDuels(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<experiments::JudgedDuel>{};
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return judgedDuels(file);
 }
 
 std::vector<study::Form> knownForms() {

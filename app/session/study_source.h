@@ -11,13 +11,14 @@
 #include "core/study/csv_tables.h"
 #include "core/study/records.h"
 #include "elicitation/depth/depth_measurement.h"
+#include "experiments/duel_run.h"
 #include "experiments/order_effects.h"
 #include "questionnaires/scale_summary.h"
 
 namespace tactus::session {
 
-/// What a study file holds beside the data of its experts: the depths measured on an image, and what participants think
-/// of the simulator.
+/// What a study file holds beside the data of its experts: the depths measured on an image, and what participants
+/// think of the simulator.
 struct StudyAside {
   std::optional<elicitation::DepthMeasurement> measured_depths;  ///< the latest; nothing: none was made
   std::vector<questionnaires::ScaleSummary> usability;           ///< one row per statement; empty without any answer
@@ -28,6 +29,11 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file);
 /// What each participant of `view` did, in its order, with the catch trials: of the sessions that count
 /// (experiments/order_effects.h). `view` is of the same file.
 base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view);
+
+/// The blind comparisons of models in the file, from the oldest to the newest.
+base::Result<std::vector<experiments::JudgedDuel>> judgedDuels(const store::StudyFile& file);
+/// The same of the study at `path`; nothing of a folder of tables. The file is not changed. Errors name the file.
+base::Result<std::vector<experiments::JudgedDuel>> readDuels(const std::string& path);
 
 // The forms to which answers and given rules of a study can refer.
 

@@ -32,8 +32,22 @@ namespace tactus::workbench {
 namespace {
 
 // Takes a second for four participants and half a minute for 200.
-base::Result<void> writeStudyReport(const session::StudyView& view, const session::StudyAside& aside,
-                                    const std::vector<experiments::DoneInOrder>& in_order,
+/// What the report shows beside the way to the model.
+struct Beside {
+  session::StudyAside aside;
+  std::vector<experiments::DoneInOrder> in_order;
+  std::vector<experiments::JudgedDuel> duels;
+};
+
+base::Result<Beside> besideOf(const store::StudyFile& file, const session::StudyView& view) {
+  Beside out;
+  TACTUS_TRY(out.aside, session::asideOf(file));
+  TACTUS_TRY(out.in_order, session::doneInOrder(file, view));
+  TACTUS_TRY(out.duels, session::judgedDuels(file));
+  return out;
+}
+
+base::Result<void> writeStudyReport(const session::StudyView& view, const Beside& beside,
                                     elicitation::BuildSettings settings, const QString& study_name,
                                     const std::string& path) {
   settings.created_utc = base::formatUtc(std::chrono::system_clock::now());
@@ -52,8 +66,9 @@ base::Result<void> writeStudyReport(const session::StudyView& view, const sessio
                                                    .settings = {{"Study", study_name.toStdString()},
                                                                 {"Program", std::string(kGenerator)},
                                                                 {"Created (UTC)", settings.created_utc}},
-                                                   .usability = aside.usability,
-                                                   .in_order = in_order}));
+                                                   .usability = beside.aside.usability,
+                                                   .in_order = beside.in_order,
+                                                   .duels = beside.duels}));
   return base::writeFileAtomically(path, page);
 }
 
@@ -101,18 +116,15 @@ void ReportFeature::write(const QString& path) {
   bench_.study.read(*this, [this, path, settings = bench_.labs.data.settings(),
                             name = bench_.study.fileName()](const store::StudyFile& file) {
     auto read = std::make_shared<base::Result<session::StudyView>>(session::studyForElicitation(file));
-    auto aside = std::make_shared<base::Result<session::StudyAside>>(session::asideOf(file));
-    auto in_order = std::make_shared<base::Result<std::vector<experiments::DoneInOrder>>>();
-    if (*read) *in_order = session::doneInOrder(file, **read);
-    return [this, path, settings, name, read, aside, in_order] {
+    auto beside = std::make_shared<base::Result<Beside>>();
+    if (*read) *beside = besideOf(file, **read);
+    return [this, path, settings, name, read, beside] {
       if (!*read) return end(path, text(read->error().message()));
-      if (!*aside) return end(path, text(aside->error().message()));
-      if (!*in_order) return end(path, text(in_order->error().message()));
-      background_.run(
-          [this, path, settings, name, read, aside, in_order](const std::stop_token&) -> Background::Deliver {
-            const auto done = writeStudyReport(**read, **aside, **in_order, settings, name, path.toStdString());
-            return [this, path, failure = done ? QString() : text(done.error().message())] { end(path, failure); };
-          });
+      if (!*beside) return end(path, text(beside->error().message()));
+      background_.run([this, path, settings, name, read, beside](const std::stop_token&) -> Background::Deliver {
+        const auto done = writeStudyReport(**read, **beside, settings, name, path.toStdString());
+        return [this, path, failure = done ? QString() : text(done.error().message())] { end(path, failure); };
+      });
     };
   });
 }

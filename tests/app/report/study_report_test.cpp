@@ -221,5 +221,39 @@ TEST(StudyReport, OfManyParticipantsDrawsSomeAndListsAll) {
   EXPECT_TRUE(has(page, "<th scope=\"row\">N14</th>"));
 }
 
+// A finished comparison and one that was interrupted, of which nothing is said.
+TEST(StudyReport, BlindComparisons) {
+  const auto study = recorded();
+  const auto built = elicitation::buildModel(study, session::knownForms(), studySettings());
+  ASSERT_TRUE(built);
+  StudyReportInputs inputs{
+      .study = study, .built = *built, .build_settings = studySettings(), .settings = {}, .replicates = 0};
+  const auto without = studyReport(inputs);
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(has(*without, "Blind comparisons"));
+
+  experiments::JudgedDuel duel;
+  duel.participant = "N<1>";
+  duel.start.a.name = "before";
+  duel.start.b.name = "after";
+  duel.start.to_mm = 60;
+  duel.start.speed_mm_s = 60;
+  duel.start.trials = 18;
+  auto answers = experiments::simulatedAnswers(duel.start, {4}, 1);
+  duel.verdict = experiments::verdictOf(duel.start, answers);
+  inputs.duels.push_back(duel);
+  answers.pop_back();
+  duel.start.setting.simulated = true;
+  duel.verdict = experiments::verdictOf(duel.start, answers);
+  inputs.duels.push_back(duel);
+  const auto page = studyReport(inputs);
+  ASSERT_TRUE(page);
+  EXPECT_EQ(support::markupFault(*page), "");
+  EXPECT_TRUE(has(*page, "Blind comparisons by hand"));
+  EXPECT_TRUE(has(*page, "is felt as heavier"));
+  EXPECT_TRUE(has(*page, "N&lt;1&gt; (simulated)"));
+  EXPECT_TRUE(has(*page, "Not finished"));
+}
+
 }  // namespace
 }  // namespace tactus::report
