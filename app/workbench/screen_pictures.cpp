@@ -17,6 +17,7 @@
 #include "app/session/simulated_study.h"
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/features/features.h"
+#include "app/workbench/feel/duel/duel_window.h"
 #include "app/workbench/help/guide_window.h"
 #include "app/workbench/help/tour.h"
 #include "app/workbench/kit/buttons.h"
@@ -31,6 +32,7 @@
 #include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/history/carry_dialog.h"
+#include "app/workbench/tune/history/history_panel.h"
 #include "app/workbench/understand/curves/curves_panel.h"
 #include "app/workbench/understand/pull/pull_card.h"
 #include "app/workbench/workbench.h"
@@ -290,6 +292,20 @@ base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
   return album.add(help, QStringLiteral("search"), search.windowTitle(), search);
 }
 
+/// What a blind duel of one nurse and the mean takes.
+base::Result<void> addDuelPicture(PictureAlbum& album, Bench& bench) {
+  CompareChoice nurse;
+  nurse.kind = CompareChoice::Kind::kExpert;
+  nurse.expert = bench.edits.model().experts.front().id;
+  bench.compare.choose(CompareSide::kA, nurse);
+  bench.compare.choose(CompareSide::kB, {});
+  emit bench.views.history->feelBlindRequested();
+  auto* const duel = bench.window.findChild<DuelWindow*>();
+  auto added = album.add(QStringLiteral("feel"), QStringLiteral("blind-duel"), duel->windowTitle(), *duel);
+  duel->hide();
+  return added;
+}
+
 }  // namespace
 
 base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
@@ -327,6 +343,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     return added;
   }
   bench.window.leaveLayout();
+  if (auto added = addDuelPicture(album, bench); !added) return added;
   ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   sheet.show();
   if (auto added = album.add(QStringLiteral("help"), QStringLiteral("shortcuts"), sheet.windowTitle(), sheet); !added) {

@@ -43,6 +43,8 @@ Bench::Bench(QSettings& user_settings, const QString& autosave_root, DeviceAcces
       study_models(study, models, edits),
       feel_store(feel, scene, study, [this] { return study_models.modelVersion(); }),
       strokes(ghost, scene, study),
+      marks(feel, scene, study, feel_store),
+      duel(device, study, feel_store),
       collect(study),
       protocol(study),
       labs(study, author),

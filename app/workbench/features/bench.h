@@ -10,7 +10,9 @@
 #include "app/workbench/deliver/link/link_controller.h"
 #include "app/workbench/deliver/readiness.h"
 #include "app/workbench/device/device_session.h"
+#include "app/workbench/feel/duel/duel_controller.h"
 #include "app/workbench/feel/feel_controller.h"
+#include "app/workbench/feel/recordings/feel_marks.h"
 #include "app/workbench/feel/recordings/feel_store.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
@@ -155,6 +157,8 @@ struct Bench {
   StudyModels study_models;
   FeelStore feel_store;
   StrokesController strokes;
+  FeelMarks marks;
+  DuelController duel;
   CollectController collect;
   ProtocolController protocol;
   Labs labs;

@@ -35,6 +35,8 @@ void addFeatures(Bench& bench) {
   addStudyExport(bench);
   addNotes(bench);
   addHistory(bench);
+  addDuel(bench);
+  addMarks(bench);
   addSelection(bench);
   addDeliver(bench);
   addRecovery(bench);

@@ -66,6 +66,10 @@ void addStudyExport(Bench& bench);
 void addNotes(Bench& bench);
 /// The versions of the model: the panel, its entries in the menu Edit, and the strip that names the compared ones.
 void addHistory(Bench& bench);
+/// "Feel blind": the two versions of the comparison, on the device.
+void addDuel(Bench& bench);
+/// "Mark this moment": the card in the panel Feel, its key, and the way back to the version that was felt.
+void addMarks(Bench& bench);
 /// What is pointed at comes to the front; a finding and an edit of the history select what they are about.
 void addSelection(Bench& bench);
 /// Stage Deliver: its two panels, and the way from each line of the readiness to the place or the act.

@@ -7,6 +7,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/features/bench.h"
 #include "app/workbench/features/features.h"
+#include "app/workbench/shell/panel_area.h"
 #include "app/workbench/understand/curves/curves_panel.h"
 #include "app/workbench/understand/pull/pull_card.h"
 

@@ -197,6 +197,12 @@ void FeelController::newPlacement() {
   meter_.begin(placement_orders_);
 }
 
+void FeelController::newPlacementAt(double depth_mm) {
+  force_.start_depth_mm = depth_mm - depth_offset_mm_;
+  newPlacement();
+  force_.start_depth_mm = 0;  // of the next one
+}
+
 void FeelController::setNeckFlexed(bool flexed) {
   if (!scene_.model()) return;
   const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);

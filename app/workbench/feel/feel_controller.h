@@ -135,6 +135,8 @@ class FeelController : public QObject {
   void stop();
   /// The tube was taken out: ends the placement and begins another one.
   void newPlacement();
+  /// The same with the tip at `depth_mm` already, in the coordinates of the model.
+  void newPlacementAt(double depth_mm);
   /// Flexes the patient's neck or holds the head upright. The force follows within one second.
   void setNeckFlexed(bool flexed);
   /// The patient sits upright when the procedure begins. Does nothing once the neck was set here or anywhere else: the

@@ -174,12 +174,12 @@ void EditController::snapshot(const QString& name) {
   emit reported(tr("Snapshot “%1” of: %2").arg(name.trimmed(), text(history_->labelOf(history_->current()))));
 }
 
-void EditController::signOff(const QString& who) {
+void EditController::signOff(const QString& who, const std::optional<editing::Felt>& felt) {
   if (!isOpen() || who.trimmed().isEmpty()) return;
   commit();
   editing::Stamp signed_by = stamp();
   signed_by.author = who.trimmed().toStdString();
-  history_->signOff(signed_by, felt_);
+  history_->signOff(signed_by, felt.value_or(felt_));
   emit historyChanged();
   emit reported(tr("%1: %2").arg(who.trimmed(), text(history_->events().back().label)));
 }

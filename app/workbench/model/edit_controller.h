@@ -83,7 +83,8 @@ class EditController : public QObject {
   /// Names the current state. Does nothing if `name` is empty.
   void snapshot(const QString& name);
   /// Records that `who`, an expert's name or code, approves the current state, with how it was felt (`setFelt`).
-  void signOff(const QString& who);
+  /// `felt`: how it was felt otherwise, in the place of that.
+  void signOff(const QString& who, const std::optional<editing::Felt>& felt = std::nullopt);
   /// Repeats a sign-off that was recorded elsewhere, with its label.
   void repeatSignOff(const QString& who, const std::string& label);
   /// How the current state was felt so far; no strokes until it is felt.

@@ -530,6 +530,23 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::DuelWindow</name>
+    <message numerus="yes">
+        <source>Go on with the interrupted one (%n answer(s))</source>
+        <translation>
+            <numerusform>Go on with the interrupted one (%n answer)</numerusform>
+            <numerusform>Go on with the interrupted one (%n answers)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>It takes %n trial(s); %1 right answers show the difference, which is found with %2 %.</source>
+        <translation>
+            <numerusform>It takes %n trial; %1 right answers show the difference, which is found with %2 %.</numerusform>
+            <numerusform>It takes %n trials; %1 right answers show the difference, which is found with %2 %.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::ExpertFlow</name>
     <message numerus="yes">
         <source>%n rule(s) · %1</source>
@@ -566,6 +583,16 @@
         <translation>
             <numerusform>Sign off what was felt: %n stroke on this state, on %1 (Ctrl+Shift+G)</numerusform>
             <numerusform>Sign off what was felt: %n strokes on this state, on %1 (Ctrl+Shift+G)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::MarksCard</name>
+    <message numerus="yes">
+        <source>Return to one of %n mark(s)</source>
+        <translation>
+            <numerusform>Return to %n mark</numerusform>
+            <numerusform>Return to one of %n marks</numerusform>
         </translation>
     </message>
 </context>

@@ -149,15 +149,15 @@ const std::vector<double>* channelOf(const study::Recording& recording, const st
   return nullptr;
 }
 
+std::string deviceText(const haptics::DeviceInfo& info) {
+  return info.serial.empty() ? info.name : info.name + ' ' + info.serial;
+}
+
 namespace {
 
 using base::Result;
 
 constexpr double kTailS = 0.3;  // a replay shows that the force has gone
-
-std::string deviceText(const haptics::DeviceInfo& info) {
-  return info.serial.empty() ? info.name : info.name + ' ' + info.serial;
-}
 
 }  // namespace
 

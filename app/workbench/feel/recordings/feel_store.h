@@ -58,6 +58,8 @@ class FeelSessions {
 
 /// The current time of both clocks.
 study::Moment momentNow();
+/// Name and serial number, as records keep them.
+std::string deviceText(const haptics::DeviceInfo& info);
 
 /// Turns the samples of the servo into the channels of a recording (docs/study-file.md, "Feeling a model").
 class FeelRecorder {
@@ -129,6 +131,13 @@ class FeelStore : public QObject {
   /// The recording being replayed; nothing if there is none.
   std::optional<study::RecordId> replayed() const;
 
+  // For other records of the current run. Need a run.
+
+  /// Used by the thread of the study alone.
+  const std::shared_ptr<FeelSessions>& sessions() const { return sessions_; }
+  FeelSessions::Visit visit() const;
+  study::FeltSetting setting() const;
+
  public slots:
   void setWho(std::optional<tactus::study::RecordId> who);
   /// Starts a recording with a new placement: at once, or with the next start of a device. It ends with the run.
@@ -161,8 +170,6 @@ class FeelStore : public QObject {
   void playNext();
   void follow(std::size_t sample);
   void endPlacement();
-  FeelSessions::Visit visit() const;
-  study::FeltSetting setting() const;
   std::vector<FeelRecorder::Condition> conditions() const;
   study::Entry entry();
   study::EnteredBy enteredBy() const;

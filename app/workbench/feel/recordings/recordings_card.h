@@ -1,4 +1,4 @@
-// The records of feeling in the study: the person, the button Record, and the recordings with Replay.
+// The records of feeling in the study: the person, the button Record, and the recordings with Replay; marked moments.
 #pragma once
 
 #include <cstddef>
@@ -13,6 +13,7 @@ class QPushButton;
 namespace tactus::workbench {
 
 class FeelController;
+class FeelMarks;
 class FeelStore;
 class StudyConnection;
 
@@ -62,6 +63,22 @@ class RecordingsCard : public Card {
   bool roomy_ = true;
   bool in_one_row_ = false;
   std::size_t listed_ = 0;  ///< number of recordings in the list
+};
+
+/// The button that marks a moment, and the marked moments to return to.
+class MarksCard : public Card {
+  Q_OBJECT
+
+ public:
+  MarksCard(FeelMarks& marks, FeelController& feel, QWidget* parent = nullptr);
+
+ private:
+  void list();
+
+  FeelMarks& marks_;
+  FeelController& feel_;
+  QPushButton* mark_;
+  QComboBox* list_;
 };
 
 }  // namespace tactus::workbench

@@ -10,6 +10,7 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/buttons.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
 #include "app/workbench/tune/history/compare_controller.h"
@@ -65,6 +66,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
       help_(new StatisticHelp({Statistic::kNoticeable, Statistic::kRms}, this)),
       place_(new QLabel(this)),
       go_(new QPushButton(tr("Go there"), this)),
+      blind_(new QPushButton(tr("Feel blind…"), this)),
       changes_(new QLabel(this)),
       refresh_list_(new Refresh(this, [this] { list(); })),
       refresh_result_(new Refresh(this, [this] { showResult(); })) {
@@ -80,6 +82,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   changes_->setObjectName(QStringLiteral("compare_changes"));
   go_->setAccessibleName(go_->text());
   go_->setToolTip(tr("Move the operating point to the largest difference"));
+  blind_->setToolTip(tr("Feel A and B on the device without knowing which is which"));
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
@@ -93,12 +96,13 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   layout->addWidget(result_, 3, 0, 1, 2);
   layout->addWidget(help_, 3, 2, Qt::AlignRight | Qt::AlignTop);
   layout->addWidget(place_, 4, 0, 1, 3);
-  layout->addWidget(go_, 5, 0, 1, 3, Qt::AlignRight);
+  layout->addLayout(makeRow({spring(1), blind_, go_}), 5, 0, 1, 3);
   layout->addWidget(changes_, 6, 0, 1, 3);
 
   connect(a_, &QComboBox::activated, this, [this] { choose(*a_, CompareSide::kA); });
   connect(b_, &QComboBox::activated, this, [this] { choose(*b_, CompareSide::kB); });
   connect(go_, &QPushButton::clicked, this, &CompareCard::goThere);
+  connect(blind_, &QPushButton::clicked, this, &CompareCard::feelBlindRequested);
   connect(&compare_, &CompareController::choicesChanged, refresh_list_, &Refresh::request);
   connect(&compare_, &CompareController::choicesChanged, refresh_result_, &Refresh::request);
   connect(&compare_, &CompareController::resultChanged, refresh_result_, &Refresh::request);
@@ -139,6 +143,7 @@ void CompareCard::showResult() {
   const auto& result = compare_.result();
   place_->setVisible(result && !result->at.empty());
   go_->setVisible(place_->isVisibleTo(this));
+  blind_->setVisible(go_->isVisibleTo(this));
   showChanges();
   if (!result) {
     help_->hide();

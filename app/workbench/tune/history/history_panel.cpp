@@ -256,7 +256,9 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   form->setSpacing(theme::kGrid);
   form->addRow(tr("Sign-off"), signing);
   form->addRow(tr("Edits by"), author_field_);
-  makeColumn(side, {new CompareCard(compare, scene, side), form, spring(1)}, 2 * theme::kGrid, {0, 0, theme::kGrid, 0});
+  auto* card = new CompareCard(compare, scene, side);
+  connect(card, &CompareCard::feelBlindRequested, this, &HistoryPanel::feelBlindRequested);
+  makeColumn(side, {card, form, spring(1)}, 2 * theme::kGrid, {0, 0, theme::kGrid, 0});
   // A low panel scrolls it.
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);

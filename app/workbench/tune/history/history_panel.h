@@ -35,6 +35,10 @@ class CompareCard : public QWidget {
  public:
   CompareCard(CompareController& compare, SceneController& scene, QWidget* parent = nullptr);
 
+ signals:
+  /// A and B are to be felt without knowing which is which.
+  void feelBlindRequested();
+
  private:
   void list();
   void fill(QComboBox& box, CompareSide side);
@@ -51,6 +55,7 @@ class CompareCard : public QWidget {
   StatisticHelp* help_;
   QLabel* place_;
   QPushButton* go_;
+  QPushButton* blind_;
   QLabel* changes_;  ///< what differs between the models, a line each
   Refresh* refresh_list_;
   Refresh* refresh_result_;
@@ -92,6 +97,8 @@ class HistoryPanel : public Card {
   void visited(tactus::editing::StateId state);
   /// The user wants to look at the edits of this state on the open model.
   void carryAsked(tactus::editing::StateId state);
+  /// A and B of the comparison are to be felt without knowing which is which.
+  void feelBlindRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
