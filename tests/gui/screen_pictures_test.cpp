@@ -47,9 +47,9 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
         << name.toStdString();
     EXPECT_FALSE(picture[QStringLiteral("title")].toString().isEmpty());
     // A dialog has its own size.
-    static const QSet<QString> kDialogs = {
-        QStringLiteral("help/shortcuts"), QStringLiteral("collect/withdrawal"), QStringLiteral("deliver/serve"),
-        QStringLiteral("help/search"),    QStringLiteral("tune/carry"),         QStringLiteral("feel/blind-duel")};
+    static const QSet<QString> kDialogs = {QStringLiteral("help/shortcuts"), QStringLiteral("collect/withdrawal"),
+                                           QStringLiteral("deliver/serve"),  QStringLiteral("help/search"),
+                                           QStringLiteral("tune/carry"),     QStringLiteral("feel/blind-duel")};
     if (!kDialogs.contains(name)) {
       EXPECT_EQ(picture[QStringLiteral("width")].toInt(), wanted.size.width());
       EXPECT_EQ(picture[QStringLiteral("height")].toInt(), wanted.size.height());
