@@ -188,12 +188,12 @@ void addScreens(Bench& bench) {
        Place::below(*on.feel, 43, *on.curves), Place::behind(*on.strokes, *on.feel), Place::behind(*on.map, *on.feel),
        Place::behind(*on.surface, *on.feel), Place::behind(*on.rules_here, *on.feel),
        Place::behind(*on.reading, *on.feel), Place::behind(*on.history, *on.feel)},
-      // Two places instead of three. The surface, for which the tabs have no room, is in Understand.
+      // Two places instead of three. Map and surface, for which the tabs have no room, are in Understand.
       {Place::first(*on.membership_editor), Place::behind(*on.rule_editor, *on.membership_editor),
        Place::behind(*on.findings, *on.membership_editor), Place::behind(*on.history, *on.membership_editor),
        Place::right(*on.curves, 51, *on.membership_editor), Place::behind(*on.feel, *on.curves),
-       Place::behind(*on.strokes, *on.curves), Place::behind(*on.map, *on.curves),
-       Place::behind(*on.rules_here, *on.curves), Place::behind(*on.reading, *on.curves)});
+       Place::behind(*on.strokes, *on.curves), Place::behind(*on.rules_here, *on.curves),
+       Place::behind(*on.reading, *on.curves)});
   window.addLayout(feelLayout(), {Place::first(*on.feel)});
   window.addScreen(Stage::kDeliver, {Place::first(*on.readiness), Place::right(*on.bundle, 52, *on.readiness)});
 }

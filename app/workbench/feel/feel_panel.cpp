@@ -86,7 +86,7 @@ constexpr int kLowTrace = 50;       // px, the least height of the trace with mo
 constexpr int kLowestPicture = 84;  // px, with large text in a low panel
 constexpr int kOpenWidth = 900;     // px: from this size on the panel is for feeling alone
 constexpr int kOpenHeight = 480;
-constexpr int kOpenPicture = 320;   // px: the least height of the picture then
+constexpr int kOpenPicture = 296;   // px: the least height of the picture then
 constexpr double kOpenForce = 2.4;  // times as large as in a small panel
 
 // Wrapped text in a card must not make the height of the whole panel depend on its width: it would scroll where all

@@ -128,7 +128,7 @@ TEST(DemoReport, ShowsHowFarTheSpeedsCanBeTrusted) {
   EXPECT_TRUE(has("<strong>95 % intervals.</strong>"));
   EXPECT_TRUE(has("2000 draws of whole strokes"));
   EXPECT_TRUE(has(">95 % interval of a center</text>"));
-  EXPECT_TRUE(has("read as slow; with terms of the participant"));  // S4
+  EXPECT_TRUE(has("read as slow; with speed terms of the participant"));  // S4
   // The best order of 3 times 4 strokes, which the levels of S1 and S3 have: one of 34,650 arrangements.
   EXPECT_TRUE(has(">48 of 48</td>"));
   EXPECT_TRUE(has(">&lt; 0.001</td>"));
