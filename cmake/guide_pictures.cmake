@@ -30,6 +30,8 @@ set(pictures
   path-rules build/rules
   path-speed build/speed
   path-understand understand/overview
+  bench-pull tune/pull
+  feel-blind-duel feel/blind-duel
   tune-strokes tune/strokes_after_edit)
 
 set(made)
