@@ -20,8 +20,6 @@ struct PullFeature {
   Q_DECLARE_TR_FUNCTIONS(PullFeature)
 };
 
-PullWish pointWish(double x, double force_n) { return {PullWish::Kind::kPoint, x, x, force_n, 0, 0, {}, {}, {}}; }
-
 std::vector<PullWish> referenceWishes(const Bench& bench) {
   std::vector<PullWish> out;
   for (const ReferenceCurve& one : bench.references.shown())
@@ -95,7 +93,7 @@ void addPull(Bench& bench) {
     pull.setWish(wish);
   });
   QObject::connect(curves, &CurvesPanel::bandDrawn, context, [&pull](figures::Interval x, figures::Interval force_n) {
-    const PullWish wish{PullWish::Kind::kBand, x.low, x.high, 0, force_n.low, force_n.high, {}, {}, {}};
+    const PullWish wish = bandWish(x.low, x.high, force_n.low, force_n.high);
     if (pull.state() == State::kPulling) {
       pull.setWish(wish);
     } else {

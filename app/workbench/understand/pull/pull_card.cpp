@@ -29,6 +29,7 @@ namespace {
 constexpr int kCharacters = 64;  // of a line of the card
 constexpr int kBeside = 28;      // px between the place and the card
 constexpr double kForceStep = 0.01;
+constexpr int kMean = -1;   // in the place of an expert
 constexpr int kAPoint = 0;  // entries of the choice of what is pulled
 constexpr int kABand = 1;
 constexpr int kReferences = 2;
@@ -121,8 +122,8 @@ PullCard::PullCard(PullController& pull, std::vector<PullWish> references, QWidg
   auto* title = new QLabel(tr("Pull the force of"), this);
   title->setFont(theme::headingFont());
   who_->setAccessibleName(tr("Whose force"));
-  if (model.experts.size() > 1) who_->addItem(tr("Mean"));
-  for (const fuzzy::Expert& expert : model.experts) who_->addItem(labelOf(expert));
+  if (model.experts.size() > 1) who_->addItem(tr("Mean"), kMean);
+  for (std::size_t i = 0; i < model.experts.size(); ++i) who_->addItem(labelOf(model.experts[i]), static_cast<int>(i));
   kind_->setAccessibleName(tr("Where to"));
   kind_->addItem(tr("to a force here"));
   kind_->addItem(tr("into a band"));
@@ -145,9 +146,9 @@ PullCard::PullCard(PullController& pull, std::vector<PullWish> references, QWidg
              theme::kGrid * 3 / 4, inset(theme::kGrid * 3 / 2));
   keepFitted(*this, [this] { fit(); });
 
-  connect(who_, &QComboBox::activated, this, [this, &model](int index) {
-    const bool mean = model.experts.size() > 1;
-    pull_.setExpert(mean && index == 0 ? std::nullopt : std::optional<std::size_t>(index - (mean ? 1 : 0)));
+  connect(who_, &QComboBox::activated, this, [this] {
+    const int expert = who_->currentData().toInt();
+    pull_.setExpert(expert == kMean ? std::nullopt : std::optional(static_cast<std::size_t>(expert)));
   });
   connect(kind_, &QComboBox::activated, this, &PullCard::onKindChosen);
   for (NumberBox* box : {wanted_, from_, to_, low_, high_})
@@ -206,15 +207,14 @@ void PullCard::onKindChosen(int index) {
   if (index >= kReferences) {
     wish = references_[static_cast<std::size_t>(index - kReferences)];
   } else if (index == kABand && wish.kind != PullWish::Kind::kBand) {
-    // A tenth of the axis around the place, and a tenth of a newton around the force.
+    // A tenth of the axis around the place, from the wanted force up.
     const double half = (x.max - x.min) / 20;
     const double at = wish.kind == PullWish::Kind::kPoint ? wish.from : pull_.scene().value(pull_.scene().xInput());
     const double force_n = wish.kind == PullWish::Kind::kPoint ? wish.force_n : low_->value();
-    wish = {
-        PullWish::Kind::kBand, placeOf(x, at - half), placeOf(x, at + half), 0, force_n, high_->maximum(), {}, {}, {}};
+    wish = bandWish(placeOf(x, at - half), placeOf(x, at + half), force_n, high_->maximum());
   } else if (index == kAPoint && wish.kind != PullWish::Kind::kPoint) {
     const double at = pull_.scene().value(pull_.scene().xInput());
-    wish = {PullWish::Kind::kPoint, at, at, wanted_->value(), 0, 0, {}, {}, {}};
+    wish = pointWish(at, wanted_->value());
   }
   pull_.setWish(wish);
 }
@@ -239,8 +239,8 @@ void PullCard::showWish() {
   band_row_->setVisible(wish.kind == PullWish::Kind::kBand);
   const QSignalBlocker of_who(who_);
   const QSignalBlocker of_kind(kind_);
-  const bool mean = pull_.scene().model()->model.experts.size() > 1;
-  who_->setCurrentIndex(pull_.expert() ? static_cast<int>(*pull_.expert()) + (mean ? 1 : 0) : 0);
+  // A model of one expert has no entry for the mean.
+  who_->setCurrentIndex(std::max(0, who_->findData(pull_.expert() ? static_cast<int>(*pull_.expert()) : kMean)));
   int kind = point ? kAPoint : kABand;
   for (std::size_t i = 0; wish.kind == PullWish::Kind::kReference && i < references_.size(); ++i) {
     if (references_[i].name == wish.name) kind = kReferences + static_cast<int>(i);

@@ -229,15 +229,13 @@ PullOffer offerOf(const fuzzy::ForceModel& model, const analysis::PullCandidate&
 }
 
 /// The line of `expert` or of the mean after the edits of `offer`.
-void addCurve(PullOffer& offer, const fuzzy::ForceModel& after, std::vector<double> point, std::size_t x_input,
+void addCurve(PullOffer& offer, const fuzzy::ForceModel& after, const std::vector<double>& point, std::size_t x_input,
               const std::optional<std::size_t>& expert) {
   const auto compiled = fuzzy::compile(after);
   if (!compiled) return;
-  offer.x = figures::samplePositions(after, x_input);
-  for (const double x : offer.x) {
-    point[x_input] = x;
-    offer.curve.push_back(expert ? compiled->evaluateExpert(*expert, point) : compiled->evaluate(point));
-  }
+  figures::ForceCurves curves = figures::computeCurves(after, *compiled, x_input, point);
+  offer.x = std::move(curves.x);
+  offer.curve = std::move(expert ? curves.experts[*expert] : curves.mean);
 }
 
 QString sentenceOf(const fuzzy::ForceModel& model, const analysis::Pull& found) {

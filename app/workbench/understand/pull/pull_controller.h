@@ -40,6 +40,13 @@ struct PullWish {
   std::vector<double> y_n;  ///< one per place; NaN: a gap
 };
 
+inline PullWish pointWish(double x, double force_n) {
+  return {PullWish::Kind::kPoint, x, x, force_n, 0, 0, {}, {}, {}};
+}
+inline PullWish bandWish(double from, double to, double low_n, double high_n) {
+  return {PullWish::Kind::kBand, from, to, 0, low_n, high_n, {}, {}, {}};
+}
+
 /// An edit that is offered, or several that belong together.
 struct PullOffer {
   std::vector<analysis::PullEdit> edits;

@@ -32,7 +32,7 @@ class PullControllerTest : public testing::Test {
   }
 
   void pullTo(double force_n) {
-    pull.begin({PullWish::Kind::kPoint, 200, 200, force_n, 0, 0, {}, {}, {}}, std::nullopt, State::kChoosing);
+    pull.begin(pointWish(200, force_n), std::nullopt, State::kChoosing);
     wait();
   }
   void wait() {
@@ -92,7 +92,7 @@ TEST_F(PullControllerTest, TakingAnOfferIsOneStepOfUndo) {
 }
 
 TEST_F(PullControllerTest, ADragSeeksTheBestEditAlone) {
-  pull.begin({PullWish::Kind::kPoint, 200, 200, .58, 0, 0, {}, {}, {}}, std::nullopt, State::kPulling);
+  pull.begin(pointWish(200, .58), std::nullopt, State::kPulling);
   for (const double wanted : {.57, .56, .55}) {
     PullWish wish = pull.wish();
     wish.force_n = wanted;
@@ -130,7 +130,7 @@ TEST_F(PullControllerTest, AnAnswerThatIsContradictedIsNamed) {
 }
 
 TEST_F(PullControllerTest, WhatIsOutOfReachSaysWhyAndHowFarItGoes) {
-  pull.begin({PullWish::Kind::kPoint, 300, 300, 1.0, 0, 0, {}, {}, {}}, std::nullopt, State::kChoosing);
+  pull.begin(pointWish(300, 1.0), std::nullopt, State::kChoosing);
   wait();
   EXPECT_TRUE(pull.answer()->sentence.startsWith(QStringLiteral("No edit gives 1.000 N: ")))
       << pull.answer()->sentence.toStdString();
@@ -138,7 +138,7 @@ TEST_F(PullControllerTest, WhatIsOutOfReachSaysWhyAndHowFarItGoes) {
 }
 
 TEST_F(PullControllerTest, ABandOverAStretch) {
-  pull.begin({PullWish::Kind::kBand, 125, 185, 0, .50, 1.1, {}, {}, {}}, std::nullopt, State::kChoosing);
+  pull.begin(bandWish(125, 185, .50, 1.1), std::nullopt, State::kChoosing);
   wait();
   ASSERT_FALSE(pull.answer()->offers.empty());
   pull.take(*pull.previewed());
