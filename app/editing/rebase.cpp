@@ -243,7 +243,7 @@ class Trial {
     }
   }
 
-  /// Fills in how the edit of `group` goes on the target.
+  /// Tries the edit of `group` on the target and writes into `out` whether it applies, or why not.
   void run(const Group& group, CarriedEdit& out) const {
     std::string reason;
     bool has_name = false;

@@ -87,9 +87,9 @@ base::Result<std::vector<ModelPart>> differingParts(const fuzzy::ForceModel& bas
 /// The value of the part in `model`; nothing if it is not there.
 std::optional<PartValue> valueIn(const fuzzy::ForceModel& model, const ModelPart& part);
 
-/// Puts the parts, in the order of `differingParts`, into `model`. What a part did not change stays as `model` has it:
-/// of a rule with another word the weight, of terms that became an expert's own the vertices that nobody moved. The
-/// result need not be valid.
+/// Puts the parts, in the order of `differingParts`, into `model`. What a part did not change stays as `model` has it.
+/// A rule that got another word keeps the weight that it has in `model`; terms that became an expert's own take the
+/// vertices that the edit did not move from `model`. The result need not be valid.
 void put(fuzzy::ForceModel& model, std::span<const ModelPart* const> parts);
 
 // Parts that belong together, in words.

@@ -194,7 +194,7 @@ void NumberBox::focusOutEvent(QFocusEvent* event) {
 
 void NumberBox::hideEvent(QHideEvent* event) {
   QDoubleSpinBox::hideEvent(event);
-  // What nobody took is not there when the box is seen again.
+  // The box forgets a text that it did not accept: the next time it shows its value.
   if (isTyped()) restore();
   setRefusal({});
 }

@@ -220,7 +220,7 @@ void StartView::listRecent() {
   qDeleteAll(recent_entries_);
   recent_entries_.clear();
   const QDateTime now = QDateTime::currentDateTime();
-  // Whoever has worked here goes on with that.
+  // A user who has opened a file before most likely wants to continue with it, not with the demo.
   explore_->setPrimary(recent_.files().isEmpty());
   int place = 2;  // below the heading and "Open…"
   for (const RecentFile& file : recent_.files().mid(0, kRecentShown)) {
