@@ -342,7 +342,7 @@ std::string SourceWriter::blockText(const std::vector<std::size_t>& experts) con
       forces += "    largest = " + tree(all, "larger") + ";\n    tiny += largest < 1e-90 ? largest : 0.0;\n";
     }
     // Where no rule fires, area and moment are 0.
-    forces += "    centroid_" + std::to_string(g) + "(s + " + std::to_string(count) + ", 1, &area, &moment);\n";
+    forces += "    " + centroidOf(e) + "(s + " + std::to_string(count) + ", 1, &area, &moment);\n";
     forces += experts.size() == 1
                   ? "    sum = moment / larger(area, 1e-300);\n    weights = area > 0.0 ? 1.0 : 0.0;\n"
                   : "    sum += " + share(e) + " * (moment / larger(area, 1e-300));\n    weights += area > 0.0 ? " +

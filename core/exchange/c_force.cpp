@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory_resource>
 #include <numeric>
+#include <set>
 #include <span>
 
 #include "core/exchange/c_parts.h"
@@ -18,69 +19,91 @@ using Polynomial = fuzzy::Polynomial<double>;
 
 std::string strength(std::size_t term) { return "s" + std::to_string(term); }
 
-/// The parts of a sum in C, each in a variable of its own, so that the processor can work at them side by side.
+/// Area and moment of an output set in C: the parts that are added and taken away, each in a variable of its own.
 class Parts {
  public:
-  /// Declares area and moment of one more part; `sign` is + or -.
-  void add(char sign, const std::string& area, const std::function<std::string(const std::string& area)>& moment) {
-    const std::string index = std::to_string(count_++);
+  /// Declares area and moment of one more part of the sum of `lane`; `sign` is + or -.
+  void add(char sign, std::size_t lane, const std::string& area,
+           const std::function<std::string(const std::string& area)>& moment) {
+    const std::string index = std::to_string(parts_.size());
     text_ += "  const double a" + index + " = " + area + ";\n";
     text_ += "  const double n" + index + " = " + moment("a" + index) + ";\n";
-    (sign == '+' ? plus_ : minus_).push_back(index);
+    parts_.push_back({sign, lane});
   }
   void declare(const std::string& name, const std::string& value) {
     text_ += "  const double " + name + " = " + value + ";\n";
   }
-  std::size_t count() const { return count_; }
+  std::size_t count() const { return parts_.size(); }
 
-  std::string text() const {
-    return text_ + "  *area = " + sum(plus_, "a") + rest("a") + ";\n  *moment = " + sum(plus_, "n") + rest("n") + ";\n";
+  /// `alone`: the order of the sums, as MeanOrder::Team says.
+  std::string text(bool alone) const {
+    const auto sum = [&](char letter) { return alone ? laneByLane(letter) : oneAfterTheOther(letter); };
+    return text_ + "  *area = " + sum('a') + ";\n  *moment = " + sum('n') + ";\n";
   }
 
  private:
-  std::string rest(const std::string& letter) const {
-    return minus_.empty() ? std::string() : " - " + sum(minus_, letter);
+  struct Part {
+    char sign;
+    std::size_t lane;
+  };
+
+  std::string oneAfterTheOther(char letter) const {
+    std::string out;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (i > 0) out += std::string(" ") + parts_[i].sign + " ";
+      out += letter + std::to_string(i);
+    }
+    return out;
   }
 
-  /// A balanced tree of additions.
-  static std::string sum(std::span<const std::string> indices, const std::string& letter) {
-    if (indices.size() == 1) return letter + indices.front();
-    const std::size_t half = indices.size() / 2;
-    return "(" + sum(indices.first(half), letter) + " + " + sum(indices.subspan(half), letter) + ")";
+  std::string laneByLane(char letter) const {
+    std::array<std::string, fuzzy::kLanes> lanes;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      std::string& lane = lanes[parts_[i].lane];
+      lane = lane.empty() ? letter + std::to_string(i) : "(" + lane + " - " + letter + std::to_string(i) + ")";
+    }
+    // A lane that is missing holds 0.
+    const auto plus = [](const std::string& x, const std::string& y) {
+      return x.empty() || y.empty() ? x + y : "(" + x + " + " + y + ")";
+    };
+    for (std::size_t k = 0; k < 4; ++k) lanes[k] = plus(lanes[k], lanes[k + 4]);
+    return plus(plus(lanes[0], lanes[2]), plus(lanes[1], lanes[3]));
   }
 
   std::string text_;
-  std::size_t count_ = 0;
-  std::vector<std::string> plus_;
-  std::vector<std::string> minus_;
+  std::vector<Part> parts_;
 };
 
-/// Area and moment of a trapezoid that is clipped at `t`.
-void addClipped(const std::string& t, const Polynomial& f, char sign, Parts& parts) {
-  parts.add(sign, t + " * (" + number(f.width) + " - " + t + " * " + number(f.half_taper) + ")",
+/// Area and moment of a trapezoid that is clipped at `t`. Each number of the kernels (core/fuzzy/kernel_source.h) comes
+/// out of the same operations, in the same order.
+void addClipped(const std::string& t, const Polynomial& f, char sign, std::size_t lane, Parts& parts) {
+  parts.add(sign, lane, t + " * (" + number(f.width) + " - " + t + " * " + number(f.half_taper) + ")",
             [&](const std::string& area) {
-              if (f.linear == 0 && f.cubic == 0) return area + " * " + number(f.middle);
-              return t + " * (" + number(f.width * f.middle) + " - " + t + " * (" +
-                     number(f.half_taper * f.middle - f.linear) + " + " + t + " * " + number(f.cubic) + "))";
+              const std::string middle = area + " * " + number(f.middle);
+              if (f.linear == 0 && f.cubic == 0) return middle;
+              return middle + " + (" + t + " * " + t + ") * (" + number(f.linear) + " - " + t + " * " +
+                     number(f.cubic) + ")";
             });
 }
 
 void addClippedOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right,
-                       const std::vector<std::string>& between, Parts& parts) {
+                       const std::vector<std::string>& between, std::size_t lane, Parts& parts) {
   const std::string common = "t" + std::to_string(parts.count());
   std::string least = "lower(" + left + ", " + right + ")";
   // The common part of two trapezoids reaches 1 only where their cores meet.
   if (pair.overlap.peak < 1) least = "lower(" + least + ", " + number(pair.overlap.peak) + ")";
   parts.declare(common, least);
-  addClipped(common, pair.overlap.shape, '-', parts);
-  if (between.empty()) return;
-  // Below the strength of the strongest term between, terms between cover the whole overlap.
-  const std::string hidden = "t" + std::to_string(parts.count());
-  parts.declare(hidden, "lower(" + common + ", " + tree(between, "larger") + ")");
-  addClipped(hidden, pair.overlap.shape, '+', parts);
+  if (!between.empty()) {
+    // Below the strength of the strongest term between, terms between cover the whole overlap.
+    const std::string hidden = "hidden" + std::to_string(parts.count());
+    parts.declare(hidden, "lower(" + common + ", " + tree(between, "larger") + ")");
+    addClipped(hidden, pair.overlap.shape, '+', lane, parts);
+  }
+  addClipped(common, pair.overlap.shape, '-', lane, parts);
 }
 
-void addScaledOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right, Parts& parts) {
+void addScaledOverlap(const ClosedForm::Pair& pair, const std::string& left, const std::string& right, std::size_t lane,
+                      Parts& parts) {
   const auto& overlap = pair.overlap;
   const double width = overlap.shape.width;
   const std::string index = std::to_string(parts.count());
@@ -88,14 +111,19 @@ void addScaledOverlap(const ClosedForm::Pair& pair, const std::string& left, con
   parts.declare("fall" + index, left + " * " + number(overlap.inverse_fall));
   parts.declare("rise" + index, right + " * " + number(overlap.inverse_rise));
   parts.declare("t" + index, "fall" + index + " / (" + sum + " > 0.0 ? " + sum + " : 1.0)");
-  parts.add('-', "rise" + index + " * t" + index + " * " + number(width * width * 0.5), [&](const std::string& area) {
-    return area + " * ((t" + index + " + 1.0) * " + number(width / 3) + " + " + number(overlap.start) + ")";
-  });
+  parts.add(
+      '-', lane, "rise" + index + " * t" + index + " * " + number(width * width * 0.5), [&](const std::string& area) {
+        return area + " * ((t" + index + " + 1.0) * " + number(width * (1.0 / 3)) + " + " + number(overlap.start) + ")";
+      });
 }
 
-}  // namespace
+std::string centroidName(std::size_t group, bool alone) {
+  return "centroid_" + std::to_string(group) + (alone ? "_alone" : "");
+}
 
-std::string centroidFunction(const fuzzy::ForceModel& model, const CentroidGroup& group, std::size_t index) {
+/// The function centroidName(s, n, &area, &moment): the strength of the term live[k] is `s[k * n]`.
+std::string centroidFunction(const fuzzy::ForceModel& model, const CentroidGroup& group, const std::string& name,
+                             bool alone) {
   const bool clips = model.implication == fuzzy::Implication::kClip;
   const ClosedForm& form = group.form;
   std::array<std::size_t, fuzzy::kMostTerms> term_of{};  // of each lane
@@ -109,9 +137,9 @@ std::string centroidFunction(const fuzzy::ForceModel& model, const CentroidGroup
     const std::string own = strength(term_of[lane]);
     const Polynomial& whole = form.terms[lane];
     if (clips) {
-      addClipped(own, whole, '+', parts);
+      addClipped(own, whole, '+', lane, parts);
     } else {
-      parts.add('+', own + " * " + number(whole.width),
+      parts.add('+', lane, own + " * " + number(whole.width),
                 [&](const std::string&) { return own + " * " + number(whole.middle); });
     }
     for (std::uint32_t p = form.first_pair[lane]; p < form.first_pair[lane + 1]; ++p) {
@@ -123,22 +151,19 @@ std::string centroidFunction(const fuzzy::ForceModel& model, const CentroidGroup
         if (live[k]) between.push_back(strength(term_of[k]));
       }
       if (clips) {
-        addClippedOverlap(pair, left, own, between, parts);
+        addClippedOverlap(pair, left, own, between, pair.left, parts);
       } else {
-        addScaledOverlap(pair, left, own, parts);
+        addScaledOverlap(pair, left, own, pair.left, parts);
       }
     }
   }
-  std::string out =
-      "PART void centroid_" + std::to_string(index) + "(const double *s, int n, double *area, double *moment) {\n";
+  std::string out = "PART void " + name + "(const double *s, int n, double *area, double *moment) {\n";
   for (std::size_t k = 0; k < group.live.size(); ++k) {
     out += "  const double " + strength(group.live[k]) + " = s[" + std::to_string(k) + " * n];  /* " +
            comment(group.terms[group.live[k]].id) + " */\n";
   }
-  return out + parts.text() + "}\n\n";
+  return out + parts.text(alone) + "}\n\n";
 }
-
-namespace {
 
 /// The head of a loop over `count` things of several experts side by side.
 std::string forEach(std::size_t count) {
@@ -147,10 +172,20 @@ std::string forEach(std::size_t count) {
 
 }  // namespace
 
+/// Which centroid the expert takes: the sums of an expert alone, or of one in a team.
+std::string SourceWriter::centroidOf(std::size_t expert) const {
+  return centroidName(ordered_[expert]->group, isAlone(expert));
+}
+
+bool SourceWriter::isAlone(std::size_t expert) const {
+  return std::any_of(order_.teams.begin(), order_.teams.end(), [expert](const fuzzy::MeanOrder::Team& team) {
+    return team.alone && team.experts.front() == expert;
+  });
+}
+
 /// The weight of an expert, all weights together being 1.
 std::string SourceWriter::share(std::size_t expert) const {
-  const double total = std::accumulate(weights_.begin(), weights_.end(), 0.0);
-  return number(std::max(weights_[expert] / total, std::numeric_limits<double>::denorm_min()));
+  return number(std::max(order_.shares[expert], std::numeric_limits<double>::denorm_min()));
 }
 
 std::string SourceWriter::strengthFunction(std::size_t index, const Ordered& expert) const {
@@ -179,7 +214,7 @@ std::string SourceWriter::orderedFunctions(std::size_t index) const {
   const CentroidGroup& group = groups_[expert.group];
   const std::string name = std::to_string(index);
   const std::string count = std::to_string(group.live.size());
-  const std::string centroid = "centroid_" + std::to_string(expert.group) + "(s, 1, &area, &moment);\n";
+  const std::string centroid = centroidOf(index) + "(s, 1, &area, &moment);\n";
   const std::string start = "strengths_" + name + "(m, s, 1);\n  largest = " + largest(group, "]") + ";\n";
   return strengthFunction(index, expert) +
          "/* Strengths may be so small that their squares vanish. Ratios alone count there. */\nRARE double tiny_" +
@@ -192,9 +227,20 @@ std::string SourceWriter::orderedFunctions(std::size_t index) const {
          "(inputs);\n    return 1;\n  }\n  " + centroid + "  *offset = moment / area;\n  return 1;\n}\n\n";
 }
 
-std::string SourceWriter::expertFunctions() const {
+/// The centroids that some expert takes.
+std::string SourceWriter::centroidFunctions() const {
+  std::set<std::pair<std::size_t, bool>> taken;
+  for (std::size_t e = 0; e < ordered_.size(); ++e) {
+    if (ordered_[e]) taken.insert({ordered_[e]->group, isAlone(e)});
+  }
   std::string out;
-  for (std::size_t g = 0; g < groups_.size(); ++g) out += centroidFunction(model_, groups_[g], g);
+  for (const auto& [group, alone] : taken)
+    out += centroidFunction(model_, groups_[group], centroidName(group, alone), alone);
+  return out;
+}
+
+std::string SourceWriter::expertFunctions() const {
+  std::string out = centroidFunctions();
   for (std::size_t e = 0; e < model_.experts.size(); ++e) {
     if (ordered_[e]) {
       out += orderedFunctions(e);
@@ -206,6 +252,69 @@ std::string SourceWriter::expertFunctions() const {
   return out;
 }
 
+/// The mean where each expert fires: `offsets` are those of `experts`, in `offset`.
+std::string SourceWriter::meanOfAll(const std::vector<std::size_t>& experts) const {
+  std::string out;
+  for (const fuzzy::MeanOrder::Team& team : order_.teams) {
+    std::array<std::string, 4> places;
+    for (std::size_t k = 0; k < team.experts.size(); ++k) {
+      const auto at = std::find(experts.begin(), experts.end(), team.experts[k]);
+      if (at == experts.end()) continue;  // its weight is 0
+      const std::string index = std::to_string(at - experts.begin());
+      places[k] = "offset[" + index + "] * " + share(team.experts[k]);
+    }
+    const auto plus = [](const std::string& x, const std::string& y) {
+      return x.empty() || y.empty() ? x + y : "(" + x + " + " + y + ")";
+    };
+    const std::string sum = plus(plus(places[0], places[2]), plus(places[1], places[3]));
+    if (!sum.empty()) out += (out.empty() ? "" : " + ") + sum;
+  }
+  return number(model_.output.min) + " + (" + out + ")";
+}
+
+/// The function `mean_of_some`, for where an expert may not fire: `largest` is above 0 where one does.
+std::string SourceWriter::meanOfSomeText(const std::vector<std::size_t>& experts) const {
+  std::vector<std::size_t> order;
+  for (const fuzzy::MeanOrder::Team& team : order_.teams) {
+    for (const std::size_t e : team.experts) {
+      const auto at = std::find(experts.begin(), experts.end(), e);
+      if (at != experts.end()) order.push_back(static_cast<std::size_t>(at - experts.begin()));
+    }
+  }
+  if (order.empty()) {
+    order.resize(experts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+  }
+  const std::string count = std::to_string(experts.size());
+  std::string places;
+  std::string weights;
+  for (const std::size_t place : order) {
+    places += (places.empty() ? "" : ", ") + std::to_string(place);
+    weights += (weights.empty() ? "" : ", ") + number(weights_[experts[place]]);
+  }
+  return "/* Where some expert does not fire. */\nRARE double mean_of_some(const double *largest, const double "
+         "*offset, int "
+         "*fired) {\n  static const int place[" +
+         count + "] = {" + places + "};\n  static const double weight[" + count + "] = {" + weights +
+         "};\n  long double weights = 0.0L;\n  double mean = 0.0;\n  int k;\n  for (k = 0; k < " + count +
+         "; ++k) {\n    if (!(largest[place[k]] > 0.0)) continue;\n    weights += weight[k];\n"
+         "    mean += (offset[place[k]] - mean) * (double)(weight[k] / weights);\n  }\n  if (!(weights > 0.0L)) "
+         "return " +
+         number(model_.default_force_n) + ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) +
+         " + mean;\n}\n\n";
+}
+
+/// From `largest` and `offset` of all experts to the force.
+std::string SourceWriter::meanOf(const std::vector<std::size_t>& experts) const {
+  // Where the general path evaluates the model, the experts follow each other everywhere.
+  if (order_.teams.empty()) return "  return mean_of_some(largest, offset, fired);\n}\n\n";
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < experts.size(); ++i) all.push_back("largest[" + std::to_string(i) + "]");
+  return "  if (!(" + tree(all, "lower") +
+         " > 0.0)) return mean_of_some(largest, offset, fired);\n  if (fired != NULL) *fired = 1;\n  return " +
+         meanOfAll(experts) + ";\n}\n\n";
+}
+
 std::string SourceWriter::oneByOneText(const std::vector<std::size_t>& experts) const {
   // The centroid of the only expert is the mean.
   if (experts.size() == 1) {
@@ -215,17 +324,23 @@ std::string SourceWriter::oneByOneText(const std::vector<std::size_t>& experts) 
            std::to_string(experts.front()) + "(inputs, m, &offset)) return " + number(model_.default_force_n) +
            ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) + " + offset;\n}\n\n";
   }
-  std::string out =
-      "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], offset, sum = 0.0, weights = "
-      "0.0;\n"
-      "  const int nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
-      "  if (nothing) return not_a_number();\n";
-  for (const std::size_t e : experts) {
-    out += "  if (expert_" + std::to_string(e) + "(inputs, m, &offset)) {\n    sum += " + share(e) +
-           " * offset;\n    weights += " + share(e) + ";\n  }\n";
+  if (experts.empty()) {
+    return "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships];\n"
+           "  const int nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n  return nothing ? "
+           "not_a_number() : " +
+           number(model_.default_force_n) + ";\n}\n\n";
   }
-  return out + "  if (!(weights > 0.0)) return " + number(model_.default_force_n) +
-         ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) + " + sum / weights;\n}\n\n";
+  const std::string count = std::to_string(experts.size());
+  std::string out = meanOfSomeText(experts) +
+                    "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], largest[" +
+                    count + "], offset[" + count +
+                    "] = {0.0};\n  const int nothing = memberships(inputs, m);\n  if (fired != NULL) *fired = 0;\n"
+                    "  if (nothing) return not_a_number();\n";
+  for (std::size_t i = 0; i < experts.size(); ++i) {
+    const std::string at = "[" + std::to_string(i) + "]";
+    out += "  largest" + at + " = expert_" + std::to_string(experts[i]) + "(inputs, m, &offset" + at + ");\n";
+  }
+  return out + meanOf(experts);
 }
 
 /// From the strengths `s` of all experts side by side to the force, so that compilers compute several centroids at
@@ -233,28 +348,27 @@ std::string SourceWriter::oneByOneText(const std::vector<std::size_t>& experts) 
 std::string SourceWriter::sideBySideCentroids(const std::vector<std::size_t>& experts) const {
   const std::size_t g = ordered_[experts.front()]->group;
   const std::string count = std::to_string(experts.size());
-  std::string out = forEach(experts.size()) + "largest[e] = " + largest(groups_[g], " * " + count + " + e]") + ";\n" +
-                    forEach(experts.size()) + "{\n    double area, moment;\n    centroid_" + std::to_string(g) +
-                    "(s + e, " + count +
-                    ", &area, &moment);\n    offset[e] = moment / (largest[e] > 0.0 ? area : 1.0);\n  }\n";
-  for (std::size_t i = 0; i < experts.size(); ++i) {
-    const std::string at = "[" + std::to_string(i) + "]";
-    out +=
-        "  sum += share" + at + " * offset" + at + ";\n  weights += largest" + at + " > 0.0 ? share" + at + " : 0.0;\n";
-  }
-  return out + "  if (!(weights > 0.0)) return " + number(model_.default_force_n) +
-         ";\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) + " + sum / weights;\n}\n\n";
+  std::string out = forEach(experts.size()) + "largest[e] = " + largest(groups_[g], " * " + count + " + e]") + ";\n";
+  const auto centroid = [&](const std::string& name, const std::string& at) {
+    return "{\n    double area, moment;\n    " + name + "(s + " + at + ", " + count +
+           ", &area, &moment);\n    offset[" + at + "] = moment / (largest[" + at + "] > 0.0 ? area : 1.0);\n  }\n";
+  };
+  // Those of teams first, in one loop; the others have sums of their own.
+  std::size_t together = 0;
+  while (together < experts.size() && !isAlone(experts[together])) ++together;
+  if (together > 0) out += forEach(together) + centroid(centroidName(g, false), "e");
+  for (std::size_t i = together; i < experts.size(); ++i)
+    out += "  " + centroid(centroidOf(experts[i]), std::to_string(i));
+  return out + meanOf(experts);
 }
 
 /// What the functions that compute centroids side by side begin with.
 std::string SourceWriter::sideBySideStart(const std::vector<std::size_t>& experts) const {
   const std::string count = std::to_string(experts.size());
   const std::string terms = std::to_string(groups_[ordered_[experts.front()]->group].live.size());
-  std::string out =
-      "double force_model(const double *inputs, int *fired) {\n  static const double share[" + count + "] = {";
-  for (const std::size_t e : experts) out += (e == experts.front() ? "" : ", ") + share(e);
-  return out + "};\n  double m[kMemberships], s[" + terms + " * " + count + "], largest[" + count + "], offset[" +
-         count + "];\n  double sum = 0.0, weights = 0.0;\n  int e;\n";
+  return meanOfSomeText(experts) +
+         "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], s[" + terms + " * " +
+         count + "], largest[" + count + "], offset[" + count + "];\n  int e;\n";
 }
 
 std::string SourceWriter::sideBySideText(const std::vector<std::size_t>& experts) const {
@@ -285,7 +399,7 @@ std::string SourceWriter::stretchedText(const std::vector<std::size_t>& experts,
   // The centroid of the only expert is the mean.
   return before + "double force_model(const double *inputs, int *fired) {\n  double m[kMemberships], s[" + places +
          "], largest, area, moment, at;\n  int e;\n" + strengths + "  largest = " + largest(groups_[g], "]") +
-         ";\n  if (!(largest > 0.0)) return " + number(model_.default_force_n) + ";\n  centroid_" + std::to_string(g) +
+         ";\n  if (!(largest > 0.0)) return " + number(model_.default_force_n) + ";\n  " + centroidOf(experts.front()) +
          "(s, 1, &area, &moment);\n  if (fired != NULL) *fired = 1;\n  return " + number(model_.output.min) +
          " + moment / area;\n}\n\n";
 }

@@ -13,6 +13,7 @@
 
 #include "core/exchange/expert_view.h"
 #include "core/fuzzy/closed_form.h"
+#include "core/fuzzy/mean_order.h"
 
 namespace tactus::exchange {
 
@@ -98,9 +99,6 @@ struct CentroidGroup {
   std::vector<std::size_t> live;  ///< output terms that a rule of one of them reaches, ascending
 };
 
-/// The function `centroid_INDEX(s, n, &area, &moment)`: the strength of the term live[k] is `s[k * n]`.
-std::string centroidFunction(const fuzzy::ForceModel& model, const CentroidGroup& group, std::size_t index);
-
 /// The body of an expert's function where the output terms have no order, or some of them are Gaussians: `*offset` from
 /// the lower end of the universe. `tables`: receives what must stand before the function.
 std::string walkedCode(const ExpertView& view, std::size_t index, const std::vector<Strength>& strengths,
@@ -122,13 +120,21 @@ std::string comment(std::string_view text);
 /// A double in C.
 std::string number(double value);
 
+// The texts of the tube (tube_source.h): what stands in tube.h, what stands before the recurrences in either language,
+// and the recurrences.
+extern const std::string_view kTubeHeader;
+extern const std::string_view kTubeStartInC;
+extern const std::string_view kTubeStartInJs;
+extern const std::string_view kTubeBody;
+
 // What the C source of one model is made of (c_source.h). Nothing outside this folder includes this.
 
 /// Writes the source of one model: what each expert needs, and from it the functions of the header.
 class SourceWriter {
  public:
-  SourceWriter(const fuzzy::ForceModel& model, const FixedInputs& fixed)
-      : model_(model), fixed_(fixed), memberships_(model, fixed) {
+  /// `order`: of the compiled model.
+  SourceWriter(const fuzzy::ForceModel& model, const FixedInputs& fixed, fuzzy::MeanOrder order)
+      : model_(model), order_(std::move(order)), fixed_(fixed), memberships_(model, fixed) {
     for (std::size_t e = 0; e < model.experts.size(); ++e) addExpert(e);
   }
 
@@ -168,10 +174,17 @@ class SourceWriter {
   std::string strengthsTogether(const std::vector<std::size_t>& experts) const;
   std::string blockText(const std::vector<std::size_t>& experts) const;
   std::string expertText() const;
+  std::string centroidOf(std::size_t expert) const;
+  bool isAlone(std::size_t expert) const;
+  std::string centroidFunctions() const;
+  std::string meanOfAll(const std::vector<std::size_t>& experts) const;
+  std::string meanOfSomeText(const std::vector<std::size_t>& experts) const;
+  std::string meanOf(const std::vector<std::size_t>& experts) const;
   std::string share(std::size_t expert) const;
 
   const fuzzy::ForceModel& model_;
   const std::vector<double> weights_ = normalizedWeights(model_);  ///< of the experts
+  const fuzzy::MeanOrder order_;
   const FixedInputs& fixed_;
   MembershipCode memberships_;
   std::pmr::monotonic_buffer_resource memory_;

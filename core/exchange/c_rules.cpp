@@ -242,7 +242,14 @@ MembershipCode::MembershipCode(const fuzzy::ForceModel& model, FixedInputs fixed
 std::optional<double> MembershipCode::fixedAt(std::size_t input, const fuzzy::Term& term) const {
   if (!fixed_[input]) return std::nullopt;
   const fuzzy::Variable& variable = model_.inputs[input];
-  return fuzzy::MembershipFunction::of(term)(std::clamp(*fixed_[input], variable.min, variable.max));
+  const double x = std::clamp(*fixed_[input], variable.min, variable.max);
+  const auto function = fuzzy::MembershipFunction::of(term);
+  const auto ramps = odd_ ? std::nullopt : fuzzy::rampsOf(function, variable.min, variable.max);
+  if (!ramps) return function(x);
+  double out = 1;
+  if (ramps->has_rise) out = std::min(out, (x - ramps->a) * ramps->rise);
+  if (ramps->has_fall) out = std::min(out, (ramps->d - x) * ramps->fall);
+  return std::max(0.0, out);
 }
 
 std::size_t MembershipCode::index(std::size_t input, const fuzzy::Term& term) {
@@ -292,17 +299,18 @@ std::string MembershipCode::expression(std::size_t input, const fuzzy::Term& ter
   // Never: the clamped input cannot be there.
   const bool no_left = f.b <= variable.min;
   const bool no_right = f.c >= variable.max;
-  const auto ramp = [&](const std::string& way, double width) {
-    return odd_ ? "kept(" + way + ", " + number(width) + ")" : "(" + way + ") * " + number(1 / width);
+  const auto ramps = fuzzy::rampsOf(fuzzy::MembershipFunction::of(term), variable.min, variable.max);
+  const auto ramp = [&](const std::string& way, double width, double slope) {
+    return odd_ ? "kept(" + way + ", " + number(width) + ")" : "(" + way + ") * " + number(ramps ? slope : 1 / width);
   };
   std::vector<std::string> sides;
   if (!no_left) {
     sides.push_back(f.a == f.b ? "(" + x + " >= " + number(f.b) + " ? 1.0 : 0.0)"
-                               : ramp(x + " - " + number(f.a), f.b - f.a));
+                               : ramp(x + " - " + number(f.a), f.b - f.a, ramps ? ramps->rise : 0));
   }
   if (!no_right) {
     sides.push_back(f.c == f.d ? "(" + x + " <= " + number(f.c) + " ? 1.0 : 0.0)"
-                               : ramp(number(f.d) + " - " + x, f.d - f.c));
+                               : ramp(number(f.d) + " - " + x, f.d - f.c, ramps ? ramps->fall : 0));
   }
   if (sides.empty()) return "1.0";
   sides.emplace_back("1.0");

@@ -183,12 +183,12 @@ std::string SourceWriter::source() const {
   if (general_) body += generalOffsetText();
   if (gaussian_) body += gaussianOffsetText();
   body += tables_ + expertFunctions() + meanText() + batchText() + expertText();
-  // No exception flags are kept, what is chosen by a comparison stays one instruction, and a product and a sum are one
-  // instruction where the processor has it.
+  // No exception flags are kept, and what is chosen by a comparison stays one instruction. A product and a sum stay two
+  // instructions, so that the bits are the evaluator's on every processor.
   out +=
       "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"no-trapping-math\", \"no-thread-jumps\", "
       "\"tree-vectorize\", \"vect-cost-model=dynamic\", \"no-tree-pre\", \"peel-loops\", "
-      "\"fp-contract=fast\")\n#endif\n";
+      "\"fp-contract=off\")\n#elif defined(__clang__)\n#pragma STDC FP_CONTRACT OFF\n#endif\n";
   const std::string part = isLarge() ? "static" : "static inline __attribute__((always_inline))";
   out += "#ifdef __GNUC__\n#define HELPER static inline __attribute__((always_inline))\n#define PART " + part +
          "\n#define RARE static __attribute__((noinline))\n#else\n#define HELPER static inline\n#define PART static" +
@@ -203,7 +203,8 @@ std::string SourceWriter::source() const {
 
 base::Result<CSource> cSource(const fuzzy::ForceModel& model, std::span<const FixedInput> fixed) {
   TACTUS_TRY(const auto inputs, fixedInputs(model, fixed));
-  const SourceWriter writer(model, inputs);
+  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
+  const SourceWriter writer(model, inputs, fuzzy::meanOrder(compiled));
   return CSource{writer.header(), writer.source()};
 }
 

@@ -1,6 +1,8 @@
 // Membership functions in the form used for evaluation.
 #pragma once
 
+#include <optional>
+
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::fuzzy {
@@ -26,5 +28,17 @@ struct MembershipFunction {
   /// double.
   double scaled(double x, double scale) const noexcept;
 };
+
+/// A trapezoid of an input: the smaller of two ramps, cut to [0, 1].
+struct Ramps {
+  double a = 0, rise = 0;  ///< (x - a) * rise; `rise` is rounded so that the ramp reaches 1 where the core begins
+  double d = 0, fall = 0;  ///< (d - x) * fall
+  bool has_rise = true;    ///< false if the membership is 1 from the lower end of the universe on
+  bool has_fall = true;
+};
+
+/// The ramps of a trapezoid on the universe [lo, hi]. Nothing for a Gaussian, and for a trapezoid so narrow or so near
+/// to 0 that they would lose digits: the general path takes it.
+std::optional<Ramps> rampsOf(const MembershipFunction& f, double lo, double hi);
 
 }  // namespace tactus::fuzzy

@@ -71,14 +71,6 @@ std::span<const T> in(const std::vector<T, Allocator>& table, Stretch stretch) n
   return {table.data() + stretch.first, stretch.count};
 }
 
-/// A trapezoid of an input: the smaller of two ramps, cut to [0, 1].
-struct Ramps {
-  double a = 0, rise = 0;  ///< (x - a) * rise; `rise` is rounded so that the ramp reaches 1 where the core begins
-  double d = 0, fall = 0;  ///< (d - x) * fall
-  bool has_rise = true;    ///< false if the membership is 1 from the lower end of the universe on
-  bool has_fall = true;
-};
-
 /// The minimum of some memberships: a rest of more than one condition.
 struct Antecedent {
   std::uint16_t slot = 0;

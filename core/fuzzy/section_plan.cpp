@@ -12,46 +12,9 @@ namespace tactus::fuzzy {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Vertices nearer to 0 than this, but not 0, and ramps narrower than this are left to the general path.
-constexpr double kTiny = 1e-280;
 // With ramps no wider and weights no smaller than these the smallest strength of an ordinary input is still positive.
 constexpr double kWidestRamp = 1e10;
 constexpr double kSmallestWeight = 1e-10;
-
-/// 1 / width, rounded so that width * the result is at least 1.
-double steepness(double width) {
-  double slope = 1 / width;
-  while (width * slope < 1) slope = std::nextafter(slope, kInfinity);
-  return slope;
-}
-
-/// One ramp from `foot` (membership 0) to `shoulder` (1); `outward` is the direction from shoulder to foot. False where
-/// the general path must take it.
-bool setRamp(double foot, double shoulder, double outward, double& position, double& slope) {
-  const double width = std::abs(shoulder - foot);
-  const auto is_tiny = [](double x) { return x != 0 && std::abs(x) < kTiny; };
-  if (width == 0) {
-    // A vertical edge: a ramp one ulp wide that ends at the edge.
-    if (std::abs(foot) < kTiny) return false;
-    position = std::nextafter(foot, outward);
-    slope = std::numeric_limits<double>::max();
-    return true;
-  }
-  if (width < kTiny || is_tiny(foot) || is_tiny(shoulder)) return false;
-  position = foot;
-  slope = steepness(width);
-  return true;
-}
-
-std::optional<Ramps> rampsOf(const MembershipFunction& f, double lo, double hi) {
-  Ramps ramps;
-  if (f.gaussian) return std::nullopt;
-  ramps.has_rise = f.b > lo;
-  ramps.has_fall = f.c < hi;
-  if (ramps.has_rise && !setRamp(f.a, f.b, -kInfinity, ramps.a, ramps.rise)) return std::nullopt;
-  if (ramps.has_fall && !setRamp(f.d, f.c, kInfinity, ramps.d, ramps.fall)) return std::nullopt;
-  return ramps;
-}
 
 class Planner {
  public:

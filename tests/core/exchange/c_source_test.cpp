@@ -122,6 +122,55 @@ TEST(CSource, HasTheForcesOfTheNgtModels) {
   }
 }
 
+/// One by one: the same bits as the evaluator's, whatever the compiler and its options.
+void expectSameBits(const fuzzy::ForceModel& model, base::Random& random, int points, const std::string& options,
+                    const std::string& compiler = TACTUS_CC) {
+  const CompiledSource source(model, options, {}, compiler);
+  ASSERT_NE(source.force, nullptr);
+  const auto compiled = fuzzy::compile(model);
+  ASSERT_TRUE(compiled);
+  for (int p = 0; p < points; ++p) {
+    const auto point = support::randomPoint(random, model);
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(source.force(point.data(), nullptr)),
+              std::bit_cast<std::uint64_t>(compiled->evaluate(point).force_n))
+        << p << ", " << options;
+    for (std::size_t e = 0; e < model.experts.size(); ++e) {
+      ASSERT_EQ(std::bit_cast<std::uint64_t>(source.expert_force(e, point.data(), nullptr)),
+                std::bit_cast<std::uint64_t>(compiled->evaluateExpert(e, point).force_n))
+          << p << ", expert " << e;
+    }
+  }
+}
+
+/// Four experts and one more of the same terms: a team and one alone.
+fuzzy::ForceModel severalExperts(std::size_t count, base::Random& random) {
+  auto model = support::s4FiveRegions();
+  while (model.experts.size() < count) {
+    auto expert = model.experts.front();
+    expert.id = "E" + std::to_string(model.experts.size());
+    expert.weight = random.uniform(0.1, 2);
+    for (fuzzy::Rule& rule : expert.rules) {
+      rule.weight = random.uniform(0.2, 1);
+      rule.enabled = random.uniform(0, 1) < 0.8;
+    }
+    model.experts.push_back(std::move(expert));
+  }
+  return model;
+}
+
+TEST(CSource, HasTheBitsOfTheEvaluatorWhateverTheCompiler) {
+  base::Random random(23);
+  constexpr const char* kOptions[] = {"-O0", "-O2", "-O3", "-O1 -march=native"};
+  int next = 0;
+  for (const std::size_t experts : {1, 2, 3, 4, 5, 9}) {
+    SCOPED_TRACE(experts);
+    auto model = severalExperts(experts, random);
+    model.implication = next % 2 == 0 ? fuzzy::Implication::kClip : fuzzy::Implication::kScale;
+    for (int k = 0; k < (experts == 4 ? 4 : 1); ++k) expectSameBits(model, random, 2000, kOptions[next++ % 4]);
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(CSource, HasTheForcesOfRandomModels) {
   base::Random random(12);
   const int models = wantedCount("TACTUS_C_MODELS", 24);
@@ -169,6 +218,7 @@ TEST(CSource, IsTheSameForOtherCompilersAndOptions) {
   }
   expectSame(support::s4Shifted(), random, 2000, "-O2", "clang");
   expectSame(twoExperts(), random, 2000, "-O2", "clang");
+  expectSameBits(severalExperts(5, random), random, 2000, "-O2 -march=native", "clang");
 }
 
 /// The source has code of its own for each stretch of depth between the ends of the terms of all experts.
