@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/exchange/expert_view.h"
+#include "core/exchange/origin.h"
 #include "core/fuzzy/closed_form.h"
 #include "core/fuzzy/mean_order.h"
 
@@ -133,8 +134,8 @@ extern const std::string_view kTubeBody;
 class SourceWriter {
  public:
   /// `order`: of the compiled model.
-  SourceWriter(const fuzzy::ForceModel& model, const FixedInputs& fixed, fuzzy::MeanOrder order)
-      : model_(model), order_(std::move(order)), fixed_(fixed), memberships_(model, fixed) {
+  SourceWriter(const fuzzy::ForceModel& model, const FixedInputs& fixed, const Origin& origin, fuzzy::MeanOrder order)
+      : model_(model), order_(std::move(order)), fixed_(fixed), origin_(origin), memberships_(model, fixed) {
     for (std::size_t e = 0; e < model.experts.size(); ++e) addExpert(e);
   }
 
@@ -186,6 +187,7 @@ class SourceWriter {
   const std::vector<double> weights_ = normalizedWeights(model_);  ///< of the experts
   const fuzzy::MeanOrder order_;
   const FixedInputs& fixed_;
+  const Origin& origin_;
   MembershipCode memberships_;
   std::pmr::monotonic_buffer_resource memory_;
   std::vector<CentroidGroup> groups_;

@@ -132,9 +132,10 @@ bool SourceWriter::areOneGroup(const std::vector<std::size_t>& experts) const {
 }
 
 std::string SourceWriter::header() const {
-  std::string out = "/* " + comment(model_.name) + ", written by Tactus. C99, no library" +
-                    (memberships_.usesExp() || gaussian_ ? " but that of <math.h>" : "") +
-                    ". Every number is a double.\n * Inputs, in this order:\n";
+  std::string out =
+      "/* " + comment(model_.name) + ", written by Tactus. C99, no library" +
+      (memberships_.usesExp() || gaussian_ ? " but that of <math.h>" : "") + ". Every number is a double.\n" +
+      (origin_.model_sha256.empty() ? "" : " * " + comment(originText(origin_)) + "\n") + " * Inputs, in this order:\n";
   std::string fixed;
   for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
     const fuzzy::Variable& input = model_.inputs[i];
@@ -161,6 +162,9 @@ std::string SourceWriter::header() const {
       "{\n#endif\n\n";
   out += "#define FORCE_MODEL_INPUTS " + std::to_string(free) + "\n#define FORCE_MODEL_EXPERTS " +
          std::to_string(model_.experts.size()) + "\n\n";
+  if (!origin_.model_sha256.empty()) {
+    out += "/* Of the model file. */\n#define FORCE_MODEL_SHA256 \"" + origin_.model_sha256 + "\"\n\n";
+  }
   out += "/* The averaged force, " + comment(model_.output.unit) +
          ". */\ndouble force_model(const double *inputs, int *fired);\n"
          "/* The same at many points: FORCE_MODEL_INPUTS numbers for each, point after point; a force for each; fired\n"
@@ -173,9 +177,10 @@ std::string SourceWriter::header() const {
 }
 
 std::string SourceWriter::source() const {
-  std::string out =
-      "/* " + comment(model_.name) +
-      ": see force_model.h. Written by Tactus; edit the model, not this file. */\n#include \"force_model.h\"\n\n";
+  std::string out = "/* " + comment(model_.name) +
+                    ": see force_model.h. Written by Tactus; edit the model, not this file." +
+                    (origin_.model_sha256.empty() ? "" : "\n * " + comment(originText(origin_))) +
+                    " */\n#include \"force_model.h\"\n\n";
   if (memberships_.usesExp() || gaussian_) out += "#include <math.h>\n\n";
   std::string body = "enum { kMemberships = " + std::to_string(std::max<std::size_t>(memberships_.count(), 1)) +
                      " };\n\n" + memberships_.function() + "\n";
@@ -201,10 +206,10 @@ std::string SourceWriter::source() const {
   return out + helperText(body) + body;
 }
 
-base::Result<CSource> cSource(const fuzzy::ForceModel& model, std::span<const FixedInput> fixed) {
+base::Result<CSource> cSource(const fuzzy::ForceModel& model, std::span<const FixedInput> fixed, const Origin& origin) {
   TACTUS_TRY(const auto inputs, fixedInputs(model, fixed));
   TACTUS_TRY(const auto compiled, fuzzy::compile(model));
-  const SourceWriter writer(model, inputs, fuzzy::meanOrder(compiled));
+  const SourceWriter writer(model, inputs, origin, fuzzy::meanOrder(compiled));
   return CSource{writer.header(), writer.source()};
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/exchange/origin.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::exchange {
@@ -23,7 +24,9 @@ struct FixedInput {
 
 /// The source of a valid model. Its forces agree with the evaluator to 1e-12 of the output's range, `fired` exactly.
 /// The memberships of the `fixed` inputs are folded in: the source takes the other inputs alone, in the order of the
-/// model. Refused: a value that is not finite, an input fixed twice, all inputs fixed.
-base::Result<CSource> cSource(const fuzzy::ForceModel& model, std::span<const FixedInput> fixed = {});
+/// model. The header names the `origin`, with the checksum as FORCE_MODEL_SHA256. Refused: a value that is not finite,
+/// an input fixed twice, all inputs fixed.
+base::Result<CSource> cSource(const fuzzy::ForceModel& model, std::span<const FixedInput> fixed = {},
+                              const Origin& origin = {});
 
 }  // namespace tactus::exchange

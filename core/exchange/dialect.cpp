@@ -25,8 +25,10 @@ ReaderRule readerRule(Dialect dialect) noexcept {
   return {true, 1000, 1e-5};
 }
 
-base::Result<std::string> format(const fuzzy::ForceModel& model, std::size_t expert, Dialect dialect) {
-  const ExpertView view = viewOf(model, expert);
+base::Result<std::string> format(const fuzzy::ForceModel& model, std::size_t expert, Dialect dialect,
+                                 const Origin& origin) {
+  ExpertView view = viewOf(model, expert);
+  view.origin = originText(origin);
   switch (dialect) {
     case Dialect::kFll: return fllText(view);
     case Dialect::kFclIec: return fclIecText(view);

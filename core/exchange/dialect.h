@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/exchange/origin.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::exchange {
@@ -35,8 +36,10 @@ struct ReaderRule {
 };
 ReaderRule readerRule(Dialect dialect) noexcept;
 
-/// The text for expert `expert` of a valid model. Refused with one sentence: what the format cannot carry. Disabled
-/// rules are left out; the force where the expert abstains is NaN, or the model's default where a format knows none.
-base::Result<std::string> format(const fuzzy::ForceModel& model, std::size_t expert, Dialect dialect);
+/// The text for expert `expert` of a valid model, with its origin in a comment. Refused with one sentence: what the
+/// format cannot carry. Disabled rules are left out; the force where the expert abstains is NaN, or the model's default
+/// where a format knows none.
+base::Result<std::string> format(const fuzzy::ForceModel& model, std::size_t expert, Dialect dialect,
+                                 const Origin& origin = {});
 
 }  // namespace tactus::exchange

@@ -38,6 +38,7 @@ struct ExpertView {
   NamedVariable output;
   std::vector<IndexedRule> rules;
   std::size_t disabled_rules = 0;
+  std::string origin = {};  ///< a line for the head of the file (origin.h)
 };
 
 /// The view of expert `expert`. `model` must be valid, and stays in use. Names are letters, digits and `_`, begin with

@@ -55,7 +55,7 @@ std::string fisText(const ExpertView& view) {
   // Octave's toolkit (0.4.6) takes the maximum over one rule along the universe. Twice it has the same meaning.
   std::vector<IndexedRule> rules = view.rules;
   if (rules.size() == 1) rules.push_back(rules.front());
-  std::string out = "[System]\nName='" + view.name +
+  std::string out = remarks(view, "%") + "[System]\nName='" + view.name +
                     "'\nType='mamdani'\nVersion=2.0\nNumInputs=" + std::to_string(view.inputs.size()) +
                     "\nNumOutputs=1\nNumRules=" + std::to_string(rules.size()) +
                     "\nAndMethod='min'\nOrMethod='max'\nImpMethod='";

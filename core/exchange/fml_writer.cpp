@@ -37,13 +37,20 @@ std::string clause(const NamedVariable& variable, std::size_t term) {
   return "<clause><variable>" + variable.name + "</variable><term>" + termName(variable, term) + "</term></clause>";
 }
 
+/// A comment of XML cannot hold two hyphens, nor end with one.
+std::string xmlComment(const std::string& text) {
+  std::string out;
+  for (const char c : escaped(text)) out += c == '-' && out.ends_with('-') ? " -" : std::string(1, c);
+  return "<!-- " + out + " -->\n";
+}
+
 }  // namespace
 
 std::string fmlText(const ExpertView& view) {
   const std::string activation = view.model->implication == fuzzy::Implication::kScale ? "PROD" : "MIN";
-  std::string out =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<fuzzySystem xmlns=\"http://www.ieee1855.org\" name=\"" + view.name +
-      "\">\n  <knowledgeBase>\n";
+  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
+                    (view.origin.empty() ? "" : xmlComment(view.origin)) +
+                    "<fuzzySystem xmlns=\"http://www.ieee1855.org\" name=\"" + view.name + "\">\n  <knowledgeBase>\n";
   for (const NamedVariable& input : view.inputs) out += variableText(input, false);
   out += variableText(view.output, true) + "  </knowledgeBase>\n  <mamdaniRuleBase name=\"" + view.name +
          "__rules\" activationMethod=\"" + activation + "\" andMethod=\"MIN\" orMethod=\"MAX\">\n";

@@ -61,6 +61,7 @@ std::string conditionsText(const ExpertView& view, const IndexedRule& rule, cons
 std::string remarks(const ExpertView& view, std::string_view mark) {
   const std::string start = std::string(mark) + " ";
   std::string out = start + base::oneLine(view.model->name) + ", expert " + base::oneLine(view.expert->id) + "\n";
+  if (!view.origin.empty()) out += start + base::oneLine(view.origin) + "\n";
   const auto names = [&](const NamedVariable& variable) {
     out += start + variable.name + ": " + base::oneLine(variable.variable->label) + ", in " +
            base::oneLine(variable.variable->unit) + "; values outside its range are clamped\n";

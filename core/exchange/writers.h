@@ -25,7 +25,7 @@ std::string conditionsText(const ExpertView& view, const IndexedRule& rule, cons
 /// A term as fuzzylite writes it: `Trapezoid 0 0 0.2 0.4`.
 std::string fuzzyliteShape(const fuzzy::Term& term);
 
-/// `lines` of people's text, each behind `mark`: name, expert, what the format cannot say.
+/// `lines` of people's text, each behind `mark`: name, expert, origin, what the format cannot say.
 std::string remarks(const ExpertView& view, std::string_view mark);
 
 }  // namespace tactus::exchange

@@ -40,7 +40,7 @@ class CompiledSource {
   CompiledSource(const fuzzy::ForceModel& model, const std::string& options = "-O1",
                  std::span<const FixedInput> fixed = {}, const std::string& compiler = TACTUS_CC,
                  std::span<const std::string> unknown = {}) {
-    auto source = cSource(model, fixed);
+    auto source = cSource(model, fixed, {std::string(64, 'a'), "2026 */ x", "tactus 1.2"});
     if (!source) {
       ADD_FAILURE() << source.error().message();
       return;
@@ -351,6 +351,19 @@ TEST(CSource, FoldsFixedInputsIn) {
       ASSERT_NEAR(forces[p], all_wanted[p].force_n, most) << p;
     }
   }
+}
+
+TEST(CSource, NamesTheModelThatItIsOf) {
+  const std::string sha256(64, 'a');
+  const auto source = cSource(support::s4Shifted(), {}, {sha256, "2026-11-21T08:00:00Z", "tactus 1.2"});
+  ASSERT_TRUE(source);
+  EXPECT_NE(source->header.find("#define FORCE_MODEL_SHA256 \"" + sha256 + "\"\n"), std::string::npos);
+  for (const std::string& text : {source->header, source->source}) {
+    EXPECT_NE(text.substr(0, 400).find("Model SHA-256 " + sha256 + ", of 2026-11-21T08:00:00Z; exported by tactus 1.2"),
+              std::string::npos)
+        << text.substr(0, 400);
+  }
+  EXPECT_EQ(cSource(support::s4Shifted())->header.find("SHA256"), std::string::npos);
 }
 
 TEST(CSource, RefusesToFixWhatCannotBeFixed) {

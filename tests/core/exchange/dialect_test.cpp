@@ -1,6 +1,7 @@
 // The texts for other programs, against the samples of the facts sheets.
 #include "core/exchange/dialect.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -99,6 +100,24 @@ TEST(Dialect, FmlIsWellFormedAndItsNamesAreUnique) {
   const support::TempFolder folder;
   std::ofstream(folder.file("model.fml")) << fml;
   EXPECT_EQ(std::system(("xmllint --noout " + folder.file("model.fml")).c_str()), 0);
+}
+
+TEST(Dialect, EachTextNamesItsOriginInItsHead) {
+  const Origin origin{std::string(64, 'a'), "2026-11-21T08:00:00Z", "tactus 1.2"};
+  for (const Dialect dialect : kDialects) {
+    const std::string plain = text(dialect);
+    const auto made = format(small(), 0, dialect, origin);
+    ASSERT_TRUE(made);
+    const std::string head = made->substr(0, 300);
+    EXPECT_NE(head.find("Model SHA-256 " + origin.model_sha256), std::string::npos) << *made;
+    EXPECT_NE(head.find(", of 2026-11-21T08:00:00Z; exported by tactus 1.2"), std::string::npos) << *made;
+    EXPECT_EQ(plain.find("SHA-256"), std::string::npos);
+    // It is one line more, and the rest is the same.
+    EXPECT_EQ(std::count(made->begin(), made->end(), '\n'), std::count(plain.begin(), plain.end(), '\n') + 1);
+    EXPECT_EQ(*made, *format(small(), 0, dialect, origin)) << "the same model gives the same bytes";
+  }
+  const auto fml = format(small(), 0, Dialect::kFml, {std::string(64, 'a'), "a --> b ---- <x/>", "tactus"});
+  EXPECT_NE(fml->find("a - -&gt; b - - - - &lt;x/&gt;"), std::string::npos) << *fml;
 }
 
 TEST(Dialect, WhatFclCannotCarryIsRefused) {

@@ -83,7 +83,7 @@ class Fuzzylite : public testing::Test {
                                       format == "fcl" ? program_.cellsOfFcl() : 1000};
     for (std::size_t e = 0; e < model.experts.size(); ++e) {
       SCOPED_TRACE("expert " + std::to_string(e) + " as " + std::string(name(dialect)));
-      const auto text = exchange::format(model, e, dialect);
+      const auto text = exchange::format(model, e, dialect, {std::string(64, 'a'), "2026-11-21", "tactus"});
       ASSERT_TRUE(text) << text.error().message();
       const auto points = pointsOf(model, model.experts[e], random);
       const auto found = program_.outputs(*text, format, points);
