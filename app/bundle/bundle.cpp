@@ -68,7 +68,7 @@ base::Result<void> mayHoldBundle(const std::string& folder) {
   const auto text = base::readFile(path, std::size_t{4} << 20U);
   const auto manifest = text ? model_io::parseManifest(*text, path) : tl::unexpected(text.error());
   if (!manifest) return refused("a folder that holds other files");
-  std::set<std::string> own = {std::string(model_io::kManifestName)};
+  std::set<std::string> own = {std::string(model_io::kManifestName), std::string(model_io::kSignatureName)};
   for (const model_io::BundleFile& file : manifest->files) own.insert(file.path);
   for (const auto& entry : fs::recursive_directory_iterator(folder, ignored)) {
     if (entry.is_directory(ignored)) continue;
@@ -219,7 +219,7 @@ std::string fileName(const std::string& id, std::vector<std::string>& taken) {
 }
 
 void addExperts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-                const std::vector<std::vector<double>>& points, Collector& collector) {
+                const std::vector<std::vector<double>>& points, const exchange::Origin& origin, Collector& collector) {
   const std::vector<std::string> names = expertFileNames(model);
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
     const std::string& id = model.experts[e].id;
@@ -227,7 +227,7 @@ void addExperts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& comp
     for (const exchange::Dialect dialect : exchange::kDialects) {
       if (!collector.next()) return;
       collector.addOrWarn(start + std::string(suffix(dialect)), std::string(name(dialect)),
-                          exchange::format(model, e, dialect), promiseOf(dialect, compiled, e, points), id);
+                          exchange::format(model, e, dialect, origin), promiseOf(dialect, compiled, e, points), id);
     }
   }
 }
@@ -241,8 +241,8 @@ std::string tableWarning(const BoundedTable& made, const BundleSettings& setting
 }
 
 void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
-              const std::vector<std::vector<double>>& points, const BundleSettings& settings, Bundle& bundle,
-              Collector& collector) {
+              const std::vector<std::vector<double>>& points, const BundleSettings& settings,
+              const exchange::Origin& origin, Bundle& bundle, Collector& collector) {
   const BoundedTable made = boundedTable(model, compiled, settings.table_error_n, kMostNodes, settings.stop);
   if (settings.stop.stop_requested()) return;
   if (made.bound.bound_n > settings.table_error_n) bundle.warnings.push_back(tableWarning(made, settings));
@@ -268,7 +268,8 @@ void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compil
           (made.bound.jumps ? "; beside such a place, and where a term has a vertical edge, the force jumps "
                               "and the table does not.\n"
                             : ".\n") +
-          "Any other file of the bundle is more accurate: take the table where nothing else is possible.\n");
+          "Any other file of the bundle is more accurate: take the table where nothing else is possible.\n\n" +
+          originText(origin) + "\n");
 }
 
 }  // namespace
@@ -297,22 +298,29 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   // What is written must read, with its checks.
   if (const auto read = model_io::parseModel(text, std::string(kModelPath)); !read) return tl::unexpected(read.error());
   collector.add(std::string(kModelPath), "model", text, exactPromise(made));
+  bundle.model_sha256 = base::sha256(text);
+  const exchange::Origin origin{bundle.model_sha256, made.created_utc, settings.generator};
   if (!collector.next()) return tl::unexpected(cancelled());
   const auto points = analysis::checkPoints(made);
   collector.add("checks.csv", "checks", checksText(made, analysis::checksAt(made, points)), exactPromise(made));
-  addExperts(made, compiled, points, collector);
+  addExperts(made, compiled, points, origin, collector);
   if (!collector.next()) return tl::unexpected(cancelled());
-  if (const auto source = exchange::cSource(made)) {
+  if (const auto source = exchange::cSource(made, {}, origin)) {
     collector.add("c/force_model.h", "c", source->header);
     collector.add("c/force_model.c", "c", source->source, promiseOf(*source, compiled, points, settings.stop));
   } else {
     bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
   }
   if (!collector.next()) return tl::unexpected(cancelled());
-  addTable(made, compiled, points, settings, bundle, collector);
+  addTable(made, compiled, points, settings, origin, bundle, collector);
   if (!collector.next()) return tl::unexpected(cancelled());
+  bundle.approvals = settings.approvals;
+  if (!bundle.approvals.empty()) {
+    collector.add(std::string(model_io::kApprovalsName), "approvals", model_io::formatApprovals(bundle.approvals));
+  }
   collector.add("report.html", "report", bundleReport(bundle, compiled));
   bundle.files.emplace_back(std::string(model_io::kManifestName), model_io::formatManifest(bundle.manifest));
+  bundle.fingerprint = base::sha256(bundle.files.back().second);
   return bundle;
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,16 +25,20 @@ struct BundleSettings {
   std::stop_token stop = {};            ///< the making ends soon after a request, with kCancelled
   /// Called before each file, in the thread that makes the bundle.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
+  std::vector<model_io::Approval> approvals = {};  ///< of the model, as its history has them
 };
 
-/// The files of a bundle in memory, the manifest last.
+/// The files of a bundle in memory, the manifest last; behind it its signature, where it has one.
 struct Bundle {
-  fuzzy::ForceModel model;  ///< as the bundle carries it: accepted holes and checks of its own
+  fuzzy::ForceModel model;   ///< as the bundle carries it: accepted holes and checks of its own
+  std::string model_sha256;  ///< of its file
   model_io::BundleManifest manifest;
   std::vector<std::pair<std::string, std::string>> files;  ///< path, bytes
-  std::vector<std::string> warnings;                       ///< files that are left out, and why
-  std::vector<std::string> holes;   ///< names of the holes of the averaged force that were found; all are accepted
-  bool every_hole_is_known = true;  ///< false: the search was cut off
+  std::string fingerprint;                                 ///< SHA-256 of the manifest
+  std::vector<model_io::Approval> approvals;
+  std::vector<std::string> warnings;  ///< files that are left out, and why
+  std::vector<std::string> holes;     ///< names of the holes of the averaged force that were found; all are accepted
+  bool every_hole_is_known = true;    ///< false: the search was cut off
 };
 
 /// Builds the bundle of a valid model and measures the error of each file. Refused: a hole where the averaged force has
@@ -46,6 +51,15 @@ std::vector<std::string> expertFileNames(const fuzzy::ForceModel& model);
 
 /// The page `report.html`, on two printed pages. `bundle`: with all other files; `compiled`: made from its model.
 std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compiled);
+
+/// The signature of a manifest, as OpenSSH writes it. `private_key`: a file; the program ssh-keygen may ask for its
+/// passphrase on the terminal.
+base::Result<std::string> signatureOf(std::string_view manifest, const std::string& private_key);
+
+/// Who signed `manifest`: the fingerprint of the key in the file `public_key`, `SHA256:47DE…`. Refused: a signature by
+/// another key, of another text, or none at all.
+base::Result<std::string> signerOf(std::string_view manifest, std::string_view signature,
+                                   const std::string& public_key);
 
 /// Refused: a folder that holds anything but an earlier bundle, which may be replaced.
 base::Result<void> mayHoldBundle(const std::string& folder);

@@ -129,12 +129,22 @@ std::string holeText(const Bundle& bundle) {
          ", but the search was cut off, because the model is too finely divided: there may be more.";
 }
 
+/// Who approved the model, with the evidence.
+std::vector<Markup> approvalTexts(const Bundle& bundle) {
+  std::vector<Markup> out;
+  for (const model_io::Approval& one : bundle.approvals)
+    out.emplace_back("Approved by " + one.author + ", " + one.utc + ": " + one.text + ".");
+  if (out.empty()) out.emplace_back("No expert's approval of this model comes with the bundle.");
+  return out;
+}
+
 }  // namespace
 
 std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compiled) {
   const fuzzy::ForceModel& model = bundle.model;
   const model_io::BundleManifest& manifest = bundle.manifest;
-  report::HtmlPage page(model.name, "Force model for a simulator, " + manifest.created_utc + ", " + manifest.generator);
+  report::HtmlPage page(model.name, "Force model for a simulator, " + manifest.created_utc + ", " + manifest.generator +
+                                        ". Model SHA-256 " + bundle.model_sha256);
   if (const auto simulated = simulatedSources(model)) {
     page.notice("Simulated, not measured: data of " + *simulated + ". " + model.provenance->notes);
   } else if (!model.provenance) {
@@ -152,6 +162,7 @@ std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compi
              "A simulator adds its own limits: Tactus does not know the device or the person."});
   page.table(inputTable(model));
   page.table(expertTable(model));
+  page.list(approvalTexts(bundle));
   page.section("Forces");
   report::Figure figure;
   figure.caption = "The force over each input, the others in the middle of their universes.";
@@ -162,7 +173,9 @@ std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compi
   page.table(fileTable(manifest));
   page.paragraph(
       "Check this bundle at any time with the command tactus verify and its folder, or with tactus_verify of "
-      "libtactus.");
+      "libtactus. tactus verify prints its fingerprint: it is the same that the sender saw when the bundle was made, "
+      "or "
+      "this is another bundle.");
   return page.html();
 }
 

@@ -2,22 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
-#include <fcntl.h>
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <poll.h>
 #include <span>
-#include <spawn.h>
 #include <stop_token>
 #include <string>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <utility>
 #include <vector>
 
+#include "app/bundle/program_run.h"
 #include "app/bundle/zip.h"
 #include "core/analysis/check_points.h"
 #include "core/analysis/sampled_centroid.h"
@@ -37,12 +32,15 @@ constexpr std::size_t kMostFileBytes = std::size_t{256} << 20U;
 
 class Verifier {
  public:
-  Verifier(const fuzzy::ForceModel& model, fuzzy::CompiledModel compiled, std::string folder, bool same_program)
-      : model_(model),
+  /// `generator`: this program.
+  Verifier(const model_io::BundleCheck& bundle, fuzzy::CompiledModel compiled, std::string folder,
+           std::string_view generator)
+      : model_(bundle.model),
+        origin_{bundle.model_sha256, bundle.model.created_utc, bundle.generator},
         compiled_(std::move(compiled)),
         folder_(std::move(folder)),
-        same_program_(same_program),
-        points_(analysis::checkPoints(model)) {}
+        same_program_(bundle.generator == generator),
+        points_(analysis::checkPoints(model_)) {}
 
   void look(FileCheck& check) {
     const std::string path = folder_ + "/" + check.file.path;
@@ -67,14 +65,14 @@ class Verifier {
       return fail(check, check.file.path + ": found the expert " + base::quoted(check.file.expert) +
                              ", wanted one of the model");
     const auto index = static_cast<std::size_t>(expert - model_.experts.begin());
-    const auto text = exchange::format(model_, index, dialect);
+    const auto text = exchange::format(model_, index, dialect, origin_);
     compare(check, bytes, text ? std::optional(*text) : std::nullopt);
     if (check.ok) take(check, promiseOf(dialect, compiled_, index, points_));
   }
 
   /// The text of another version is not run, because it is not known what it does.
   void lookAtSource(FileCheck& check, const std::string& bytes) {
-    const auto source = exchange::cSource(model_);
+    const auto source = exchange::cSource(model_, {}, origin_);
     const bool header = check.file.path.ends_with(".h");
     compare(check, bytes, source ? std::optional(header ? source->header : source->source) : std::nullopt);
     if (!check.ok || !same_program_ || header) return;
@@ -102,6 +100,7 @@ class Verifier {
   }
 
   const fuzzy::ForceModel& model_;
+  exchange::Origin origin_;
   fuzzy::CompiledModel compiled_;
   std::string folder_;
   bool same_program_;
@@ -116,7 +115,7 @@ base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std:
   auto bundle = model_io::checkBundle(folder);
   if (!bundle) return bundle;
   TACTUS_TRY(auto compiled, fuzzy::compile(bundle->model));
-  Verifier verifier(bundle->model, std::move(compiled), folder, bundle->generator == generator);
+  Verifier verifier(*bundle, std::move(compiled), folder, generator);
   for (FileCheck& check : bundle->files) {
     if (check.ok && !check.evaluated) verifier.look(check);
   }
@@ -167,16 +166,9 @@ base::Result<model_io::BundleCheck> verifyBundle(const std::string& path, std::s
 std::optional<std::vector<double>> forcesOf(const exchange::CSource& source,
                                             const std::vector<std::vector<double>>& points,
                                             const std::stop_token& stop = {});
-}  // namespace tactus::bundle
 
-extern char** environ;
-
-namespace tactus::bundle {
 namespace {
 
-namespace fs = std::filesystem;
-
-constexpr int kLongestMs = 60'000;  // a compiler that takes longer is not waited for
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 
 /// Reads points and writes their forces, all digits of them.
@@ -193,34 +185,6 @@ int main(void) {
   }
 }
 )";
-
-/// Runs a program, found in PATH, with its input and output in files of `folder`. Returns whether it ended well.
-bool run(std::vector<std::string> words, const std::string& folder, const std::stop_token& stop) {
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  posix_spawn_file_actions_t files;
-  posix_spawn_file_actions_init(&files);
-  posix_spawn_file_actions_addopen(&files, STDIN_FILENO, (folder + "/in").c_str(), O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, (folder + "/out").c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                   0600);
-  posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
-  pid_t child = 0;
-  const bool started = posix_spawnp(&child, arguments.front(), &files, nullptr, arguments.data(), environ) == 0;
-  posix_spawn_file_actions_destroy(&files);
-  if (!started) return false;
-  int status = 0;
-  constexpr int kStepMs = 5;
-  for (int waited = 0; waitpid(child, &status, WNOHANG) == 0; waited += kStepMs) {
-    if (waited >= kLongestMs || stop.stop_requested()) {
-      kill(child, SIGKILL);
-      waitpid(child, &status, 0);
-      return false;
-    }
-    poll(nullptr, 0, kStepMs);
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
 
 }  // namespace
 
@@ -251,10 +215,10 @@ std::optional<std::vector<double>> forcesOf(const exchange::CSource& source,
       !write("in", input))
     return std::nullopt;
   const std::string program = work.path + "/forces";
-  if (!run({"cc", "-std=c99", "-O1", work.path + "/force_model.c", work.path + "/main.c", "-o", program, "-lm"},
-           work.path, stop))
+  const std::vector<std::string> compile = {
+      "cc", "-std=c99", "-O1", work.path + "/force_model.c", work.path + "/main.c", "-o", program, "-lm"};
+  if (runProgram(compile, work.path, stop) != Ran::kWell || runProgram({program}, work.path, stop) != Ran::kWell)
     return std::nullopt;
-  if (!run({program}, work.path, stop)) return std::nullopt;
   const auto output = base::readFile(work.path + "/out", kMostBytes);
   if (!output) return std::nullopt;
   std::vector<double> forces;

@@ -195,14 +195,17 @@ struct BundleOptions {
   std::string out;                        ///< folder, or a zip file
   std::vector<std::string> accept_holes;  ///< names of holes that may stay
   double table_error_n = 0.01;            ///< that the look-up table may have anywhere
+  std::string study;                      ///< study file whose sign-offs on the model go along; empty: none
+  std::string sign;                       ///< file of a private key of OpenSSH; empty: no signature
   bool json = false;
 };
 /// Writes the bundle of a model, whole or not at all.
 base::Result<Output> bundle(const BundleOptions& options);
 
 struct VerifyOptions {
-  std::string folder;
-  std::string expect;  ///< the fingerprint that the sender told; empty: any
+  std::string folder;  ///< or its manifest, or a zip file; empty: the present folder
+  std::string expect;  ///< the fingerprint that the sender told, spaces in it or not; empty: any
+  std::string key;     ///< file of the sender's public key, whose signature there must be; empty: any or none
   bool json = false;
 };
 /// Reads a bundle back. A file that is missing, altered or beyond its tolerance is a failure.

@@ -9,6 +9,7 @@
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/files/checksums.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
@@ -71,36 +72,40 @@ namespace {
 
 using Files = std::vector<std::pair<std::string, std::string>>;  // name, text
 
-base::Result<Files> expertFiles(const fuzzy::ForceModel& model, exchange::Dialect dialect) {
+base::Result<Files> expertFiles(const fuzzy::ForceModel& model, exchange::Dialect dialect,
+                                const exchange::Origin& origin) {
   Files files;
   const std::vector<std::string> names = bundle::expertFileNames(model);
   for (std::size_t e = 0; e < model.experts.size(); ++e) {
-    TACTUS_TRY(auto text, exchange::format(model, e, dialect));
+    TACTUS_TRY(auto text, exchange::format(model, e, dialect, origin));
     files.emplace_back(names[e] + std::string(suffix(dialect)), std::move(text));
   }
   return files;
 }
 
-base::Result<Files> filesOf(const fuzzy::ForceModel& model, const ConvertOptions& options) {
+base::Result<Files> filesOf(const fuzzy::ForceModel& model, const ConvertOptions& options,
+                            const exchange::Origin& origin) {
   if (options.to != "c" && !options.fixed.empty())
     return base::fail(base::ErrorCode::kValue, "--fix", "--to " + options.to, "--to c, which alone can fix inputs");
   for (const exchange::Dialect dialect : exchange::kDialects) {
-    if (options.to == name(dialect)) return expertFiles(model, dialect);
+    if (options.to == name(dialect)) return expertFiles(model, dialect, origin);
   }
   std::vector<exchange::FixedInput> fixed;
   for (const std::string& text : options.fixed) {
     TACTUS_TRY(const auto one, inputOption(model, "--fix", text));
     fixed.push_back({one.first, one.second});
   }
-  TACTUS_TRY(auto source, exchange::cSource(model, fixed));
+  TACTUS_TRY(auto source, exchange::cSource(model, fixed, origin));
   return Files{{"force_model.h", std::move(source.header)}, {"force_model.c", std::move(source.source)}};
 }
 
 }  // namespace
 
 base::Result<Output> convert(const ConvertOptions& options) {
-  TACTUS_TRY(const auto read, model_io::readModel(options.model));
-  const auto files = filesOf(read.model, options);
+  TACTUS_TRY(const auto bytes, base::readFile(options.model, model_io::kMostModelFileBytes));
+  TACTUS_TRY(const auto read, model_io::parseModel(bytes, options.model));
+  const auto files =
+      filesOf(read.model, options, {base::sha256(bytes), read.model.created_utc, std::string(kGenerator)});
   if (!files) return base::inFile(files.error(), options.model);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
   Output output{{}, read.warnings};

@@ -57,29 +57,37 @@ void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostr
 }
 
 void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
-  addCommand(app, chosen, "bundle", "Everything that a simulator team needs of a model, with what each file promises",
-             bundle, [](CLI::App& command, BundleOptions& o) {
-               addModel(command, o.model);
-               command
-                   .add_option("--out", o.out,
-                               "Folder to write, new or with an earlier bundle; or a file that ends with .zip")
-                   ->required()
-                   ->check(outputFolder());
-               command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
-                   ->check(notEmpty());
-               command.add_option("--table-error", o.table_error_n, "The most that the look-up table may be off, in N")
-                   ->capture_default_str()
-                   ->check(numberThat("a number of newtons above 0", [](double x) { return x > 0; }));
-               addJson(command, o.json);
-             });
   addCommand(
-      app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
-      [](CLI::App& command, VerifyOptions& o) {
-        command.add_option("DIR", o.folder, "Folder of the bundle, or its zip file")->required()->check(notEmpty());
-        command.add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
+      app, chosen, "bundle", "Everything that a simulator team needs of a model, with what each file promises", bundle,
+      [](CLI::App& command, BundleOptions& o) {
+        addModel(command, o.model);
+        command
+            .add_option("--out", o.out, "Folder to write, new or with an earlier bundle; or a file that ends with .zip")
+            ->required()
+            ->check(outputFolder());
+        command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
+            ->check(notEmpty());
+        command.add_option("--table-error", o.table_error_n, "The most that the look-up table may be off, in N")
+            ->capture_default_str()
+            ->check(numberThat("a number of newtons above 0", [](double x) { return x > 0; }));
+        command.add_option("--study", o.study, "Study file whose sign-offs on the model go along")->check(notEmpty());
+        command.add_option("--sign", o.sign, "Private key of OpenSSH to sign with: ssh-keygen writes the signature")
             ->check(notEmpty());
         addJson(command, o.json);
       });
+  addCommand(app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
+             [](CLI::App& command, VerifyOptions& o) {
+               command
+                   .add_option("DIR", o.folder,
+                               "Folder of the bundle, its manifest, or its zip file; by default the present folder")
+                   ->check(notEmpty());
+               command
+                   .add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
+                   ->check(notEmpty());
+               command.add_option("--key", o.key, "Public key of OpenSSH (*.pub) by which the bundle must be signed")
+                   ->check(notEmpty());
+               addJson(command, o.json);
+             });
   addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,
              [](CLI::App& command, ConvertOptions& o) {
                addModel(command, o.model);

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/fuzzy/force_model.h"
+#include "core/model_io/bundle_check.h"
 
 namespace tactus::cli {
 
@@ -19,11 +20,7 @@ using analysis::elsewhereText;
 using analysis::gapOf;
 
 /// Who signed off a model, so that an edit of it contradicts them.
-struct SignOff {
-  std::string author;
-  std::string text;  ///< `feels right, after 3 edits: 4 strokes on Touch`
-  std::string utc;   ///< `2026-11-21T08:00:00Z`
-};
+using SignOff = model_io::Approval;
 
 /// The sign-offs in the history of the study file `path` on a state with the terms, rules and settings of `model`, from
 /// the oldest. When it was written, by which program, its provenance and checks do not count.

@@ -106,10 +106,49 @@ std::string formatManifest(const BundleManifest& manifest) {
   return json.endArray().endObject().text();
 }
 
+std::string fingerprintText(std::string_view sha256) {
+  constexpr std::size_t kGroup = 16;
+  std::string out;
+  for (std::size_t at = 0; at < sha256.size(); at += kGroup)
+    out += (at > 0 ? " " : "") + std::string(sha256.substr(at, kGroup));
+  return out;
+}
+
 namespace {
+constexpr std::string_view kApprovalsFormat = "tactus-approvals";
+}
+
+std::string formatApprovals(const std::vector<Approval>& approvals) {
+  base::JsonWriter json;
+  json.beginObject().key("format").value(kApprovalsFormat).key("version").value(1).key("approvals").beginArray();
+  for (const Approval& one : approvals) {
+    json.beginObject().key("author").value(one.author).key("utc").value(one.utc).key("text").value(one.text);
+    json.endObject();
+  }
+  return json.endArray().endObject().text();
+}
+
+namespace {
+
+base::Result<std::vector<Approval>> parseApprovals(std::string_view text, const std::string& file) {
+  return base::readJson(text, file, [](JsonMembers& members, std::optional<base::Error>& error) {
+    members.format(kApprovalsFormat);
+    members.version(required("version"));
+    std::vector<Approval> out;
+    for (const base::JsonValue value : members.elements(required("approvals"))) {
+      JsonMembers one(value, error);
+      Approval& approval = out.emplace_back();
+      one.textOrEmpty(required("author"), approval.author);
+      one.textOrEmpty(required("utc"), approval.utc);
+      one.text(required("text"), approval.text);
+    }
+    return out;
+  });
+}
 
 constexpr std::size_t kMostManifestBytes = std::size_t{4} << 20U;
 constexpr std::size_t kMostFileBytes = std::size_t{256} << 20U;
+constexpr std::size_t kMostSignatureBytes = std::size_t{64} << 10U;
 
 FileCheck failed(FileCheck check, std::string sentence) {
   check.ok = false;
@@ -127,7 +166,7 @@ base::Result<void> requireNoLink(const std::string& path) {
 
 /// What lies in the folder without being named by the manifest, each a failure, in the order of their paths.
 std::vector<FileCheck> unnamedIn(const std::string& folder, const BundleManifest& manifest) {
-  std::set<std::string> named = {std::string(kManifestName)};
+  std::set<std::string> named = {std::string(kManifestName), std::string(kSignatureName)};
   for (const BundleFile& file : manifest.files) named.insert(file.path);
   std::vector<FileCheck> out;
   std::error_code problem;
@@ -158,7 +197,9 @@ base::Result<std::string> unaltered(const std::string& folder, const BundleFile&
       base::ErrorCode::kMismatch, path, {}, "another SHA-256 than the manifest's", "the file as it was written"});
 }
 
-FileCheck checked(const fuzzy::ForceModel& model, const std::string& folder, const BundleFile& file) {
+/// Takes what it learns into `approvals`.
+FileCheck checked(const fuzzy::ForceModel& model, const std::string& folder, const BundleFile& file,
+                  std::vector<Approval>& approvals) {
   FileCheck check{file, true, false, file.promise ? file.promise->largest_error_n : 0, {}};
   auto bytes = unaltered(folder, file);
   if (!bytes) return failed(check, bytes.error().message());
@@ -168,6 +209,11 @@ FileCheck checked(const fuzzy::ForceModel& model, const std::string& folder, con
     if (!error) return failed(check, error.error().message());
     check.evaluated = true;
     check.largest_error_n = error->largest_n;
+  }
+  if (file.kind == "approvals") {
+    const auto read = parseApprovals(*bytes, path);
+    if (!read) return failed(check, read.error().message());
+    approvals = *read;
   }
   if (!file.promise || check.largest_error_n <= file.promise->tolerance_n) return check;
   const std::string found = "an error of " + base::formatNumber(check.largest_error_n) + " N";
@@ -239,8 +285,15 @@ base::Result<BundleCheck> checkBundle(const std::string& folder) {
   TACTUS_TRY(auto read, parseModel(*bytes, folder + "/" + manifest.model));
   out.model = std::move(read.model);
   out.generator = manifest.generator;
+  out.model_sha256 = own->sha256;
+  out.manifest = text;
   out.fingerprint = base::sha256(text);
-  for (const BundleFile& file : manifest.files) out.files.push_back(checked(out.model, folder, file));
+  for (const BundleFile& file : manifest.files) out.files.push_back(checked(out.model, folder, file, out.approvals));
+  if (const std::string name = folder + "/" + std::string(kSignatureName);
+      std::filesystem::exists(std::filesystem::symlink_status(name, ignored))) {
+    if (const auto itself = requireNoLink(name); !itself) return tl::unexpected(itself.error());
+    TACTUS_TRY(out.signature, base::readFile(name, kMostSignatureBytes));
+  }
   for (FileCheck& check : unnamedIn(folder, manifest)) out.files.push_back(std::move(check));
   return out;
 }

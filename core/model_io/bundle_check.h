@@ -14,6 +14,10 @@ namespace tactus::model_io {
 // The manifest of a bundle: which files belong to it, how exactly each of them holds the model. Format: docs/bundle.md.
 
 inline constexpr std::string_view kManifestName = "manifest.json";
+/// The signature of the manifest, which therefore cannot name it.
+inline constexpr std::string_view kSignatureName = "manifest.json.sig";
+/// Who approved the model; only where somebody did.
+inline constexpr std::string_view kApprovalsName = "approvals.json";
 
 /// What a file of forces promises.
 struct Promise {
@@ -29,7 +33,8 @@ struct Promise {
 struct BundleFile {
   std::string path;  ///< in the folder of the bundle, with `/`
   std::string sha256;
-  std::string kind;  ///< `model`, `checks`, `fll`, `fcl`, `fcl-fuzzylite`, `fis`, `fml`, `c`, `table`, `text`, `report`
+  std::string kind;  ///< `model`, `checks`, `fll`, `fcl`, `fcl-fuzzylite`, `fis`, `fml`, `c`, `table`, `text`,
+                     ///< `report`, `approvals`
   std::string expert;              ///< id; empty where it holds no single expert
   std::optional<Promise> promise;  ///< nothing for a file without forces
 
@@ -50,6 +55,21 @@ base::Result<BundleManifest> parseManifest(std::string_view text, const std::str
 
 std::string formatManifest(const BundleManifest& manifest);
 
+/// The fingerprint of a bundle as people compare it: four groups of 16 digits. `sha256`: of its manifest.
+std::string fingerprintText(std::string_view sha256);
+
+/// Who approved the model of a bundle, with the evidence.
+struct Approval {
+  std::string author;
+  std::string text;  ///< `feels right, after 3 edits: 4 strokes on Touch`
+  std::string utc;   ///< `2026-11-21T08:00:00Z`
+
+  bool operator==(const Approval&) const = default;
+};
+
+/// The file `approvals.json`.
+std::string formatApprovals(const std::vector<Approval>& approvals);
+
 /// The result for one file.
 struct FileCheck {
   BundleFile file;
@@ -61,16 +81,20 @@ struct FileCheck {
 
 struct BundleCheck {
   fuzzy::ForceModel model;
-  std::string generator;         ///< that wrote the bundle
-  std::string fingerprint;       ///< SHA-256 of the manifest
+  std::string generator;                 ///< that wrote the bundle
+  std::string model_sha256;              ///< of the model file
+  std::string manifest;                  ///< the text, which a signature is of
+  std::string fingerprint;               ///< its SHA-256
+  std::optional<std::string> signature;  ///< the file beside the manifest; it is not checked here
+  std::vector<Approval> approvals;
   std::vector<FileCheck> files;  ///< in the order of the manifest, then what it does not name (kind `unnamed`)
 
   bool ok() const;
 };
 
 /// Reads the bundle in `folder`. Every file must be there with its checksum, none may be a link, and no other may lie
-/// there. The model repeats its own checks, and the
-/// table of checks is evaluated again; the files for other programs are not read here. Refused: a folder without a
+/// there but a signature of the manifest. The model repeats its own checks, and the table of checks is evaluated again;
+/// the files for other programs are not read here. Refused: a folder without a
 /// manifest or with a broken one, and a model that cannot be read, because then nothing can be evaluated (kMismatch: it
 /// is missing, altered, or its checks fail).
 base::Result<BundleCheck> checkBundle(const std::string& folder);

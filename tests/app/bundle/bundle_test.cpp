@@ -233,6 +233,23 @@ TEST_F(BundleTest, WhatTheManifestDoesNotNameIsFound) {
   EXPECT_NE(std::string(message_).find("does not name"), std::string::npos) << message_;
 }
 
+TEST_F(BundleTest, ASignatureIsTheOneFileThatTheManifestCannotName) {
+  write("manifest.json.sig", "a signature");
+  const auto found = verifyBundle(path_, kProgram);
+  ASSERT_TRUE(found) << found.error().message();
+  EXPECT_TRUE(found->ok());
+  EXPECT_EQ(found->signature, "a signature");
+  EXPECT_EQ(library(), TACTUS_OK) << message_;
+  EXPECT_TRUE(mayHoldBundle(path_));
+  fs::remove(path_ + "/manifest.json.sig");
+  fs::create_symlink(path_ + "/checks.csv", path_ + "/manifest.json.sig");
+  EXPECT_FALSE(verifyBundle(path_, kProgram));
+  EXPECT_EQ(library(), TACTUS_NOT_VERIFIED);
+  fs::remove(path_ + "/manifest.json.sig");
+  fs::create_directory(path_ + "/manifest.json.sig");
+  EXPECT_FALSE(verifyBundle(path_, kProgram));
+}
+
 TEST_F(BundleTest, ALinkIsNoFileOfABundle) {
   const auto linked = [&](const std::string& name) {
     fs::rename(path_ + "/" + name, folder_.file("moved"));
