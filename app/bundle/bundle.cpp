@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "app/bundle/file_errors.h"
+#include "app/bundle/sources.h"
 #include "app/bundle/zip.h"
 #include "core/analysis/check_points.h"
 #include "core/analysis/coverage.h"
@@ -19,7 +20,6 @@
 #include "core/base/files/unfinished.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "core/exchange/c_source.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
 
@@ -232,6 +232,26 @@ void addExperts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& comp
   }
 }
 
+/// The sources in C and JavaScript, and the insertions. Returns false to cancel.
+bool addSources(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+                const std::vector<std::vector<double>>& points, const BundleSettings& settings,
+                const exchange::Origin& origin, Bundle& bundle, Collector& collector) {
+  if (!collector.next()) return false;
+  const std::optional<FeltTraces> felt = feltTraces(model);
+  if (felt) collector.add("checks_tube.csv", "tube-checks", formatTubeChecks(*felt), exactPromise(model));
+  const Sources sources = sourcesOf(model, origin);
+  for (const SourceFile& file : sources.files) {
+    std::optional<model_io::Promise> promise;
+    if (file.gives != SourceFile::Gives::kNothing) {
+      if (!collector.next()) return false;
+      promise = promiseOf(sources, file, compiled, points, felt, settings.stop);
+    }
+    collector.add(file.path, file.kind, file.bytes, promise);
+  }
+  bundle.warnings.insert(bundle.warnings.end(), sources.warnings.begin(), sources.warnings.end());
+  return true;
+}
+
 /// Why the table is further off than wanted.
 std::string tableWarning(const BoundedTable& made, const BundleSettings& settings) {
   return "table/force_table.csv may be " + base::roundedNumber(made.bound.bound_n) + " N off, more than the wanted " +
@@ -291,8 +311,8 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   TACTUS_TRY(const auto compiled, fuzzy::compile(made));
 
   bundle.manifest = {std::string(kModelPath), settings.created_utc, settings.generator, {}};
-  // The model, the checks, the C source, the table and the report, beside the experts.
-  Collector collector(bundle, settings, 5 + made.experts.size() * std::size(exchange::kDialects));
+  // The model, the checks, the insertions, four sources, the table and the report, beside the experts.
+  Collector collector(bundle, settings, 9 + made.experts.size() * std::size(exchange::kDialects));
   collector.next();
   const std::string text = model_io::formatModel(made);
   // What is written must read, with its checks.
@@ -304,13 +324,7 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   const auto points = analysis::checkPoints(made);
   collector.add("checks.csv", "checks", checksText(made, analysis::checksAt(made, points)), exactPromise(made));
   addExperts(made, compiled, points, origin, collector);
-  if (!collector.next()) return tl::unexpected(cancelled());
-  if (const auto source = exchange::cSource(made, {}, origin)) {
-    collector.add("c/force_model.h", "c", source->header);
-    collector.add("c/force_model.c", "c", source->source, promiseOf(*source, compiled, points, settings.stop));
-  } else {
-    bundle.warnings.push_back("c/force_model.c is left out: " + source.error().message());
-  }
+  if (!addSources(made, compiled, points, settings, origin, bundle, collector)) return tl::unexpected(cancelled());
   if (!collector.next()) return tl::unexpected(cancelled());
   addTable(made, compiled, points, settings, origin, bundle, collector);
   if (!collector.next()) return tl::unexpected(cancelled());

@@ -12,7 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/bundle/program_run.h"
 #include "app/bundle/zip.h"
 #include "core/analysis/check_points.h"
 #include "core/analysis/sampled_centroid.h"
@@ -20,7 +19,6 @@
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
 #include "core/base/text.h"
-#include "core/exchange/c_source.h"
 
 namespace tactus::bundle {
 namespace {
@@ -40,7 +38,9 @@ class Verifier {
         compiled_(std::move(compiled)),
         folder_(std::move(folder)),
         same_program_(bundle.generator == generator),
-        points_(analysis::checkPoints(model_)) {}
+        points_(analysis::checkPoints(model_)),
+        sources_(sourcesOf(model_, origin_)),
+        felt_(feltTraces(model_)) {}
 
   void look(FileCheck& check) {
     const std::string path = folder_ + "/" + check.file.path;
@@ -51,7 +51,9 @@ class Verifier {
       if (!table) return fail(check, table.error().message());
       return take(check, errorOf(*table, compiled_, points_));
     }
-    if (check.file.kind == "c") return lookAtSource(check, *bytes);
+    for (const SourceFile& own : sources_.files) {
+      if (check.file.path == own.path) return lookAtSource(check, *bytes, own);
+    }
     for (const exchange::Dialect dialect : exchange::kDialects) {
       if (check.file.kind == name(dialect)) return lookAtExpert(check, *bytes, dialect);
     }
@@ -71,12 +73,10 @@ class Verifier {
   }
 
   /// The text of another version is not run, because it is not known what it does.
-  void lookAtSource(FileCheck& check, const std::string& bytes) {
-    const auto source = exchange::cSource(model_, {}, origin_);
-    const bool header = check.file.path.ends_with(".h");
-    compare(check, bytes, source ? std::optional(header ? source->header : source->source) : std::nullopt);
-    if (!check.ok || !same_program_ || header) return;
-    const model_io::Promise now = promiseOf(*source, compiled_, points_);
+  void lookAtSource(FileCheck& check, const std::string& bytes, const SourceFile& own) {
+    compare(check, bytes, own.bytes);
+    if (!check.ok || !same_program_ || own.gives == SourceFile::Gives::kNothing) return;
+    const model_io::Promise now = promiseOf(sources_, own, compiled_, points_, felt_);
     if (now.measured) take(check, now);
   }
 
@@ -105,6 +105,8 @@ class Verifier {
   std::string folder_;
   bool same_program_;
   std::vector<std::vector<double>> points_;
+  Sources sources_;
+  std::optional<FeltTraces> felt_;
 };
 
 }  // namespace
@@ -157,80 +159,6 @@ base::Result<model_io::BundleCheck> verifyBundle(const std::string& path, std::s
   std::error_code ignored;
   return isZipName(path) && fs::is_regular_file(path, ignored) ? verifyZip(path, generator)
                                                                : verifyFolder(path, generator);
-}
-
-// The C source of a bundle, compiled and run: what its forces really are.
-
-/// The forces of `force_model` at `points`, computed by a program made of `source` with the C compiler `cc` of this
-/// computer, in a folder that is removed. Nothing if there is no compiler, or it cannot be run here.
-std::optional<std::vector<double>> forcesOf(const exchange::CSource& source,
-                                            const std::vector<std::vector<double>>& points,
-                                            const std::stop_token& stop = {});
-
-namespace {
-
-constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
-
-/// Reads points and writes their forces, all digits of them.
-constexpr std::string_view kMain = R"(#include <stdio.h>
-#include "force_model.h"
-int main(void) {
-  double inputs[FORCE_MODEL_INPUTS];
-  for (;;) {
-    int i, fired;
-    for (i = 0; i < FORCE_MODEL_INPUTS; ++i) {
-      if (scanf("%lf", &inputs[i]) != 1) return 0;
-    }
-    printf("%.17g\n", force_model(inputs, &fired));
-  }
-}
-)";
-
-}  // namespace
-
-std::optional<std::vector<double>> forcesOf(const exchange::CSource& source,
-                                            const std::vector<std::vector<double>>& points,
-                                            const std::stop_token& stop) {
-  std::error_code ignored;
-  const base::Unfinished work =
-      base::makeUnfinishedFolder((fs::temp_directory_path(ignored) / "tactus-c").string(), base::kUnfinishedEnding);
-  if (!work.descriptor.isOpen()) return std::nullopt;
-  struct Removed {
-    const std::string& folder;
-    ~Removed() {
-      std::error_code unimportant;
-      fs::remove_all(folder, unimportant);
-    }
-  } const removed{work.path};
-
-  std::string input;
-  for (const auto& point : points) {
-    for (const double value : point) input += base::formatNumber(value) + ' ';
-    input += '\n';
-  }
-  const auto write = [&](const std::string& name, std::string_view text) {
-    return base::writeFileAtomically(work.path + "/" + name, text).has_value();
-  };
-  if (!write("force_model.h", source.header) || !write("force_model.c", source.source) || !write("main.c", kMain) ||
-      !write("in", input))
-    return std::nullopt;
-  const std::string program = work.path + "/forces";
-  const std::vector<std::string> compile = {
-      "cc", "-std=c99", "-O1", work.path + "/force_model.c", work.path + "/main.c", "-o", program, "-lm"};
-  if (runProgram(compile, work.path, stop) != Ran::kWell || runProgram({program}, work.path, stop) != Ran::kWell)
-    return std::nullopt;
-  const auto output = base::readFile(work.path + "/out", kMostBytes);
-  if (!output) return std::nullopt;
-  std::vector<double> forces;
-  std::string_view rest = *output;
-  for (std::size_t end = rest.find('\n'); end != std::string_view::npos; end = rest.find('\n')) {
-    const auto force = base::parseNumber(rest.substr(0, end));
-    if (!force) return std::nullopt;
-    forces.push_back(*force);
-    rest.remove_prefix(end + 1);
-  }
-  if (forces.size() != points.size()) return std::nullopt;
-  return forces;
 }
 
 namespace {
@@ -293,21 +221,40 @@ model_io::Promise exactPromise(const fuzzy::ForceModel& model) {
   return {"exact", kRounding * (model.output.max - model.output.min), 0, {}};
 }
 
-model_io::Promise promiseOf(const exchange::CSource& source, const fuzzy::CompiledModel& model,
-                            const std::vector<std::vector<double>>& points, const std::stop_token& stop) {
-  const double bound_n = kRounding * (model.outputMax() - model.outputMin());
-  const auto forces = forcesOf(source, points, stop);
+model_io::Promise promiseOf(const Sources& sources, const SourceFile& file, const fuzzy::CompiledModel& model,
+                            const std::vector<std::vector<double>>& points, const std::optional<FeltTraces>& felt,
+                            const std::stop_token& stop) {
+  const double range_n = model.outputMax() - model.outputMin();
+  model_io::Promise promise{"exact", kRounding * range_n, 0, {}};
+  const bool tube = file.gives == SourceFile::Gives::kTube && felt;
+  const auto forces = tube ? forcesOf(sources, file, *felt, stop) : forcesOf(sources, file, points, stop);
   if (!forces) {
-    model_io::Promise promise{"exact", bound_n, bound_n, {}};
+    promise.largest_error_n = promise.tolerance_n;
     promise.measured = false;
     return promise;
   }
   std::size_t next = 0;
-  return measured("exact", bound_n, points, [&](std::span<const double> point) {
-    const double difference = (*forces)[next++] - model.evaluate(point).force_n;
+  const auto take = [&](double wanted_n, const auto& at) {
     // A force that is none at all.
-    return std::isnan(difference) ? model.outputMax() - model.outputMin() : difference;
-  });
+    const double error_n = std::isnan((*forces)[next]) ? range_n : std::abs((*forces)[next] - wanted_n);
+    ++next;
+    if (!(error_n > promise.largest_error_n)) return;
+    promise.largest_error_n = error_n;
+    promise.at = at();
+  };
+  if (tube) {
+    for (std::size_t t = 0; t < felt->felt.size(); ++t) {
+      for (std::size_t i = 0; i < felt->felt[t].size(); ++i) {
+        take(felt->felt[t][i].force_n, [&] {
+          return std::vector{static_cast<double>(t + 1), static_cast<double>(i + 1)};
+        });
+      }
+    }
+  } else {
+    for (const auto& point : points) take(model.evaluate(point).force_n, [&] { return point; });
+  }
+  promise.tolerance_n = std::max(promise.tolerance_n, rounded(promise.largest_error_n));
+  return promise;
 }
 
 }  // namespace tactus::bundle

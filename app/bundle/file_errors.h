@@ -1,13 +1,14 @@
 // How far the forces of a bundle's files are from the model's.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/bundle/bounded_table.h"
-#include "core/exchange/c_source.h"
+#include "app/bundle/sources.h"
 #include "core/exchange/dialect.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/bundle_check.h"
@@ -38,9 +39,11 @@ model_io::Promise errorOf(const ForceTable& table, const fuzzy::CompiledModel& m
 /// A file that holds the exact forces: 1e-12 of the output's range is left for rounding.
 model_io::Promise exactPromise(const fuzzy::ForceModel& model);
 
-/// The error of the C source, compiled and run at `points`. Without a C compiler: the bound that the tests of the C
-/// source prove, with `measured` false.
-model_io::Promise promiseOf(const exchange::CSource& source, const fuzzy::CompiledModel& model,
-                            const std::vector<std::vector<double>>& points, const std::stop_token& stop = {});
+/// The error of a source that gives forces, compiled or run at `points`, or in the traces that are felt. If it cannot
+/// be run here: the bound that the tests of the sources prove, with `measured` false. `at` of a tube: the numbers of
+/// trace and step, from 1.
+model_io::Promise promiseOf(const Sources& sources, const SourceFile& file, const fuzzy::CompiledModel& model,
+                            const std::vector<std::vector<double>>& points, const std::optional<FeltTraces>& felt,
+                            const std::stop_token& stop = {});
 
 }  // namespace tactus::bundle

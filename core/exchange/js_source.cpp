@@ -63,9 +63,11 @@ void writeExpert(base::JsonWriter& json, const fuzzy::ForceModel& model, std::si
   json.endArray().endObject();
 }
 
-std::string modelText(const fuzzy::ForceModel& model) {
+std::string modelText(const fuzzy::ForceModel& model, const Origin& origin) {
   base::JsonWriter json;
-  json.beginObject().key("name").value(model.name).key("implication").value(name(model.implication));
+  json.beginObject().key("name").value(model.name);
+  if (!origin.model_sha256.empty()) json.key("sha256").value(origin.model_sha256);
+  json.key("implication").value(name(model.implication));
   json.key("default_force").value(model.default_force_n).key("inputs").beginArray();
   for (const fuzzy::Variable& input : model.inputs) writeVariable(json, input);
   json.endArray().key("output");
@@ -364,13 +366,14 @@ bool hasGaussianOutput(const fuzzy::ForceModel& model) {
 
 }  // namespace
 
-std::string jsForce(const fuzzy::ForceModel& model) {
+std::string jsForce(const fuzzy::ForceModel& model, const Origin& origin) {
   const bool gaussian = hasGaussianOutput(model);
   std::string out = "/* " + comment(model.name) +
                     ", written by Tactus. Plain JavaScript without any library: a module for Node, a script for a "
                     "page.\n *   const { force, fired } = forceModel([";
   for (std::size_t i = 0; i < model.inputs.size(); ++i) out += (i == 0 ? "" : ", ") + comment(model.inputs[i].id);
-  out += "]);\n */\n(function () {\n'use strict';\nconst FORCE_MODEL = " + modelText(model);
+  out += "]);\n" + (origin.model_sha256.empty() ? "" : " * " + comment(originText(origin)) + "\n") +
+         " */\n(function () {\n'use strict';\nconst FORCE_MODEL = " + modelText(model, origin);
   out.pop_back();
   out += ";\n" + std::string(kCentroid) + (gaussian ? std::string(kGaussians) : std::string());
   std::string end(kMean);

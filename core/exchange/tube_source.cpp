@@ -80,11 +80,12 @@ std::string inJavaScript(std::string_view body) {
 
 /// What both languages fill in.
 struct Filling {
+  std::string origin;      ///< a line of a comment, or nothing
   std::string conditions;  ///< a comment of one line each
   std::string places;      ///< of the inputs of the model, in C
 };
 
-Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inputs) {
+Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inputs, const Origin& origin) {
   Filling out;
   const auto place = [&](std::size_t input, const std::string& value) {
     out.places += (out.places.empty() ? "" : "\n") + ("  inputs[" + std::to_string(input) + "] = " + value + ";");
@@ -97,6 +98,7 @@ Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inpu
   }
   place(inputs.depth, "depth_mm");
   place(inputs.speed, "speed_mm_s");
+  out.origin = origin.model_sha256.empty() ? std::string() : " * " + comment(originText(origin)) + "\n";
   out.conditions =
       out.conditions.empty() ? " * There are no conditions.\n" : " * Conditions, in this order:\n" + out.conditions;
   return out;
@@ -110,15 +112,15 @@ std::string numbersText(const fuzzy::ForceModel& model, const render::TubeInputs
 
 }  // namespace
 
-base::Result<TubeSource> cTube(const fuzzy::ForceModel& model) {
+base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& origin) {
   TACTUS_TRY(const auto inputs, render::tubeInputs(model));
-  const Filling filling = fillingOf(model, inputs);
+  const Filling filling = fillingOf(model, inputs, origin);
   TubeSource out;
   out.header =
       "/* The tube of " + comment(model.name) +
       ", written by Tactus: what a hand feels that pushes it in, stroke by stroke. C99, with force_model.c beside it;\n"
       " * no other library, no allocation, no lock, bounded time. Lengths are mm, times s, forces N.\n" +
-      filling.conditions +
+      filling.origin + filling.conditions +
       " *\n *   tube_state tube;\n *   tube_start(&tube, conditions);\n"
       " *   for (;;) { force_n = tube_step(&tube, position_mm, held, dt_s); ... }\n */\n" +
       filled(kTubeHeader, {{"@CONDITIONS@", std::to_string(inputs.conditions.size())}});
@@ -133,15 +135,15 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model) {
   return out;
 }
 
-base::Result<std::string> jsTube(const fuzzy::ForceModel& model) {
+base::Result<std::string> jsTube(const fuzzy::ForceModel& model, const Origin& origin) {
   TACTUS_TRY(const auto inputs, render::tubeInputs(model));
-  const Filling filling = fillingOf(model, inputs);
+  const Filling filling = fillingOf(model, inputs, origin);
   return "/* The tube of " + comment(model.name) +
          ", written by Tactus: what a hand feels that pushes it in, stroke by stroke. Plain JavaScript,\n"
          " * with force_model.js beside it: a module for Node, a script for a page. Lengths are mm, times s, forces "
          "N.\n"
          " * The numbers in parentheses are those of docs/renderer.md.\n" +
-         filling.conditions +
+         filling.origin + filling.conditions +
          " *\n *   const tube = tubeStart(conditions);\n"
          " *   const force_n = tubeStep(tube, position_mm, held, dt_s);   what else is felt: tube.depth_mm, "
          "tube.phase, "

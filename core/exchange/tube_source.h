@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "core/exchange/origin.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::exchange {
@@ -14,11 +15,11 @@ struct TubeSource {
   std::string source;  ///< tube.c, which asks force_model.c
 };
 
-/// C99. Every bit is that of libtactus where the bits of force_model.c are. Refused: a model that has no tube
-/// (render::tubeInputs).
-base::Result<TubeSource> cTube(const fuzzy::ForceModel& model);
+/// C99, with its origin in the head. Every bit is that of libtactus where the bits of force_model.c are. Refused: a
+/// model that has no tube (render::tubeInputs).
+base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& origin = {});
 
 /// Plain JavaScript, a module for Node and a script for a page: tube.js, which asks force_model.js. Refused as cTube.
-base::Result<std::string> jsTube(const fuzzy::ForceModel& model);
+base::Result<std::string> jsTube(const fuzzy::ForceModel& model, const Origin& origin = {});
 
 }  // namespace tactus::exchange

@@ -1,11 +1,9 @@
 #include "core/model_io/bundle_check.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "core/base/error.h"
@@ -13,9 +11,7 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_members.h"
 #include "core/base/json/json_writer.h"
-#include "core/base/tables/csv.h"
 #include "core/base/text.h"
-#include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::model_io {
@@ -204,8 +200,9 @@ FileCheck checked(const fuzzy::ForceModel& model, const std::string& folder, con
   auto bytes = unaltered(folder, file);
   if (!bytes) return failed(check, bytes.error().message());
   const std::string path = folder + "/" + file.path;
-  if (file.kind == "checks") {
-    const auto error = errorOfChecks(model, std::move(*bytes), path);
+  const bool tube = file.kind == "tube-checks";
+  if (tube || file.kind == "checks") {
+    const auto error = (tube ? errorOfTubeChecks : errorOfChecks)(model, std::move(*bytes), path);
     if (!error) return failed(check, error.error().message());
     check.evaluated = true;
     check.largest_error_n = error->largest_n;
@@ -225,40 +222,6 @@ FileCheck checked(const fuzzy::ForceModel& model, const std::string& folder, con
 
 bool BundleCheck::ok() const {
   return std::all_of(files.begin(), files.end(), [](const FileCheck& file) { return file.ok; });
-}
-
-base::Result<TableError> errorOfChecks(const fuzzy::ForceModel& model, std::string text, const std::string& file) {
-  TACTUS_TRY(const auto compiled, fuzzy::compile(model));
-  TACTUS_TRY(const auto table, base::CsvTable::parse(std::move(text), file));
-  std::vector<std::size_t> columns;
-  std::vector<std::string> names;
-  for (const fuzzy::Variable& input : model.inputs) names.push_back(input.id);
-  names.insert(names.end(), {"force", "fired"});
-  for (const std::string& name : names) {
-    TACTUS_TRY(const auto column, table.require(name));
-    columns.push_back(column);
-  }
-  TableError out;
-  std::vector<double> row(columns.size());
-  for (std::size_t r = 0; r < table.rowCount(); ++r) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      TACTUS_TRY(const auto value, table.number(r, columns[c]));
-      row[c] = value;
-    }
-    const std::span point = std::span(row).first(model.inputs.size());
-    const fuzzy::Evaluation force = compiled.evaluate(point);
-    if (force.fired != (row.back() != 0)) {
-      return table.refuse(
-          r, columns.back(), base::ErrorCode::kMismatch,
-          std::string(force.fired ? "1" : "0") + ", because " + (force.fired ? "a" : "no") + " rule fires there");
-    }
-    const double error_n = std::abs(force.force_n - row[row.size() - 2]);
-    ++out.points;
-    if (!(error_n > out.largest_n)) continue;
-    out.largest_n = error_n;
-    out.at.assign(point.begin(), point.end());
-  }
-  return out;
 }
 
 base::Result<BundleCheck> checkBundle(const std::string& folder) {

@@ -33,9 +33,9 @@ struct Promise {
 struct BundleFile {
   std::string path;  ///< in the folder of the bundle, with `/`
   std::string sha256;
-  std::string kind;  ///< `model`, `checks`, `fll`, `fcl`, `fcl-fuzzylite`, `fis`, `fml`, `c`, `table`, `text`,
-                     ///< `report`, `approvals`
-  std::string expert;              ///< id; empty where it holds no single expert
+  std::string kind;    ///< `model`, `checks`, `fll`, `fcl`, `fcl-fuzzylite`, `fis`, `fml`, `c`, `tube-c`, `js`, `tube-js`,
+                       ///< `tube-checks`, `table`, `text`, `report`, `approvals`
+  std::string expert;  ///< id; empty where it holds no single expert
   std::optional<Promise> promise;  ///< nothing for a file without forces
 
   bool operator==(const BundleFile&) const = default;
@@ -106,5 +106,11 @@ struct TableError {
   std::size_t points = 0;
 };
 base::Result<TableError> errorOfChecks(const fuzzy::ForceModel& model, std::string text, const std::string& file);
+
+/// The same for a table of insertions, `trace,step,position_mm,held,dt_s,` the conditions,
+/// `force_n,depth_mm,phase,stroke`, against the renderer with the model's force. A trace begins where its name changes;
+/// the conditions may change within it (render::kTraceFadeS). Phase and stroke must be equal, the depth within 1e-9 mm.
+/// `at`: number of the trace and step, from 1.
+base::Result<TableError> errorOfTubeChecks(const fuzzy::ForceModel& model, std::string text, const std::string& file);
 
 }  // namespace tactus::model_io

@@ -73,7 +73,7 @@ std::vector<double> conditionsAt(const fuzzy::ForceModel& model, const TubeInput
 TubeTrace randomHand(const fuzzy::ForceModel& model, const TubeInputs& inputs, int number) {
   base::Random random(static_cast<std::uint64_t>(100 + number));
   const auto some = [&] { return conditionsAt(model, inputs, random.uniform(), random.uniform()); };
-  Script script("random " + std::to_string(number), some());
+  Script script("random_hand_" + std::to_string(number), some());
   script.hold(true).add(0, 0.001);
   double speed_mm_s = 0;
   for (int i = 0; i < 700; ++i) {
@@ -121,7 +121,7 @@ std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInpu
   const auto dry = conditionsAt(model, inputs, 0.9, 0.5);
   const auto wet = conditionsAt(model, inputs, 0.2, 0.75);
   std::vector<TubeTrace> out;
-  out.push_back(Script("strokes with stops", dry)
+  out.push_back(Script("strokes_with_stops", dry)
                     .rest(0.01)
                     .hold(true)
                     .move(45, 0.35)
@@ -134,20 +134,20 @@ std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInpu
                     .hold(false)
                     .rest(0.05)
                     .done());
-  out.push_back(Script("slow push and slow stop", wet).hold(true).move(4, 0.8, 0.002).rest(0.2, 0.002).done());
+  out.push_back(Script("slow_push_and_slow_stop", wet).hold(true).move(4, 0.8, 0.002).rest(0.2, 0.002).done());
   out.push_back(
-      Script("withdrawal to the nostril", dry).hold(true).move(40, 0.4).move(-70, 0.5).rest(0.05).move(8, 0.1).done());
-  Script end("to the end of the depth", wet);
+      Script("withdrawal_to_the_nostril", dry).hold(true).move(40, 0.4).move(-70, 0.5).rest(0.05).move(8, 0.1).done());
+  Script end("to_the_end_of_the_depth", wet);
   end.hold(true).add(0, 0.001);
   // A hand may go as far as it likes within a step.
   for (int i = 0; i < 40; ++i) end.add(end.positionMm() + end_mm / 36, 0.02);
   out.push_back(end.rest(0.1, 0.005).move(-30, 0.2, 0.002).done());
-  Script tremor("a trembling hand", dry);
+  Script tremor("a_trembling_hand", dry);
   tremor.hold(true).move(6, 0.1);
   for (int i = 0; i < 300; ++i)
     tremor.add(6 + 0.8 * std::sin(2 * std::numbers::pi * 9 * i * 0.001) + (i % 7 == 0 ? 0.055 : 0), 0.001);
   out.push_back(tremor.done());
-  out.push_back(Script("other conditions in the hand", dry)
+  out.push_back(Script("other_conditions_in_the_hand", dry)
                     .hold(true)
                     .move(30, 0.25)
                     .conditions(wet)
@@ -163,12 +163,12 @@ std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInpu
                     .hold(true)
                     .move(10, 0.1)
                     .done());
-  Script wrong("impossible steps", wet);
+  Script wrong("impossible_steps", wet);
   wrong.hold(true).move(20, 0.2).add(wrong.positionMm(), 0).move(5, 0.05).hold(false).rest(0.01).hold(true);
   wrong.move(20, 0.15).add(2e6, 0.001).move(-2e6 + 40, 0.003).hold(false).rest(0.005).hold(true).move(10, 0.1);
   wrong.add(wrong.positionMm(), 1.5).hold(false).rest(0.01).hold(true).move(10, 0.1).add(wrong.positionMm() + 40, 1);
   out.push_back(wrong.rest(0.02).done());
-  out.push_back(Script("a press in motion", dry).move(120, 0.3).hold(true).move(300, 0.25).rest(0.1).done());
+  out.push_back(Script("a_press_in_motion", dry).move(120, 0.3).hold(true).move(300, 0.25).rest(0.1).done());
   for (int number = 1; number <= 2; ++number) out.push_back(randomHand(model, inputs, number));
   return out;
 }

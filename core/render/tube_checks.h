@@ -41,7 +41,7 @@ struct TubeFeel {
 };
 
 struct TubeTrace {
-  std::string name;
+  std::string name;  ///< of letters, digits and `_`
   std::vector<TubeStep> steps;
 };
 

@@ -66,7 +66,8 @@ TEST_F(BundleTest, HoldsEveryFileOfTheContract) {
   for (const char* const name :
        {"manifest.json", "model.tactus.json", "checks.csv", "experts/S4.fll", "experts/S4.iec.fcl",
         "experts/S4.fuzzylite.fcl", "experts/S4.fis", "experts/S4.fml", "c/force_model.h", "c/force_model.c",
-        "table/force_table.csv", "table/README.txt", "report.html"}) {
+        "c/tube.h", "c/tube.c", "checks_tube.csv", "js/force_model.js", "js/tube.js", "table/force_table.csv",
+        "table/README.txt", "report.html"}) {
     EXPECT_TRUE(fs::exists(path_ + "/" + name)) << name;
   }
   EXPECT_TRUE(made_->warnings.empty());
@@ -138,8 +139,8 @@ TEST_F(BundleTest, TheMakingTellsHowFarItIsAndStops) {
     told.push_back(done);
   };
   ASSERT_TRUE(makeBundle(support::s4FiveRegions(), settings));
-  // The model, the checks, five files of the expert, the C source, the table and the report.
-  EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9}));
+  // The model, the checks, five files of the expert, the insertions, four sources, the table and the report.
+  EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}));
   settings.progress = [&](std::size_t done, std::size_t) {
     if (done == 3) source.request_stop();
   };
