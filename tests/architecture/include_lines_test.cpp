@@ -156,7 +156,7 @@ const std::map<std::string, Permission>& permissions() {
                {base, model, elicitation}),
         {}}},
       {"app/bundle",
-       {joined({"app/figures", "app/report", "core/analysis", "core/exchange", "core/fuzzy", "core/model_io"}, {base}),
+       {joined({"app/figures", "app/report", "core/analysis", "core/exchange", "core/fuzzy", "core/model_io", "core/render"}, {base}),
         {}}},
       {"app/link", {joined({"core/fuzzy", "core/haptics/servo"}, {base}), {"netinet/"}}},
       {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},

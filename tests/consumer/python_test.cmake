@@ -30,3 +30,54 @@ run(cells "${PYTHON}" -B "${PREFIX}/share/tactus/examples/notebook.py" "${MODEL}
 if(NOT cells MATCHES "NGT by S4\n.*depth: 0 to 600 mm\n.*in the middle: 0\\.[0-9]+ N\n.* 600 mm .* 1000 ms +5[0-9]\\.[0-9]+ mm")
   message(FATAL_ERROR "notebook.py: ${cells}")
 endif()
+
+# What the engines' examples have in common, and the class for many environments.
+set(engines "${PREFIX}/share/tactus/examples/engines")
+set(felt "${WORK}/felt")  # a bundle with a hole, so that the last force is held there
+run(ignored "${TACTUS}" bundle "${MODEL}" --table-error 0.5 --accept-hole "depth 460 to 600 mm" --out "${felt}")
+run(said "${PYTHON}" -B "${engines}/traces.py" "${felt}")
+if(NOT said MATCHES "steps of checks_tube.csv: at most 0\\.0 N off")
+  message(FATAL_ERROR "traces.py: ${said}")
+endif()
+set(ENV{PYTHONPATH} "${PREFIX}/share/tactus/languages:${engines}")
+run(said "${PYTHON}" -B -c "
+import sys, isaac_lab_tube
+tubes = isaac_lab_tube.Tubes(sys.argv[1], {'lubrication': 1.0, 'neck_flexion': 45.0}, 2, 0.005)
+for i in range(200): forces = tubes.step([i * 0.0003, 0.0], [True, True])
+print(forces[0] > 0.05, forces[1])" "${MODEL}")
+if(NOT said STREQUAL "True 0.0\n")
+  message(FATAL_ERROR "isaac_lab_tube.py: ${said}")
+endif()
+execute_process(COMMAND "${PYTHON}" -c "import mujoco" RESULT_VARIABLE missing OUTPUT_QUIET ERROR_QUIET)
+if(missing)
+  message("SKIPPED: mujoco for Python is not installed, so mujoco_tube.py was not run")
+else()
+  run(said "${PYTHON}" -B "${engines}/mujoco_tube.py" "${felt}")
+endif()
+
+# MuJoCo for Node: in the folder that NODE_MODULES_HOST names, or here.
+find_program(node node)
+set(host "$ENV{NODE_MODULES_HOST}")
+if(NOT host)
+  set(host "${WORK}")
+endif()
+execute_process(COMMAND "${node}" -e "require.resolve('mujoco-js')" WORKING_DIRECTORY "${host}" RESULT_VARIABLE missing
+                OUTPUT_QUIET ERROR_QUIET)
+if(NOT node OR missing)
+  message("SKIPPED: node with mujoco-js is not installed, so mujoco.mjs was not run")
+else()
+  execute_process(COMMAND "${node}" "${engines}/mujoco.mjs" "${felt}" WORKING_DIRECTORY "${host}"
+                  RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE wrong)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "mujoco.mjs: ${said}${wrong}")
+  endif()
+endif()
+
+# The plugin of SOFA, where its headers are.
+execute_process(COMMAND ${CMAKE_COMMAND} -S "${engines}/sofa" -B "${WORK}/sofa" "-DCMAKE_PREFIX_PATH=${PREFIX}"
+                RESULT_VARIABLE missing OUTPUT_QUIET ERROR_QUIET)
+if(missing)
+  message("SKIPPED: SOFA is not installed, so its plugin was not compiled")
+else()
+  run(said ${CMAKE_COMMAND} --build "${WORK}/sofa")
+endif()
