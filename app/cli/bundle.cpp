@@ -81,7 +81,7 @@ std::string asText(const std::string& name, const model_io::BundleCheck& bundle,
   if (!sender.signed_by.empty()) {
     text += "  signed by " + sender.signed_by + '\n';
   } else if (bundle.signature && sender.failure.empty()) {
-    text += "  signed, but nobody looked by whom: --key PUBLIC\n";
+    text += "  signed; --key PUBLIC checks by whom\n";
   }
   for (const model_io::Approval& one : bundle.approvals) {
     text += "  approved by " + base::oneLine(one.author) + ", " + base::oneLine(one.utc) + ": " +

@@ -53,6 +53,17 @@ std::vector<Column<DeliveredFile>> deliveredColumns() {
 
 namespace {
 
+/// The sign-offs of the current state, the oldest first.
+std::vector<model_io::Approval> approvalsOf(const editing::EditHistory& history) {
+  std::vector<model_io::Approval> out;
+  for (const editing::Event& event : history.events()) {
+    if (event.kind != editing::EventKind::kSignOff || event.state != history.current()) continue;
+    const std::chrono::system_clock::time_point at{std::chrono::milliseconds(event.stamp.utc_ms)};
+    out.push_back({event.stamp.author, event.label, base::formatUtc(at)});
+  }
+  return out;
+}
+
 DeliveredFile shown(const model_io::FileCheck& check) {
   DeliveredFile file{text(check.file.path), {}, {}, 0, check.ok, text(check.wrong)};
   if (check.file.promise) {
@@ -95,7 +106,7 @@ void BundleMaker::compare() {
 BundleMaker::End BundleMaker::readBackIn(const QString& folder) {
   auto check = bundle::verifyBundle(folder.toStdString(), kGenerator);
   if (!check) return {std::nullopt, tr("The bundle was not read. %1").arg(text(check.error().message()))};
-  Delivered out{folder, false, check->ok(), {}, {}, {}};
+  Delivered out{folder, text(model_io::fingerprintText(check->fingerprint)), false, check->ok(), {}, {}, {}};
   for (const model_io::FileCheck& file : check->files) out.files.push_back(shown(file));
   out.model = std::move(check->model);
   return {std::move(out), {}};
@@ -124,8 +135,8 @@ void BundleMaker::make(const QString& folder) {
   const auto told = [this](Doing doing, std::size_t done, std::size_t all) {
     answers_.post([this, doing, done, all] { tell(doing, done, all); });
   };
-  worker_.run([this, folder, told, stop = stop_.get_token(),
-               model = edits_.history().ready()](const std::stop_token&) -> Background::Deliver {
+  worker_.run([this, folder, told, stop = stop_.get_token(), model = edits_.history().ready(),
+               approvals = approvalsOf(edits_.history())](const std::stop_token&) -> Background::Deliver {
     const auto end = [this](End what) -> Background::Deliver {
       return [this, what = std::make_shared<End>(std::move(what))] { take(std::move(*what)); };
     };
@@ -140,7 +151,8 @@ void BundleMaker::make(const QString& folder) {
         std::string(kGenerator),
         bundle::kTableErrorN,
         stop,
-        [&told](std::size_t done, std::size_t all) { told(Doing::kMaking, done, all); }};
+        [&told](std::size_t done, std::size_t all) { told(Doing::kMaking, done, all); },
+        approvals};
     // A folder that may not be taken is said before the work.
     if (const auto ok = bundle::mayHoldBundle(folder.toStdString()); !ok) return failed(ok.error());
     const auto made = bundle::makeBundle(model->model, settings);

@@ -43,8 +43,9 @@ class EditController;
 /// A bundle that was read back.
 struct Delivered {
   QString folder;
-  bool made = false;  ///< by this program just before; otherwise it was there
-  bool ok = false;    ///< each file is unaltered and within its tolerance
+  QString fingerprint;  ///< of its manifest, in four groups
+  bool made = false;    ///< by this program just before; otherwise it was there
+  bool ok = false;      ///< each file is unaltered and within its tolerance
   std::vector<DeliveredFile> files;
   QStringList warnings;     ///< files that were left out, and why
   fuzzy::ForceModel model;  ///< of the folder

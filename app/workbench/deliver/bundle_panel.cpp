@@ -105,6 +105,12 @@ QWidget* BundlePanel::makeResult() {
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   folder_ = new ElidedLabel(page);
   setMuted(*folder_);
+  fingerprint_ = wrapped({}, page);
+  fingerprint_->setObjectName(QStringLiteral("bundle_fingerprint"));
+  fingerprint_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  fingerprint_->setToolTip(
+      tr("Tell it to the receiver by another way than the bundle: tactus verify prints the same, or it is another "
+         "bundle."));
   notes_ = wrapped({}, page);
   open_ = new QPushButton(tr("Open folder"), page);
   act_ = new QPushButton(page);
@@ -126,9 +132,10 @@ QWidget* BundlePanel::makeResult() {
   layout->addWidget(folder_, 1, 1);
   layout->addWidget(open_, 0, 2, 2, 1, Qt::AlignVCenter);
   layout->addWidget(act_, 0, 3, 2, 1, Qt::AlignVCenter);
-  layout->addWidget(notes_, 2, 1, 1, 3);
-  layout->addWidget(table_, 3, 0, 1, 4);
-  layout->setRowStretch(3, 1);
+  layout->addWidget(fingerprint_, 2, 1, 1, 3);
+  layout->addWidget(notes_, 3, 1, 1, 3);
+  layout->addWidget(table_, 4, 0, 1, 4);
+  layout->setRowStretch(4, 1);
   connect(open_, &QPushButton::clicked, this, &BundlePanel::openFolder);
   connect(act_, &QPushButton::clicked, this, &BundlePanel::act);
   return page;
@@ -182,6 +189,7 @@ void BundlePanel::showResult() {
   table_->setVisible(delivered.has_value());
   open_->setVisible(delivered.has_value());
   folder_->setVisible(delivered.has_value());
+  fingerprint_->setVisible(delivered.has_value());
   act_->setVisible(!delivered || !delivered->ok);
   act_->setText(delivered && maker_.asked() == BundleMaker::Doing::kMaking ? tr("Make it again…")
                                                                            : tr("Choose another folder…"));
@@ -197,6 +205,7 @@ void BundlePanel::showResult() {
                                                     : tr("Read: %n file(s), each within its tolerance", nullptr, files))
                                  : tr("Not every file is what it promises"));
     folder_->setFullText(harmless(delivered->folder));
+    fingerprint_->setText(tr("Fingerprint %1").arg(delivered->fingerprint));
     const auto wrong = std::find_if(delivered->files.begin(), delivered->files.end(),
                                     [](const DeliveredFile& file) { return !file.ok; });
     if (wrong != delivered->files.end()) notes << wrong->wrong;

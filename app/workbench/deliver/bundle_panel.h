@@ -58,6 +58,7 @@ class BundlePanel : public Card {
   ReadinessSign* sign_ = nullptr;
   QLabel* said_ = nullptr;
   ElidedLabel* folder_ = nullptr;
+  QLabel* fingerprint_ = nullptr;
   QLabel* notes_ = nullptr;
   QPushButton* open_ = nullptr;
   QPushButton* act_ = nullptr;  ///< what helps where something went wrong

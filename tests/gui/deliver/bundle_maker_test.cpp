@@ -47,6 +47,7 @@ TEST_F(BundleMakerTest, MakesTheBundleAndReadsItBack) {
   EXPECT_FALSE(maker.isOld());
   const auto check = bundle::verifyBundle(place.toStdString(), "another program");
   ASSERT_TRUE(check) << check.error().message();
+  EXPECT_EQ(QString(maker.delivered()->fingerprint).remove(QLatin1Char(' ')).toStdString(), check->fingerprint);
   ASSERT_EQ(check->files.size(), maker.delivered()->files.size());
   // Each file of forces says its largest error.
   for (std::size_t i = 0; i < check->files.size(); ++i) {
@@ -57,6 +58,19 @@ TEST_F(BundleMakerTest, MakesTheBundleAndReadsItBack) {
       EXPECT_LE(*file.error_n, file.tolerance_n) << file.path.toStdString();
     }
   }
+}
+
+TEST_F(BundleMakerTest, TheSignOffsOfTheStateGoAlong) {
+  acceptHole();
+  bench.edits.setFelt({2, "Touch", false, {"A"}});
+  bench.edits.signOff(QStringLiteral("S4"));
+  maker.make(place);
+  waitForEnd();
+  const auto check = bundle::verifyBundle(place.toStdString(), "another program");
+  ASSERT_TRUE(check) << check.error().message();
+  ASSERT_EQ(check->approvals.size(), 1U);
+  EXPECT_EQ(check->approvals[0].author, "S4");
+  EXPECT_EQ(check->approvals[0].text, "feels right, after 1 edit: 2 strokes on Touch, A");
 }
 
 TEST_F(BundleMakerTest, IsOldOnceTheForcesOfTheOpenModelAreOthers) {
