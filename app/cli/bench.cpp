@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <functional>
 
+#include "app/certify/certificate.h"
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "app/cli/terminal.h"
@@ -174,33 +174,16 @@ class Bench {
   std::vector<std::uint8_t> fired_;
 };
 
-/// The processor's name; empty where the system does not tell.
-std::string processor() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);) {
-    if (!line.starts_with("model name")) continue;
-    const auto colon = line.find(": ");
-    return colon == std::string::npos ? std::string() : line.substr(colon + 2);
-  }
-  return {};
-}
-
-std::string scientific(double value) {
-  if (value == 0) return "0";
-  const int exponent = static_cast<int>(std::floor(std::log10(value)));
-  return base::formatFixed(value / std::pow(10, exponent), 1) + "e" + std::to_string(exponent);
-}
-
 std::string benchText(const BenchOptions& options, const fuzzy::ForceModel& model, const std::vector<BenchRow>& rows) {
-  const std::string cpu = processor();
+  const std::string cpu = certify::processor();
   std::string text = base::oneLine(options.model) + ": experts " + std::to_string(model.experts.size()) +
                      (cpu.empty() ? std::string() : "; " + base::oneLine(cpu)) + '\n';
   text += padded("method", 22) + rightAligned("ns a point", 12) + rightAligned("largest error", 16) +
           rightAligned("rms error (" + model.output.unit + ")", 16) + rightAligned("points", 8) + '\n';
   for (const BenchRow& row : rows) {
     text += padded(row.method, 22) + rightAligned(base::formatFixed(row.ns, 0), 12) +
-            rightAligned(scientific(row.largest_error_n), 16) + rightAligned(scientific(row.rms_error_n), 16) +
-            rightAligned(std::to_string(row.points), 8) + '\n';
+            rightAligned(certify::scientific(row.largest_error_n), 16) +
+            rightAligned(certify::scientific(row.rms_error_n), 16) + rightAligned(std::to_string(row.points), 8) + '\n';
   }
   return text +
          "Errors are against one point of the exact centroid, itself within 1e-12 of the output's range.\n"
@@ -210,7 +193,7 @@ std::string benchText(const BenchOptions& options, const fuzzy::ForceModel& mode
 std::string benchJson(const BenchOptions& options, const fuzzy::ForceModel& model, const std::vector<BenchRow>& rows) {
   base::JsonWriter json;
   json.beginObject().key("model").value(options.model).key("experts").value(model.experts.size());
-  json.key("processor").value(processor()).key("rows").beginArray();
+  json.key("processor").value(certify::processor()).key("rows").beginArray();
   for (const BenchRow& row : rows) {
     json.beginObject(base::JsonWriter::Layout::kInline).key("method").value(row.method).key("entry");
     row.entry.empty() ? json.null() : json.value(row.entry);

@@ -86,7 +86,7 @@ void addBuildCommands(CLI::App& app, Chosen& chosen);
 /// `study` with its subcommands (commands.h).
 void addStudyCommands(CLI::App& app, Chosen& chosen);
 
-/// `bundle`, `verify`, `convert`, `import`, `diff`.
+/// `bundle`, `verify`, `certify`, `convert`, `import`, `diff`.
 void addDeliveryCommands(CLI::App& app, Chosen& chosen);
 
 /// `serve`. While it runs, it writes its address to `out` and its messages to `err`.

@@ -211,6 +211,19 @@ struct VerifyOptions {
 /// Reads a bundle back. A file that is missing, altered or beyond its tolerance is a failure.
 base::Result<Output> verify(const VerifyOptions& options);
 
+struct CertifyOptions {
+  std::string target;                  ///< certify::Target
+  std::vector<std::string> arguments;  ///< of a program that is started
+  std::string model;                   ///< model file, folder of a bundle, or its manifest
+  std::string out;                     ///< page to write; empty: none
+  std::optional<std::size_t> points;   ///< at most; nothing: all
+  double tolerance = 1e-9;             ///< N, and mm for depths
+  double timeout_s = 2;                ///< of an answer
+  bool json = false;
+};
+/// Asks a foreign program for the forces of a model. An answer that is wrong, late or missing is a failure.
+base::Result<Output> certifyProgram(const CertifyOptions& options);
+
 struct ConvertOptions {
   std::string model;
   std::string to;                  ///< fll, fcl, fcl-fuzzylite, fis, fml or c

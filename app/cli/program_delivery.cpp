@@ -1,4 +1,7 @@
 // The commands that hand a model to other programs.
+#include <cmath>
+
+#include "app/certify/foreign_program.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
 
@@ -88,6 +91,28 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
                    ->check(notEmpty());
                addJson(command, o.json);
              });
+  addCommand(
+      app, chosen, "certify", "Asks a foreign program for the forces of a model: how far off, how fast", certifyProgram,
+      [](CLI::App& command, CertifyOptions& o) {
+        command
+            .add_option("TARGET", o.target,
+                        "A program, tcp:HOST:PORT, unix:PATH, a shared library (*.so), or node:FILE.js")
+            ->required()
+            ->check(CLI::Validator(certify::targetMistake, ""));
+        command.add_option("ARGUMENTS", o.arguments, "Of a program that is started; behind --");
+        command.add_option("--model", o.model, "Model file, or folder of a bundle")->required()->transform(inputFile());
+        command.add_option("--out", o.out, "Page to write (HTML)")->check(notEmpty());
+        command.add_option("--points", o.points, "At most so many points; without it all, 2,000 or more")
+            ->check(
+                numberThat("a whole number from 1", [](double x) { return x >= 1 && x <= 1e9 && x == std::floor(x); }));
+        command.add_option("--tolerance", o.tolerance, "What an answer may be off, in N, and in mm for depths")
+            ->capture_default_str()
+            ->check(numberThat("a number of newtons from 0", [](double x) { return x >= 0; }));
+        command.add_option("--timeout", o.timeout_s, "Seconds for an answer")
+            ->capture_default_str()
+            ->check(numberThat("a number of seconds from 0.01 to 600", [](double x) { return x >= 0.01 && x <= 600; }));
+        addJson(command, o.json);
+      });
   addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,
              [](CLI::App& command, ConvertOptions& o) {
                addModel(command, o.model);
