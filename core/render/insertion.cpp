@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/render/state_bytes.h"
+
 namespace tactus::render {
 namespace {
 
@@ -28,6 +30,13 @@ void Insertion::place(double start_depth_mm) noexcept {
   next.fading_rate_n_s =
       std::max(std::abs(state_.force_n) / kReleaseFadeS, state_.fading_n != 0 ? state_.fading_rate_n_s : 0);
   state_ = next;
+}
+
+void Insertion::limitStiffness(double largest_stiffness_n_mm, double fade_s) noexcept {
+  largest_stiffness_n_mm_ = largest_stiffness_n_mm;
+  target_.stiffness_n_mm = std::min(model_stiffness_n_mm_, largest_stiffness_n_mm_);
+  stiffness_limited_ = target_.stiffness_n_mm < model_stiffness_n_mm_;
+  if (settings_.friction.stiffness_n_mm != target_.stiffness_n_mm) fade_left_s_ = std::max(fade_left_s_, fade_s);
 }
 
 double Insertion::tick(const InsertionTick& tick) noexcept {
@@ -60,8 +69,9 @@ void Insertion::takeScene(const TubeScene* scene, double fade_s) noexcept {
     unasked_ = true;
     ++conditions_;
     target_ = scene->renderer();
-    target_.stiffness_n_mm = std::min(target_.stiffness_n_mm, largest_stiffness_n_mm_);
-    stiffness_limited_ = target_.stiffness_n_mm < scene->renderer().stiffness_n_mm;
+    model_stiffness_n_mm_ = target_.stiffness_n_mm;
+    target_.stiffness_n_mm = std::min(model_stiffness_n_mm_, largest_stiffness_n_mm_);
+    stiffness_limited_ = target_.stiffness_n_mm < model_stiffness_n_mm_;
     // Where the model is asked is no force: the difference to the answer there fades.
     settings_.friction.depth_offset_mm = target_.depth_offset_mm;
     settings_.depth_end_mm = scene->depthEndMm();
@@ -106,6 +116,122 @@ ModelForce Insertion::answer(const ForcePoint& point, const InsertionTick& tick)
     difference_n_ = fade_left_s_ > 0 ? in_use_n - answer_.force_n : 0;
   }
   return {answer_.force_n + difference_n_, answer_.fired};
+}
+
+namespace {
+
+// The ranges of what a state holds. A model's output reaches at most 1e150; positions, ticks and strokes within their
+// limits keep all other numbers far below these. The sums and products of a tick stay finite with each of them.
+constexpr double kAnyN = 1e152;
+constexpr double kAnyMm = 1e9;
+constexpr double kAnySpeedMmS = 1e16;
+constexpr double kAnyS = 1e15;
+constexpr double kStiffest = fuzzy::kRendererFields[0].max;  // N/mm
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+template <typename Filter, typename Take>
+void takeFilter(Filter& filter, Take& take) noexcept {
+  take.number(filter.first, -kAnySpeedMmS, kAnySpeedMmS);
+  take.number(filter.value, -kAnySpeedMmS, kAnySpeedMmS);
+}
+
+template <typename Point, typename Take>
+void takePoint(Point& point, Take& take) noexcept {
+  take.number(point.depth_mm, -kAnyMm, kAnyMm);
+  take.number(point.speed_mm_s, 0, kAnySpeedMmS);
+}
+
+template <typename Parameters, typename Take>
+void takeParameters(Parameters& parameters, Take& take) noexcept {
+  for (const fuzzy::RendererField& field : fuzzy::kRendererFields) {
+    const double min = field.min_excluded ? std::nextafter(field.min, field.max) : field.min;
+    take.number(parameters.*field.member, min, field.max);
+  }
+}
+
+template <typename State, typename Take>
+void takeState(State& state, Take& take) noexcept {
+  take.whole(state.phase, static_cast<std::uint64_t>(Phase::kSlidingOut));
+  take.whole(state.fault, static_cast<std::uint64_t>(Fault::kTime));
+  take.number(state.time_s, 0, kAnyS);
+  take.number(state.depth_mm, -kAnyMm, kAnyMm);
+  take.number(state.force_n, -kAnyN, kAnyN);
+  take.whole(state.stroke.number);
+  take.number(state.stroke.start_s, 0, kAnyS);
+  take.number(state.stroke.end_s, 0, kAnyS);
+  take.number(state.stroke.start_depth_mm, -kAnyMm, kAnyMm);
+  take.number(state.stroke.end_depth_mm, -kAnyMm, kAnyMm);
+  takeOptional(state.position_mm, take,
+               [&](auto& position_mm) { take.number(position_mm, -kFarthestMm, kFarthestMm); });
+  take.number(state.stretch_mm, -kAnyMm, kAnyMm);
+  take.number(state.stiffness_n_mm, 0, kStiffest);
+  take.number(state.clip_n, 0, kAnyN);
+  take.number(state.stiction, 0, 1);
+  take.number(state.slow_s, 0, kAnyS);
+  take.number(state.damping_share, 0, 1);
+  takeFilter(state.speed_mm_s, take);
+  takeFilter(state.slip_speed_mm_s, take);
+  take.number(state.fading_n, -kAnyN, kAnyN);
+  take.number(state.fading_rate_n_s, 0, kAnyN);
+  take.number(state.dynamic_n, 0, kAnyN);
+  take.number(state.model_n, 0, kAnyN);
+  take.whole(state.any_fired, 1);
+  take.whole(state.held, 1);
+  takeOptional(state.asked, take, [&](auto& point) { takePoint(point, take); });
+  take.whole(state.conditions);
+}
+
+}  // namespace
+
+/// All but the number of the scene, which is another one in each process.
+template <typename Self, typename Take>
+void Insertion::eachMember(Self& self, Take& take) noexcept {
+  take.number(self.largest_stiffness_n_mm_, std::numeric_limits<double>::denorm_min(), kInfinity);
+  takeState(self.state_, take);
+  takeParameters(self.settings_.friction, take);
+  take.number(self.settings_.force_cap_n, 0, kInfinity);
+  take.number(self.settings_.depth_end_mm, -kInfinity, kInfinity);
+  take.whole(self.stiffness_limited_, 1);
+  take.number(self.model_stiffness_n_mm_, std::numeric_limits<double>::denorm_min(), kStiffest);
+  takeParameters(self.target_, take);
+  take.number(self.difference_n_, -kAnyN, kAnyN);
+  take.number(self.fade_left_s_, 0, kAnyS);
+  take.whole(self.untaken_, 1);
+  take.whole(self.conditions_);
+  take.whole(self.unasked_, 1);
+  takePoint(self.asked_, take);
+  take.number(self.answer_.force_n, -kAnyN, kAnyN);
+  take.whole(self.answer_.fired, 1);
+  take.whole(self.counters_.ticks);
+  take.whole(self.counters_.asked);
+  take.whole(self.counters_.released);
+  take.whole(self.counters_.unchanged);
+}
+
+std::size_t Insertion::savedBytes() noexcept {
+  StateWriter count;
+  const Insertion any;
+  eachMember(any, count);
+  count.whole(false, 1);
+  return count.size();
+}
+
+void Insertion::save(const TubeScene& scene, std::span<std::byte> bytes) const noexcept {
+  StateWriter writer(bytes);
+  eachMember(*this, writer);
+  writer.whole(scene_ == scene.serial(), 1);
+}
+
+bool Insertion::load(const TubeScene& scene, std::span<const std::byte> bytes) noexcept {
+  StateReader reader(bytes);
+  Insertion read;
+  eachMember(read, reader);
+  bool taken = false;
+  reader.whole(taken, 1);
+  if (!reader.fits() || !reader.rest().empty()) return false;
+  read.scene_ = taken ? scene.serial() : 0;
+  *this = read;
+  return true;
 }
 
 }  // namespace tactus::render

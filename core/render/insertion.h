@@ -1,8 +1,10 @@
 // The insertion: the renderer with a scene. A change of scene never causes a kick in the hand.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "core/render/insertion_renderer.h"
 #include "core/render/tube_scene.h"
@@ -46,6 +48,9 @@ class Insertion {
 
   /// Starts a new placement: the tube is out, at `start_depth_mm`; strokes count from 1.
   void place(double start_depth_mm) noexcept;
+  /// Renders no stiffer spring than `largest_stiffness_n_mm` (> 0) from now on. In a hand, the spring changes as after
+  /// a change of scene, over `fade_s`.
+  void limitStiffness(double largest_stiffness_n_mm, double fade_s) noexcept;
   /// The next position is not a motion of the hand, because it is measured along another axis.
   void forgetPosition() noexcept { state_.position_mm.reset(); }
 
@@ -59,7 +64,19 @@ class Insertion {
   bool stiffnessLimited() const noexcept { return stiffness_limited_; }
   const SceneCounters& counters() const noexcept { return counters_; }
 
+  // The state as bytes, for a replay from the middle. They hold for `scene`, the one of the next tick, and for a copy
+  // of it in another process: every tick after `load` has the bits of the tick after `save`.
+
+  static std::size_t savedBytes() noexcept;
+  /// `bytes`: savedBytes() of them.
+  void save(const TubeScene& scene, std::span<std::byte> bytes) const noexcept;
+  /// Any bytes may come: a state that `save` cannot have written, or that could make a number infinite, changes nothing
+  /// and gives false.
+  bool load(const TubeScene& scene, std::span<const std::byte> bytes) noexcept;
+
  private:
+  template <typename Self, typename Take>
+  static void eachMember(Self& self, Take& take) noexcept;
   void takeScene(const TubeScene* scene, double fade_s) noexcept;
   void fade(double dt_s) noexcept;
   ModelForce answer(const ForcePoint& point, const InsertionTick& tick) noexcept;
@@ -69,6 +86,7 @@ class Insertion {
   RendererSettings settings_;  ///< as rendered
   std::uint64_t scene_ = 0;    ///< serial number of the scene in use, to detect a new one; 0: none
   bool stiffness_limited_ = false;
+  double model_stiffness_n_mm_ = fuzzy::RendererParameters{}.stiffness_n_mm;  ///< as the scene has it
 
   fuzzy::RendererParameters target_;  ///< the values that the rendered parameters move to
   double difference_n_ = 0;           ///< F_d in use minus F_d of the scene

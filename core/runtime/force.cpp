@@ -30,7 +30,11 @@ void tactus_force_batch(const tactus_model* model, const double* inputs, size_t 
           });
 }
 
-unsigned tactus_clamped(const tactus_model* model, const double* inputs) {
+int tactus_clamped(const tactus_model* model, const double* inputs) {
+  return tactus_clamped_inputs(model, inputs) != 0 ? 1 : 0;
+}
+
+unsigned tactus_clamped_inputs(const tactus_model* model, const double* inputs) {
   if (model == nullptr || inputs == nullptr) return 0;
   unsigned clamped = 0;
   const auto& variables = model->loaded->inputs;

@@ -2,13 +2,17 @@
 #include "core/fuzzy/scene.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "core/base/files/checksums.h"
 #include "core/base/text.h"
 #include "core/runtime/handles.h"
 #include "core/runtime/message.h"
@@ -52,6 +56,17 @@ std::string clampedValues(const LoadedModel& model, const Fixed& fixed) {
   return base::joined(said, "; ");
 }
 
+/// Equal for scenes with the same force, in any process.
+std::string identityOf(const LoadedModel& model, const Fixed& fixed) {
+  std::string text = model.sha256;
+  for (std::size_t i = 0; i < fixed.size(); ++i) {
+    if (fixed[i])
+      text += ' ' + std::to_string(i) + ' ' +
+              std::to_string(std::bit_cast<std::uint64_t>(model.compiled.clampInput(i, *fixed[i])));
+  }
+  return base::sha256(text);
+}
+
 /// What the tube needs of a scene, or the sentence why it has no tube.
 void addTube(const LoadedModel& model, const Fixed& fixed, tactus_scene& scene) {
   render::TubeSettings settings;
@@ -78,7 +93,9 @@ void addTube(const LoadedModel& model, const Fixed& fixed, tactus_scene& scene) 
   } else if (const auto units = render::checkTubeUnits(depth, speed, model.output); !units) {
     scene.no_tube = units.error().message();
   } else {
-    scene.tube = std::make_shared<const render::TubeScene>(scene.scene, settings);
+    FeltScene felt{render::TubeScene(scene.scene, settings), identityOf(model, fixed), {}, depth->min, depth->max};
+    for (const fuzzy::Term& term : depth->terms) felt.regions.push_back(fuzzy::MembershipFunction::of(term));
+    scene.tube = std::make_shared<const FeltScene>(std::move(felt));
   }
 }
 

@@ -47,7 +47,19 @@ TEST(RuntimeArguments, NullIsNoCrash) {
   EXPECT_EQ(tactus_model_input_min(nullptr, 0) + tactus_model_input_max(nullptr, 0), 0);
   EXPECT_EQ(tactus_model_output_min(nullptr) + tactus_model_output_max(nullptr), 0);
   EXPECT_EQ(tactus_model_expert_weight(nullptr, 0), 0);
-  EXPECT_EQ(tactus_clamped(nullptr, point), 0U);
+  EXPECT_EQ(tactus_clamped(nullptr, point), 0);
+  EXPECT_EQ(tactus_clamped_inputs(nullptr, point), 0U);
+  EXPECT_EQ(tactus_model_sha256(nullptr), nullptr);
+  EXPECT_EQ(tactus_model_input_label(nullptr, 0), nullptr);
+  EXPECT_EQ(tactus_model_term_id(nullptr, 0, 0), nullptr);
+  EXPECT_EQ(tactus_model_term_label(nullptr, 0, 0), nullptr);
+  EXPECT_EQ(tactus_model_expert_label(nullptr, 0), nullptr);
+  EXPECT_EQ(tactus_model_input_terms(nullptr, 0), 0U);
+  EXPECT_EQ(tactus_model_membership(nullptr, 0, 0, 0, 1), 0);
+  tactus_renderer renderer = {};
+  renderer.size = sizeof renderer;
+  tactus_model_renderer(nullptr, &renderer);
+  EXPECT_EQ(renderer.stiffness_n_mm, 0);
 
   EXPECT_EQ(tactus_force(nullptr, point, &fired), 0);
   EXPECT_EQ(fired, 0);
@@ -81,6 +93,8 @@ TEST(RuntimeArguments, APointThatIsNotThereGivesNoForce) {
   EXPECT_EQ(fired, 0);
   EXPECT_EQ(tactus_expert_force(handle.get(), 0, nullptr, &(fired = 5)), 0);
   EXPECT_EQ(fired, 0);
+  EXPECT_EQ(tactus_clamped(handle.get(), nullptr), 0);
+  tactus_model_renderer(handle.get(), nullptr);
   const double point[] = {1, 45, 30, 30};
   EXPECT_EQ(tactus_expert_force(handle.get(), 1, point, &(fired = 5)), 0);
   EXPECT_EQ(fired, 0);

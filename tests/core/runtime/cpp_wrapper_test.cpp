@@ -42,6 +42,43 @@ TEST(CppWrapper, GivesTheForcesOfTheCInterface) {
   EXPECT_EQ(model.inputId(9), "");
 }
 
+TEST(CppWrapper, TellsWhatTheModelSays) {
+  const Model model = ngt();
+  EXPECT_EQ(model.sha256().size(), 64U);
+  EXPECT_EQ(model.inputTerms(2), support::s4Shifted().inputs[2].terms.size());
+  EXPECT_EQ(model.termId(2, 0), "nasal_cavity");
+  EXPECT_EQ(model.termId(2, 99), "");
+  EXPECT_EQ(model.membership(0, 2, 0, 0), 1);
+  EXPECT_GT(model.renderer().stiffness_n_mm, 0);
+  const double outside[] = {2, 45, 30, -1};
+  EXPECT_TRUE(model.clamped(outside));
+  EXPECT_EQ(model.clampedInputs(outside), 9U);
+}
+
+TEST(CppWrapper, ATubeIsCopiedSavedAndBounded) {
+  const Scene scene = ngt().scene({{"lubrication", 1.0}, {"neck_flexion", 45.0}});
+  Tube tube(scene);
+  EXPECT_THROW(tube.limits(-1), Error);
+  tube.limits(0.1, 1.5);
+  for (int i = 0; i < 300; ++i) tube.step(0.05 * i, true, 0.001);
+  Tube copy = tube.copy();
+  const std::vector<unsigned char> bytes = tube.save();
+  Tube loaded(scene);
+  ASSERT_TRUE(loaded.load(bytes));
+  const Feel wanted = tube.step(16, true, 0.001);
+  EXPECT_EQ(wanted.limited, 1);
+  EXPECT_EQ(wanted.region, 0);
+  EXPECT_EQ(copy.step(16, true, 0.001).force_n, wanted.force_n);
+  EXPECT_EQ(loaded.step(16, true, 0.001).force_n, wanted.force_n);
+  EXPECT_FALSE(loaded.load({1, 2, 3}));
+  tactus_status status = TACTUS_OK;
+  tube.step(16, true, 5, &status);
+  EXPECT_EQ(status, TACTUS_BAD_ARGUMENT);
+  const Tube gone = std::move(tube);
+  EXPECT_THROW(tube.copy(), Error);  // NOLINT(bugprone-use-after-move): what this line is about
+  EXPECT_TRUE(tube.save().empty());  // NOLINT(bugprone-use-after-move)
+}
+
 TEST(CppWrapper, ThrowsOneSentence) {
   try {
     Model::open("/no/such/model.json");

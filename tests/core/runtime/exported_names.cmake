@@ -8,7 +8,7 @@ foreach(line IN LISTS lines)
 endforeach()
 
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../../core/runtime/include/tactus/tactus.h" declared REGEX "^TACTUS_API")
-list(TRANSFORM declared REPLACE "^.*[ *](tactus_[a-z_]+)\\(.*$" "\\1")
+list(TRANSFORM declared REPLACE "^.*[ *](tactus_[a-z0-9_]+)\\(.*$" "\\1")
 list(SORT exported)
 list(SORT declared)
 if(NOT exported STREQUAL declared)

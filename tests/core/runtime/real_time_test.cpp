@@ -37,7 +37,8 @@ TEST(RuntimeRealTime, ForcesBatchesAndScenes) {
       forces[p] = tactus_force(handle.get(), point, &fired);
       forces[p] += tactus_expert_force(handle.get(), p % model.experts.size(), point, &fired);
       forces[p] += tactus_scene_force(made, point, &fired);
-      fired += static_cast<int>(tactus_clamped(handle.get(), point));
+      fired += tactus_clamped(handle.get(), point);
+      forces[p] += tactus_model_membership(handle.get(), p % model.experts.size(), 0, p % 3, point[0]);
     }
     tactus_force_batch(handle.get(), points.data(), kPoints, forces.data(), told.data());
     tactus_scene_force_batch(made, points.data(), kPoints, forces.data(), told.data());
@@ -53,8 +54,13 @@ TEST(RuntimeRealTime, TheTubeFromItsFirstStepOnAndThroughHandOvers) {
   const auto tube = support::tubeOf(first.get());
   tactus_feel feel = {};
   feel.size = sizeof feel;
+  std::vector<unsigned char> state(tactus_tube_save(tube.get(), nullptr, 0));
+  tactus_limits limits = {sizeof(tactus_limits), 0.1, 1};
   support::RealTimeTrap trap;
   for (int i = 0; i < 5000; ++i) {
+    if (i % 400 == 399) tactus_tube_limits(tube.get(), &limits);
+    if (i % 250 == 100) tactus_tube_save(tube.get(), state.data(), state.size());
+    if (i % 250 == 101) tactus_tube_load(tube.get(), state.data(), state.size());
     if (i % 500 == 0) tactus_tube_scene(tube.get(), i % 1000 == 0 ? second.get() : first.get(), 0.05);
     if (i == 3000) tactus_tube_place(tube.get(), 100);
     tactus_tube_step(tube.get(), 0.05 * i, i % 1500 > 20 ? 1 : 0, 0.001, &feel);

@@ -143,10 +143,14 @@ TEST(RuntimeForce, WhatIsClampedIsTold) {
   const double outside[] = {1.5, 45, -2, 30};
   const double border[] = {0, 90, 600, 0};
   const double none[] = {std::nan(""), 45, 30, -INFINITY};
-  EXPECT_EQ(tactus_clamped(handle.get(), inside), 0U);
-  EXPECT_EQ(tactus_clamped(handle.get(), outside), 0b101U);
-  EXPECT_EQ(tactus_clamped(handle.get(), border), 0U);
-  EXPECT_EQ(tactus_clamped(handle.get(), none), 0b1000U);
+  EXPECT_EQ(tactus_clamped(handle.get(), inside), 0);
+  EXPECT_EQ(tactus_clamped(handle.get(), outside), 1);
+  EXPECT_EQ(tactus_clamped(handle.get(), border), 0);
+  EXPECT_EQ(tactus_clamped(handle.get(), none), 1);
+  EXPECT_EQ(tactus_clamped_inputs(handle.get(), inside), 0U);
+  EXPECT_EQ(tactus_clamped_inputs(handle.get(), outside), 0b101U);
+  EXPECT_EQ(tactus_clamped_inputs(handle.get(), border), 0U);
+  EXPECT_EQ(tactus_clamped_inputs(handle.get(), none), 0b1000U);
   const double at_the_end[] = {1, 45, 0, 30};
   EXPECT_EQ(tactus_force(handle.get(), outside, nullptr), tactus_force(handle.get(), at_the_end, nullptr));
 }

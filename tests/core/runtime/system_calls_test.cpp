@@ -113,12 +113,15 @@ TEST_F(RuntimeSystemCalls, TheTubeMakesNone) {
   const auto first = support::ngtSceneHandle(handle.get(), 1, 10);
   const auto second = support::ngtSceneHandle(handle.get(), 0.2, 80);
   const auto tube = support::tubeOf(first.get());
+  std::vector<unsigned char> state(tactus_tube_save(tube.get(), nullptr, 0));
   const int status = statusWithoutSystemCalls([&] {
     tactus_feel feel = {};
     feel.size = sizeof feel;
     for (int i = 0; i < 5000; ++i) {
       if (i % 500 == 0) tactus_tube_scene(tube.get(), i % 1000 == 0 ? second.get() : first.get(), 0.05);
       if (i == 3000) tactus_tube_place(tube.get(), 100);
+      if (i % 250 == 100) tactus_tube_save(tube.get(), state.data(), state.size());
+      if (i % 250 == 101) tactus_tube_load(tube.get(), state.data(), state.size());
       tactus_tube_step(tube.get(), 0.05 * i, i % 1500 > 20 ? 1 : 0, 0.001, &feel);
     }
     if (!(feel.depth_mm > 100)) _exit(1);

@@ -6,12 +6,16 @@
 //   tactus::Tube tube(scene);
 //   const tactus::Feel feel = tube.step(position_mm, held, 0.001);
 //
-// Objects are moved, never copied; an object that was moved from is empty and gives forces of 0. What cannot be made
-// throws tactus::Error; forces and steps throw only where the number of inputs is wrong.
+// Objects are moved, never copied (a tube has copy()); an object that was moved from is empty and gives forces of 0.
+// What cannot be made throws tactus::Error; forces and steps throw only where the number of inputs is wrong.
+// Without exceptions (-fno-exceptions) the sentence goes to standard error and the program ends; a program that wants
+// something else defines TACTUS_THROW(error), which must not return, before it includes this file.
 #ifndef TACTUS_TACTUS_HPP
 #define TACTUS_TACTUS_HPP
 
 #include <cstddef>
+#include <cstdio>
+#include <cstdlib>
 #include <initializer_list>
 #include <memory>
 #include <stdexcept>
@@ -21,6 +25,14 @@
 #include <vector>
 
 #include "tactus.h"
+
+#ifndef TACTUS_THROW
+#if defined(__cpp_exceptions) || defined(_CPPUNWIND)
+#define TACTUS_THROW(error) throw error
+#else
+#define TACTUS_THROW(error) ::tactus::detail::endProgram(error)
+#endif
+#endif
 
 namespace tactus {
 
@@ -35,8 +47,14 @@ class Error : public std::runtime_error {
 };
 
 using Feel = tactus_feel;
+using Renderer = tactus_renderer;
 
 namespace detail {
+
+[[noreturn]] inline void endProgram(const Error& error) noexcept {
+  std::fprintf(stderr, "tactus: %s\n", error.what());
+  std::abort();
+}
 
 inline constexpr std::size_t kMessageBytes = 1024;
 
@@ -45,7 +63,7 @@ template <typename Make>
 std::string checked(Make&& make) {
   char message[kMessageBytes];
   const tactus_status status = make(message, sizeof message);
-  if (status != TACTUS_OK) throw Error(status, message);
+  if (status != TACTUS_OK) TACTUS_THROW(Error(status, message));
   return message;
 }
 
@@ -57,8 +75,8 @@ struct Free {
 
 inline void wantInputs(std::size_t found, std::size_t wanted) {
   if (found == wanted) return;
-  throw Error(TACTUS_BAD_ARGUMENT,
-              "inputs: found " + std::to_string(found) + " values, wanted " + std::to_string(wanted));
+  TACTUS_THROW(Error(TACTUS_BAD_ARGUMENT,
+                     "inputs: found " + std::to_string(found) + " values, wanted " + std::to_string(wanted)));
 }
 
 // The number of points in `values` numbers.
@@ -128,16 +146,36 @@ class Model {
   }
 
   std::string name() const { return text(tactus_model_name(get())); }
+  std::string sha256() const { return text(tactus_model_sha256(get())); }
   std::size_t inputs() const noexcept { return tactus_model_inputs(get()); }
   std::string inputId(std::size_t input) const { return text(tactus_model_input_id(get(), input)); }
+  std::string inputLabel(std::size_t input) const { return text(tactus_model_input_label(get(), input)); }
   std::string inputUnit(std::size_t input) const { return text(tactus_model_input_unit(get(), input)); }
   double inputMin(std::size_t input) const noexcept { return tactus_model_input_min(get(), input); }
   double inputMax(std::size_t input) const noexcept { return tactus_model_input_max(get(), input); }
+  std::size_t inputTerms(std::size_t input) const noexcept { return tactus_model_input_terms(get(), input); }
+  std::string termId(std::size_t input, std::size_t term) const {
+    return text(tactus_model_term_id(get(), input, term));
+  }
+  std::string termLabel(std::size_t input, std::size_t term) const {
+    return text(tactus_model_term_label(get(), input, term));
+  }
+  double membership(std::size_t expert, std::size_t input, std::size_t term, double x) const noexcept {
+    return tactus_model_membership(get(), expert, input, term, x);
+  }
   double outputMin() const noexcept { return tactus_model_output_min(get()); }
   double outputMax() const noexcept { return tactus_model_output_max(get()); }
   std::size_t experts() const noexcept { return tactus_model_experts(get()); }
   std::string expertId(std::size_t expert) const { return text(tactus_model_expert_id(get(), expert)); }
+  std::string expertLabel(std::size_t expert) const { return text(tactus_model_expert_label(get(), expert)); }
   double expertWeight(std::size_t expert) const noexcept { return tactus_model_expert_weight(get(), expert); }
+  // The parameters of the tube.
+  Renderer renderer() const noexcept {
+    Renderer renderer{};
+    renderer.size = sizeof renderer;
+    tactus_model_renderer(get(), &renderer);
+    return renderer;
+  }
 
   double force(std::initializer_list<double> inputs, bool* fired = nullptr) const {
     return force(inputs.begin(), inputs.size(), fired);
@@ -165,8 +203,8 @@ class Model {
   double expertForce(std::size_t expert, const double* inputs, std::size_t count, bool* fired = nullptr) const {
     detail::wantInputs(count, this->inputs());
     if (expert >= experts())
-      throw Error(TACTUS_BAD_ARGUMENT,
-                  "expert: found " + std::to_string(expert) + ", wanted less than " + std::to_string(experts()));
+      TACTUS_THROW(Error(TACTUS_BAD_ARGUMENT, "expert: found " + std::to_string(expert) + ", wanted less than " +
+                                                  std::to_string(experts())));
     int any = 0;
     const double force_n = tactus_expert_force(get(), expert, inputs, &any);
     if (fired != nullptr) *fired = any != 0;
@@ -184,8 +222,10 @@ class Model {
     tactus_force_batch(get(), inputs, points, force_n, fired);
   }
 
-  // Bit i: input i is outside its universe and is clamped. `inputs`: inputs() values.
-  unsigned clamped(const double* inputs) const noexcept { return tactus_clamped(get(), inputs); }
+  // Whether an input is outside its universe and is clamped. `inputs`: inputs() values.
+  bool clamped(const double* inputs) const noexcept { return tactus_clamped(get(), inputs) != 0; }
+  // Bit i: input i is.
+  unsigned clampedInputs(const double* inputs) const noexcept { return tactus_clamped_inputs(get(), inputs); }
 
   // Values of the inputs that stay fixed, by id.
   Scene scene(std::initializer_list<std::pair<std::string_view, double>> fixed) const { return sceneOf(fixed); }
@@ -220,7 +260,8 @@ class Model {
     for (std::size_t i = 0; i < inputs(); ++i) {
       if (id == tactus_model_input_id(get(), i)) return i;
     }
-    throw Error(TACTUS_BAD_ARGUMENT, "scene: found the input '" + std::string(id) + "', wanted one of the model");
+    TACTUS_THROW(
+        Error(TACTUS_BAD_ARGUMENT, "scene: found the input '" + std::string(id) + "', wanted one of the model"));
   }
 
   template <typename Fixed>
@@ -264,15 +305,53 @@ class Tube {
   void scene(const Scene& scene, double fade_s = 0.05) noexcept {
     tactus_tube_scene(handle_.get(), scene.get(), fade_s);
   }
-  // A position or a time out of range lets the tube go (phase 0).
-  Feel step(double position_mm, bool held, double dt_s) noexcept {
+  // The largest stiffness and force to render; 0: none but the model's stiffness and the usual cap of 2 N.
+  void limits(double stiffness_max_n_mm, double force_cap_n = 0) {
+    const tactus_limits limits{sizeof(tactus_limits), stiffness_max_n_mm, force_cap_n};
+    wantOk(tactus_tube_limits(handle_.get(), &limits),
+           "limits: found one below 0 or not finite, wanted numbers from 0 on");
+  }
+  // A position or a time out of range lets the tube go (phase 0) and makes `status` TACTUS_BAD_ARGUMENT.
+  Feel step(double position_mm, bool held, double dt_s, tactus_status* status = nullptr) noexcept {
     Feel feel{};
     feel.size = sizeof feel;
-    tactus_tube_step(handle_.get(), position_mm, held ? 1 : 0, dt_s, &feel);
+    feel.region = -1;
+    const tactus_status done = tactus_tube_step(handle_.get(), position_mm, held ? 1 : 0, dt_s, &feel);
+    if (status != nullptr) *status = done;
     return feel;
   }
 
+  // Another tube in the same state.
+  Tube copy() const {
+    tactus_tube* handle = nullptr;
+    wantOk(tactus_tube_copy(handle_.get(), &handle), "copy: found no tube or no memory, wanted both");
+    return Tube(handle);
+  }
+  // How many bytes `save` writes. Thread and real time: as tactus_tube_save.
+  std::size_t savedBytes() const noexcept { return tactus_tube_save(handle_.get(), nullptr, 0); }
+  std::vector<unsigned char> save() const {
+    std::vector<unsigned char> bytes(savedBytes());
+    save(bytes.data(), bytes.size());
+    return bytes;
+  }
+  // False, and nothing is written, where `size` is too small.
+  bool save(void* bytes, std::size_t size) const noexcept {
+    const std::size_t needed = tactus_tube_save(handle_.get(), bytes, size);
+    return needed > 0 && needed <= size;
+  }
+  // False, and nothing changes, for bytes that are none of a tube of this scene.
+  bool load(const void* bytes, std::size_t size) noexcept {
+    return tactus_tube_load(handle_.get(), bytes, size) == TACTUS_OK;
+  }
+  bool load(const std::vector<unsigned char>& bytes) noexcept { return load(bytes.data(), bytes.size()); }
+
  private:
+  explicit Tube(tactus_tube* handle) noexcept : handle_(handle) {}
+
+  static void wantOk(tactus_status status, const char* sentence) {
+    if (status != TACTUS_OK) TACTUS_THROW(Error(status, sentence));
+  }
+
   std::unique_ptr<tactus_tube, detail::Free> handle_;
 };
 
