@@ -31,6 +31,25 @@ namespace Tactus
         public double ForceN, DepthMm, SpeedMmS, SlipSpeedMmS, StretchMm, ModelForceN;
         public int Phase, HeldLast;
         public uint Stroke;
+        public int Limited;
+        /// Index in TermIds of the depth; -1: none.
+        public int Region;
+    }
+
+    /// The parameters of the tube; the names and units of tactus_renderer.
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Renderer
+    {
+        internal UIntPtr Size;
+        public double StiffnessNMm, DampingNSMm, BreakawayRatio, RestickMm, WithdrawalRatio, RelaxationS, AgeingS,
+            StickSpeedMmS, StickTimeS, VelocityFilterHz, SlewNS, DepthOffsetMm;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
+    internal struct Limits
+    {
+        internal UIntPtr Size;
+        internal double StiffnessMaxNMm, ForceCapN;
     }
 
     internal static class Native
@@ -56,6 +75,20 @@ namespace Tactus
         [DllImport(Library, CallingConvention = C)] internal static extern UIntPtr tactus_model_inputs(IntPtr model);
         [DllImport(Library, CallingConvention = C)]
         internal static extern IntPtr tactus_model_input_id(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)] internal static extern IntPtr tactus_model_sha256(IntPtr model);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_input_label(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern UIntPtr tactus_model_input_terms(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_term_id(IntPtr model, UIntPtr input, UIntPtr term);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_term_label(IntPtr model, UIntPtr input, UIntPtr term);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern double tactus_model_membership(IntPtr model, UIntPtr expert, UIntPtr input, UIntPtr term,
+                                                              double x);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern void tactus_model_renderer(IntPtr model, ref Renderer renderer);
         [DllImport(Library, CallingConvention = C)]
         internal static extern IntPtr tactus_model_input_unit(IntPtr model, UIntPtr input);
         [DllImport(Library, CallingConvention = C)]
@@ -68,6 +101,8 @@ namespace Tactus
         [DllImport(Library, CallingConvention = C)]
         internal static extern IntPtr tactus_model_expert_id(IntPtr model, UIntPtr expert);
         [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_expert_label(IntPtr model, UIntPtr expert);
+        [DllImport(Library, CallingConvention = C)]
         internal static extern double tactus_model_expert_weight(IntPtr model, UIntPtr expert);
         [DllImport(Library, CallingConvention = C)]
         internal static extern double tactus_force(IntPtr model, double[] inputs, out int fired);
@@ -77,7 +112,9 @@ namespace Tactus
         internal static extern void tactus_force_batch(IntPtr model, double[] inputs, UIntPtr points, double[] force,
                                                        byte[] fired);
         [DllImport(Library, CallingConvention = C)]
-        internal static extern uint tactus_clamped(IntPtr model, double[] inputs);
+        internal static extern int tactus_clamped(IntPtr model, double[] inputs);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern uint tactus_clamped_inputs(IntPtr model, double[] inputs);
         [DllImport(Library, CallingConvention = C)]
         internal static extern Status tactus_scene_make(IntPtr model, UIntPtr[] inputs, double[] values, UIntPtr count,
                                                         out IntPtr scene, byte[] message, UIntPtr size);
@@ -98,11 +135,29 @@ namespace Tactus
         [DllImport(Library, CallingConvention = C)]
         internal static extern Status tactus_tube_step(IntPtr tube, double positionMm, int held, double dtS,
                                                        ref Feel feel);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_tube_limits(IntPtr tube, ref Limits limits);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_tube_copy(IntPtr tube, out IntPtr copy);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern UIntPtr tactus_tube_save(IntPtr tube, byte[] bytes, UIntPtr size);
+        [DllImport(Library, CallingConvention = C)]
+        internal static extern Status tactus_tube_load(IntPtr tube, byte[] bytes, UIntPtr size);
 
         [DllImport(Library, CallingConvention = C)]
         internal static extern Status tactus_verify(byte[] folder, out double errorN, byte[] message, UIntPtr size);
 
+        private const int Interface = 2;
         private const int MessageBytes = 1024;
+
+        /// An older library lacks functions of this file.
+        internal static void WantInterface()
+        {
+            int found = tactus_interface();
+            if (found < Interface)
+                throw new Error(Status.BadArgument, "libtactus: found interface " + found + ", wanted " + Interface +
+                                                        " or later: this Tactus.cs is newer than the library");
+        }
 
         internal delegate Status Make(out IntPtr handle, byte[] message, UIntPtr size);
 
@@ -192,9 +247,11 @@ namespace Tactus
     public sealed class Model : Owned
     {
         public readonly string Warning;
-        public readonly string Name;
+        public readonly string Name, Sha256;
         public readonly int Inputs;
-        public readonly string[] InputIds, InputUnits, ExpertIds;
+        public readonly string[] InputIds, InputLabels, InputUnits, ExpertIds, ExpertLabels;
+        /// The words of each input, such as the regions of the depth.
+        public readonly string[][] TermIds, TermLabels;
         public readonly double[] InputMin, InputMax, ExpertWeights;
         public readonly double OutputMin, OutputMax;
 
@@ -202,14 +259,27 @@ namespace Tactus
         {
             Warning = warning;
             Name = Native.Text(Native.tactus_model_name(handle));
+            Sha256 = Native.Text(Native.tactus_model_sha256(handle));
             Inputs = (int)Native.tactus_model_inputs(handle);
             InputIds = new string[Inputs];
+            InputLabels = new string[Inputs];
+            TermIds = new string[Inputs][];
+            TermLabels = new string[Inputs][];
             InputUnits = new string[Inputs];
             InputMin = new double[Inputs];
             InputMax = new double[Inputs];
             for (int i = 0; i < Inputs; ++i)
             {
                 InputIds[i] = Native.Text(Native.tactus_model_input_id(handle, (UIntPtr)i));
+                InputLabels[i] = Native.Text(Native.tactus_model_input_label(handle, (UIntPtr)i));
+                var terms = new string[(int)Native.tactus_model_input_terms(handle, (UIntPtr)i)];
+                TermIds[i] = terms;
+                TermLabels[i] = new string[terms.Length];
+                for (int t = 0; t < terms.Length; ++t)
+                {
+                    terms[t] = Native.Text(Native.tactus_model_term_id(handle, (UIntPtr)i, (UIntPtr)t));
+                    TermLabels[i][t] = Native.Text(Native.tactus_model_term_label(handle, (UIntPtr)i, (UIntPtr)t));
+                }
                 InputUnits[i] = Native.Text(Native.tactus_model_input_unit(handle, (UIntPtr)i));
                 InputMin[i] = Native.tactus_model_input_min(handle, (UIntPtr)i);
                 InputMax[i] = Native.tactus_model_input_max(handle, (UIntPtr)i);
@@ -218,16 +288,19 @@ namespace Tactus
             OutputMax = Native.tactus_model_output_max(handle);
             int experts = (int)Native.tactus_model_experts(handle);
             ExpertIds = new string[experts];
+            ExpertLabels = new string[experts];
             ExpertWeights = new double[experts];
             for (int i = 0; i < experts; ++i)
             {
                 ExpertIds[i] = Native.Text(Native.tactus_model_expert_id(handle, (UIntPtr)i));
+                ExpertLabels[i] = Native.Text(Native.tactus_model_expert_label(handle, (UIntPtr)i));
                 ExpertWeights[i] = Native.tactus_model_expert_weight(handle, (UIntPtr)i);
             }
         }
 
         public static Model Open(string path)
         {
+            Native.WantInterface();
             string warning;
             IntPtr handle = Native.Made((out IntPtr model, byte[] message, UIntPtr size) =>
                 Native.tactus_model_open(Native.Bytes(path), out model, message, size), out warning);
@@ -236,6 +309,7 @@ namespace Tactus
 
         public static Model Read(string text)
         {
+            Native.WantInterface();
             byte[] bytes = Encoding.UTF8.GetBytes(text);
             string warning;
             IntPtr handle = Native.Made((out IntPtr model, byte[] message, UIntPtr size) =>
@@ -258,8 +332,7 @@ namespace Tactus
         public double ExpertForce(int expert, double[] inputs)
         {
             Native.Want(inputs, Inputs);
-            if (expert < 0 || expert >= ExpertIds.Length)
-                throw new Error(Status.BadArgument, "expert: found " + expert + ", wanted 0 to " + (ExpertIds.Length - 1));
+            Place("expert", expert, ExpertIds.Length);
             int any;
             double forceN = Native.tactus_expert_force(Handle, (UIntPtr)expert, inputs, out any);
             GC.KeepAlive(this);
@@ -276,13 +349,46 @@ namespace Tactus
             GC.KeepAlive(this);
         }
 
-        /// Bit i: input i is outside its universe and is clamped.
-        public uint Clamped(double[] inputs)
+        /// Whether an input is outside its universe and is clamped.
+        public bool Clamped(double[] inputs) { return ClampedInputs(inputs) != 0; }
+
+        /// Bit i: input i is.
+        public uint ClampedInputs(double[] inputs)
         {
             Native.Want(inputs, Inputs);
-            uint bits = Native.tactus_clamped(Handle, inputs);
+            uint bits = Native.tactus_clamped_inputs(Handle, inputs);
             GC.KeepAlive(this);
             return bits;
+        }
+
+        /// The membership, 0 to 1, of the value x in a term of an input, as the expert's rules take it.
+        public double Membership(int expert, int input, int term, double x)
+        {
+            Place("expert", expert, ExpertIds.Length);
+            Place("input", input, Inputs);
+            Place("term", term, TermIds[input].Length);
+            double membership =
+                Native.tactus_model_membership(Handle, (UIntPtr)expert, (UIntPtr)input, (UIntPtr)term, x);
+            GC.KeepAlive(this);
+            return membership;
+        }
+
+        private static void Place(string what, int found, int count)
+        {
+            if (found < 0 || found >= count)
+                throw new Error(Status.BadArgument, what + ": found " + found + ", wanted 0 to " + (count - 1));
+        }
+
+        /// The parameters of the tube.
+        public Renderer Renderer
+        {
+            get
+            {
+                var renderer = new Renderer { Size = (UIntPtr)(uint)Marshal.SizeOf(typeof(Renderer)) };
+                Native.tactus_model_renderer(Handle, ref renderer);
+                GC.KeepAlive(this);
+                return renderer;
+            }
         }
 
         /// The model with some inputs fixed, by id.
@@ -353,6 +459,7 @@ namespace Tactus
         private static readonly UIntPtr feel_size_ = (UIntPtr)(uint)Marshal.SizeOf(typeof(Feel));
 
         public Tube(Scene scene) : base(Made(scene)) {}
+        private Tube(IntPtr handle) : base(handle) {}
 
         private static IntPtr Made(Scene scene)
         {
@@ -363,7 +470,7 @@ namespace Tactus
             return handle;
         }
 
-        /// A new placement at this depth.
+        /// A new placement at this depth, or at the end of the model's.
         public void Place(double depthMm)
         {
             Native.tactus_tube_place(Handle, depthMm);
@@ -378,13 +485,79 @@ namespace Tactus
             GC.KeepAlive(this);
         }
 
+        /// The largest stiffness and force to render; 0: none but the model's stiffness and the usual cap of 2 N.
+        public void Limits(double stiffnessMaxNMm, double forceCapN = 0)
+        {
+            var limits = new Limits { Size = (UIntPtr)(uint)Marshal.SizeOf(typeof(Limits)),
+                                      StiffnessMaxNMm = stiffnessMaxNMm, ForceCapN = forceCapN };
+            Status status = Native.tactus_tube_limits(Handle, ref limits);
+            GC.KeepAlive(this);
+            if (status != Status.Ok)
+                throw new Error(status, "limits: found one below 0 or not finite, wanted numbers from 0 on");
+        }
+
         /// A position or a time out of range lets the tube go (phase 0).
         public Feel Step(double positionMm, bool held, double dtS)
         {
+            Status status;
+            return Step(positionMm, held, dtS, out status);
+        }
+
+        /// The same; `status` is then BadArgument.
+        public Feel Step(double positionMm, bool held, double dtS, out Status status)
+        {
             var feel = new Feel { Size = feel_size_ };
-            Native.tactus_tube_step(Handle, positionMm, held ? 1 : 0, dtS, ref feel);
+            status = Native.tactus_tube_step(Handle, positionMm, held ? 1 : 0, dtS, ref feel);
             GC.KeepAlive(this);
             return feel;
+        }
+
+        /// Another tube in the same state.
+        public Tube Copy()
+        {
+            IntPtr copy;
+            Status status = Native.tactus_tube_copy(Handle, out copy);
+            GC.KeepAlive(this);
+            if (status != Status.Ok) throw new Error(status, "copy: found too little memory for another tube");
+            return new Tube(copy);
+        }
+
+        /// The state as bytes, for Load.
+        public byte[] Save()
+        {
+            var bytes = new byte[SavedBytes];
+            Save(bytes);
+            return bytes;
+        }
+
+        /// How many bytes Save writes.
+        public int SavedBytes
+        {
+            get
+            {
+                int size = (int)Native.tactus_tube_save(Handle, null, UIntPtr.Zero);
+                GC.KeepAlive(this);
+                return size;
+            }
+        }
+
+        /// Writes the state into `bytes`, SavedBytes of them. Allocates nothing.
+        public void Save(byte[] bytes)
+        {
+            int needed = (int)Native.tactus_tube_save(Handle, bytes, (UIntPtr)bytes.Length);
+            GC.KeepAlive(this);
+            if (needed > bytes.Length)
+                throw new Error(Status.BadArgument, "save: found room for " + bytes.Length + " bytes, wanted " + needed);
+        }
+
+        /// Takes the state of a tube of the same model and the same fixed inputs: its next steps, bit by bit.
+        public void Load(byte[] bytes)
+        {
+            Status status = Native.tactus_tube_load(Handle, bytes, (UIntPtr)(bytes == null ? 0 : bytes.Length));
+            GC.KeepAlive(this);
+            if (status != Status.Ok)
+                throw new Error(status, "load: found bytes of another scene, model or version, or altered ones, " +
+                                            "wanted those of a save");
         }
 
         internal override void Free(IntPtr handle) { Native.tactus_tube_free(handle); }

@@ -6,6 +6,7 @@
     model.batch([[1.0, 45.0, 30.0, 30.0], ...])          # a list, or an array where numpy is there
     scene = model.scene(lubrication=1.0, neck_flexion=45.0)
     tube = tactus.Tube(scene)
+    tube.limits(stiffness_max_n_mm=0.2, force_cap_n=1.5) # what loop and device can take
     feel = tube.step(position_mm=12.0, held=True, dt_s=0.001)
 
 What each call does, and which threads may call it: tactus/tactus.h. The library is looked for under TACTUS_LIBRARY, then
@@ -21,7 +22,7 @@ try:
 except ImportError:
     numpy = None
 
-INTERFACE = 1
+INTERFACE = 2
 _MESSAGE_BYTES = 1024
 _double_p = ctypes.POINTER(ctypes.c_double)
 
@@ -38,20 +39,48 @@ class _Feel(ctypes.Structure):
     _fields_ = [("size", ctypes.c_size_t), ("force_n", ctypes.c_double), ("depth_mm", ctypes.c_double),
                 ("speed_mm_s", ctypes.c_double), ("slip_speed_mm_s", ctypes.c_double),
                 ("stretch_mm", ctypes.c_double), ("model_force_n", ctypes.c_double), ("phase", ctypes.c_int),
-                ("held_last", ctypes.c_int), ("stroke", ctypes.c_uint)]
+                ("held_last", ctypes.c_int), ("stroke", ctypes.c_uint), ("limited", ctypes.c_int),
+                ("region", ctypes.c_int)]
 
 
-class Feel:
-    """What the hand feels after one step; the names and units of tactus_feel."""
+class _Renderer(ctypes.Structure):
+    _fields_ = [("size", ctypes.c_size_t)] + [(name, ctypes.c_double) for name in (
+        "stiffness_n_mm", "damping_n_s_mm", "breakaway_ratio", "restick_mm", "withdrawal_ratio", "relaxation_s",
+        "ageing_s", "stick_speed_mm_s", "stick_time_s", "velocity_filter_hz", "slew_n_s", "depth_offset_mm")]
 
-    __slots__ = [name for name, _ in _Feel._fields_ if name != "size"]
+
+class _Limits(ctypes.Structure):
+    _fields_ = [("size", ctypes.c_size_t), ("stiffness_max_n_mm", ctypes.c_double), ("force_cap_n", ctypes.c_double)]
+
+
+def _sized(structure):
+    return structure(size=ctypes.sizeof(structure))
+
+
+class _Members:
+    """The members of a struct of the library, but its size."""
+
+    __slots__ = ()
 
     def __init__(self, raw):
         for name in self.__slots__:
             setattr(self, name, getattr(raw, name))
 
     def __repr__(self):
-        return "Feel(" + ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__slots__) + ")"
+        members = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__slots__)
+        return f"{type(self).__name__}({members})"
+
+
+class Feel(_Members):
+    """What the hand feels after one step; the names and units of tactus_feel."""
+
+    __slots__ = [name for name, _ in _Feel._fields_ if name != "size"]
+
+
+class Renderer(_Members):
+    """The parameters of the tube; the names and units of tactus_renderer."""
+
+    __slots__ = [name for name, _ in _Renderer._fields_ if name != "size"]
 
 
 def _places():
@@ -81,25 +110,33 @@ def _declare(library):
     message = [text, size]
     functions = {
         "tactus_version": (text, []),
-        "tactus_interface": (ctypes.c_int, []),
         "tactus_model_open": (ctypes.c_int, [text, handle_p] + message),
         "tactus_model_read": (ctypes.c_int, [text, size, handle_p] + message),
         "tactus_model_free": (None, [handle]),
         "tactus_model_name": (text, [handle]),
         "tactus_model_inputs": (size, [handle]),
         "tactus_model_input_id": (text, [handle, size]),
+        "tactus_model_sha256": (text, [handle]),
+        "tactus_model_input_label": (text, [handle, size]),
         "tactus_model_input_unit": (text, [handle, size]),
+        "tactus_model_input_terms": (size, [handle, size]),
+        "tactus_model_term_id": (text, [handle, size, size]),
+        "tactus_model_term_label": (text, [handle, size, size]),
+        "tactus_model_membership": (double, [handle, size, size, size, double]),
+        "tactus_model_renderer": (None, [handle, ctypes.POINTER(_Renderer)]),
         "tactus_model_input_min": (double, [handle, size]),
         "tactus_model_input_max": (double, [handle, size]),
         "tactus_model_output_min": (double, [handle]),
         "tactus_model_output_max": (double, [handle]),
         "tactus_model_experts": (size, [handle]),
         "tactus_model_expert_id": (text, [handle, size]),
+        "tactus_model_expert_label": (text, [handle, size]),
         "tactus_model_expert_weight": (double, [handle, size]),
         "tactus_force": (double, [handle, _double_p, int_p]),
         "tactus_expert_force": (double, [handle, size, _double_p, int_p]),
         "tactus_force_batch": (None, [handle, _double_p, size, _double_p, ctypes.c_void_p]),
-        "tactus_clamped": (ctypes.c_uint, [handle, _double_p]),
+        "tactus_clamped": (ctypes.c_int, [handle, _double_p]),
+        "tactus_clamped_inputs": (ctypes.c_uint, [handle, _double_p]),
         "tactus_scene_make": (ctypes.c_int, [handle, ctypes.POINTER(size), _double_p, size, handle_p] + message),
         "tactus_scene_free": (None, [handle]),
         "tactus_scene_inputs": (size, [handle]),
@@ -109,14 +146,20 @@ def _declare(library):
         "tactus_tube_free": (None, [handle]),
         "tactus_tube_place": (None, [handle, double]),
         "tactus_tube_scene": (None, [handle, handle, double]),
+        "tactus_tube_limits": (ctypes.c_int, [handle, ctypes.POINTER(_Limits)]),
+        "tactus_tube_copy": (ctypes.c_int, [handle, handle_p]),
+        "tactus_tube_save": (size, [handle, ctypes.c_void_p, size]),
+        "tactus_tube_load": (ctypes.c_int, [handle, ctypes.c_char_p, size]),
         "tactus_verify": (ctypes.c_int, [text, _double_p] + message),
         "tactus_tube_step": (ctypes.c_int, [handle, double, ctypes.c_int, double, ctypes.POINTER(_Feel)]),
     }
+    # First, because an older library lacks the others.
+    if library.tactus_interface() < INTERFACE:
+        raise ImportError(f"libtactus: found interface {library.tactus_interface()} in {library._name}, "
+                          f"wanted {INTERFACE} or later: this tactus.py is newer than the library")
     for name, (result, arguments) in functions.items():
         function = getattr(library, name)
         function.restype, function.argtypes = result, arguments
-    if library.tactus_interface() < INTERFACE:
-        raise ImportError(f"libtactus: found interface {library.tactus_interface()}, wanted {INTERFACE} or later")
     return library
 
 
@@ -151,6 +194,18 @@ def _point(inputs, count):
     if len(values) != count:
         raise Error(1, f"inputs: found {len(values)} values, wanted {count}")
     return (ctypes.c_double * count)(*values)
+
+
+def _index(what, found, ids):
+    """The place of an id, or of an index, in `ids`."""
+    if isinstance(found, str):
+        if found not in ids:
+            raise Error(1, f"{what}: found '{found}', wanted one of {', '.join(ids)}")
+        return ids.index(found)
+    index = operator.index(found)
+    if not 0 <= index < len(ids):
+        raise Error(1, f"{what}: found {index}, wanted 0 to {len(ids) - 1}")
+    return index
 
 
 def _points(points, count):
@@ -262,15 +317,21 @@ class Model(_Evaluator):
     def __init__(self, handle, warning):
         self._owner, self.warning = _Owner(handle, self._free), warning
         self.name = _lib.tactus_model_name(handle).decode()
+        self.sha256 = _lib.tactus_model_sha256(handle).decode()
         self.inputs = _lib.tactus_model_inputs(handle)
         every = range(self.inputs)
         self.input_ids = [_lib.tactus_model_input_id(handle, i).decode() for i in every]
+        self.input_labels = [_lib.tactus_model_input_label(handle, i).decode() for i in every]
         self.input_units = [_lib.tactus_model_input_unit(handle, i).decode() for i in every]
         self.input_ranges = [(_lib.tactus_model_input_min(handle, i), _lib.tactus_model_input_max(handle, i))
                              for i in every]
+        terms = [range(_lib.tactus_model_input_terms(handle, i)) for i in every]
+        self.term_ids = [[_lib.tactus_model_term_id(handle, i, t).decode() for t in terms[i]] for i in every]
+        self.term_labels = [[_lib.tactus_model_term_label(handle, i, t).decode() for t in terms[i]] for i in every]
         self.output_range = (_lib.tactus_model_output_min(handle), _lib.tactus_model_output_max(handle))
         experts = range(_lib.tactus_model_experts(handle))
         self.expert_ids = [_lib.tactus_model_expert_id(handle, i).decode() for i in experts]
+        self.expert_labels = [_lib.tactus_model_expert_label(handle, i).decode() for i in experts]
         self.expert_weights = [_lib.tactus_model_expert_weight(handle, i) for i in experts]
 
     def __repr__(self):
@@ -287,19 +348,29 @@ class Model(_Evaluator):
 
     def expert_force(self, expert, inputs):
         """The force of one expert, by id or by index."""
-        if isinstance(expert, str):
-            if expert not in self.expert_ids:
-                raise Error(1, f"expert: found '{expert}', wanted one of {', '.join(self.expert_ids)}")
-            index = self.expert_ids.index(expert)
-        else:
-            index = operator.index(expert)
-        if not 0 <= index < len(self.expert_ids):
-            raise Error(1, f"expert: found {index}, wanted 0 to {len(self.expert_ids) - 1}")
+        index = _index("expert", expert, self.expert_ids)
         return _lib.tactus_expert_force(self._handle, index, _point(inputs, self.inputs), None)
 
+    def membership(self, expert, input, term, x):
+        """The membership, 0 to 1, of the value x in a term of an input, as the expert's rules take it; ids or indices."""
+        index = _index("input", input, self.input_ids)
+        words = (_index("expert", expert, self.expert_ids), index, _index("term", term, self.term_ids[index]))
+        return _lib.tactus_model_membership(self._handle, *words, x)
+
+    @property
+    def renderer(self):
+        """The parameters of the tube."""
+        raw = _sized(_Renderer)
+        _lib.tactus_model_renderer(self._handle, ctypes.byref(raw))
+        return Renderer(raw)
+
     def clamped(self, inputs):
-        """The ids of the inputs that are outside their universes."""
-        bits = _lib.tactus_clamped(self._handle, _point(inputs, self.inputs))
+        """Whether an input is outside its universe."""
+        return _lib.tactus_clamped(self._handle, _point(inputs, self.inputs)) != 0
+
+    def clamped_inputs(self, inputs):
+        """The ids of the inputs that are."""
+        bits = _lib.tactus_clamped_inputs(self._handle, _point(inputs, self.inputs))
         return [name for i, name in enumerate(self.input_ids) if bits >> i & 1]
 
     def scene(self, fixed=None, **more):
@@ -314,16 +385,23 @@ class Model(_Evaluator):
 
 
 class Tube(_Owned):
-    """One insertion: position in, force out. It has a state, so there are no copies: make another one."""
+    """One insertion: position in, force out. It has a state; a copy goes its own way from there."""
 
     def __init__(self, scene):
-        handle, _ = _made(_lib.tactus_tube_make, scene._handle)
+        self._take(_made(_lib.tactus_tube_make, scene._handle)[0])
+
+    def _take(self, handle):
         self._owner = _Owner(handle, _lib.tactus_tube_free)
-        self._raw = _Feel()
-        self._raw.size = ctypes.sizeof(_Feel)
+        self._raw = _sized(_Feel)
+        self.status = 0
 
     def __copy__(self):
-        raise Error(1, "tube: found a copy of one, wanted a new tactus.Tube(scene)")
+        handle, copied = ctypes.c_void_p(), object.__new__(type(self))
+        status = _lib.tactus_tube_copy(self._handle, ctypes.byref(handle))
+        if status != 0:
+            raise Error(status, "copy: found too little memory for another tube")
+        copied._take(handle)
+        return copied
 
     def __deepcopy__(self, _known):
         return self.__copy__()
@@ -332,14 +410,36 @@ class Tube(_Owned):
         return f"<tactus.Tube{': closed' if self.closed else ''}>"
 
     def place(self, depth_mm):
-        """A new placement at this depth."""
+        """A new placement at this depth, or at the end of the model's."""
         _lib.tactus_tube_place(self._handle, depth_mm)
 
     def scene(self, scene, fade_s=0.05):
         """Feels another scene, without a kick."""
         _lib.tactus_tube_scene(self._handle, scene._handle, fade_s)
 
+    def limits(self, stiffness_max_n_mm=0.0, force_cap_n=0.0):
+        """The largest stiffness and force to render; 0: none but the model's stiffness and the usual cap of 2 N."""
+        limits = _sized(_Limits)
+        limits.stiffness_max_n_mm, limits.force_cap_n = stiffness_max_n_mm, force_cap_n
+        status = _lib.tactus_tube_limits(self._handle, ctypes.byref(limits))
+        if status != 0:
+            raise Error(status, f"limits: found {stiffness_max_n_mm} N/mm and {force_cap_n} N, wanted finite numbers from 0 on")
+
     def step(self, position_mm, held, dt_s):
-        """One step; a position or a time out of range lets the tube go (phase 0)."""
-        _lib.tactus_tube_step(self._handle, position_mm, 1 if held else 0, dt_s, ctypes.byref(self._raw))
+        """One step; a position or a time out of range lets the tube go (phase 0), and `status` of the tube is then not 0."""
+        self.status = _lib.tactus_tube_step(self._handle, position_mm, 1 if held else 0, dt_s, ctypes.byref(self._raw))
         return Feel(self._raw)
+
+    def save(self):
+        """The state as bytes, for `load`."""
+        size = _lib.tactus_tube_save(self._handle, None, 0)
+        room = ctypes.create_string_buffer(size)
+        _lib.tactus_tube_save(self._handle, room, size)
+        return room.raw
+
+    def load(self, state):
+        """Takes the state of a tube of the same model and the same fixed inputs: its next steps, bit by bit."""
+        state = bytes(state)
+        status = _lib.tactus_tube_load(self._handle, state, len(state))
+        if status != 0:
+            raise Error(status, "load: found bytes of another scene, model or version, or altered ones, wanted those of a save")
