@@ -89,8 +89,9 @@ struct ReadFile {
 Result<ReadFile> modelOf(std::string text, const std::string& path) {
   TACTUS_TRY(auto opened, openedModel(text, path));
   auto shared = std::make_shared<const std::string>(text);
-  return ReadFile{
-      std::move(text), {std::move(opened.compiled), [shared] { return *shared; }}, std::move(opened.warnings)};
+  return ReadFile{std::move(text),
+                  {std::move(opened.compiled), [shared] { return *shared; }, link::inputIds(opened.model)},
+                  std::move(opened.warnings)};
 }
 
 Result<std::string> textOf(const std::string& path) { return base::readFile(path, model_io::kMostModelFileBytes); }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "app/link/link_lines.h"
 #include "app/link/link_sockets.h"
+#include "core/base/text.h"
 
 namespace tactus::link {
 
@@ -67,9 +69,13 @@ void ClientSession::readLine(std::string_view line, const SessionNeeds& needs) {
     if (!hello) return refuseLine(hello.error());
     greet(*hello, needs);
   } else {
-    const auto ask = readAsk(line);
-    if (!ask) return refuseLine(ask.error());
-    answer(*ask, needs.model);
+    auto later = readLaterLine(line);
+    if (!later) return refuseLine(later.error());
+    if (const auto* const ask = std::get_if<Ask>(&*later)) {
+      answer(*ask, needs.model);
+    } else {
+      take(std::get<Felt>(*std::move(later)), needs.model);
+    }
   }
 }
 
@@ -97,12 +103,29 @@ void ClientSession::answer(const Ask& ask, const ServedModel& model) {
   replies_ += answerLine(ask.id, model.compiled.evaluate(ask.inputs), model.serial);
 }
 
+void ClientSession::take(Felt felt, const ServedModel& model) {
+  for (const auto& [id, value] : felt.conditions) {
+    if (std::find(model.inputs.begin(), model.inputs.end(), id) != model.inputs.end()) continue;
+    return refuse("line " + std::to_string(lines_) + " of the client: /felt/conditions: found " + base::quoted(id) +
+                  ", wanted inputs of the model: " + base::joined(model.inputs, ", "));
+  }
+  felt_ = std::move(felt);
+}
+
+std::optional<Felt> ClientSession::takeFelt() { return std::exchange(felt_, std::nullopt); }
+
+void ClientSession::offerFelt(std::shared_ptr<const std::string> line) {
+  if (phase_ == Phase::kGreeted && hello_.wants_felt) others_felt_ = std::move(line);
+}
+
 void ClientSession::refuse(std::string_view sentence) {
   if (phase_ == Phase::kEnding) return;
   phase_ = Phase::kEnding;
   replies_ += errorLine(sentence);
   model_.reset();
   state_.reset();
+  felt_.reset();
+  others_felt_.reset();
   input_ = {};
   has_work_ = false;
 }
@@ -134,9 +157,12 @@ std::string_view ClientSession::output() {
       current_ = std::exchange(model_, nullptr);
     } else if (!replies_.empty()) {
       if (state_) replies_ += *std::exchange(state_, nullptr);
+      if (others_felt_) replies_ += *std::exchange(others_felt_, nullptr);
       current_ = std::make_shared<const std::string>(std::exchange(replies_, {}));
     } else if (state_) {
       current_ = std::exchange(state_, nullptr);
+    } else if (others_felt_) {
+      current_ = std::exchange(others_felt_, nullptr);
     } else {
       return {};
     }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/link/link_lines.h"
 #include "core/fuzzy/compiled_model.h"
@@ -43,6 +44,7 @@ struct ServedModel {
   std::uint64_t serial = 0;  ///< from 1, higher with each model
   fuzzy::CompiledModel compiled;
   std::shared_ptr<const std::string> line;  ///< modelLine
+  std::vector<std::string> inputs = {};     ///< ids
 };
 
 /// What a session needs of its server while it reads lines.
@@ -84,6 +86,11 @@ class ClientSession {
   /// Replaces a state that was not sent yet.
   void offerState(std::shared_ptr<const std::string> line);
 
+  /// Where the client's simulator is, if it has said so since the last call: the newest.
+  std::optional<Felt> takeFelt();
+  /// Replaces a line about another client that was not sent yet.
+  void offerFelt(std::shared_ptr<const std::string> line);
+
   /// The bytes to send next; empty if there are none. Valid until the next call of any function.
   std::string_view output();
   /// The client took the first `bytes` of `output()`.
@@ -93,6 +100,7 @@ class ClientSession {
   void readLine(std::string_view line, const SessionNeeds& needs);
   void greet(const Hello& hello, const SessionNeeds& needs);
   void answer(const Ask& ask, const ServedModel& model);
+  void take(Felt felt, const ServedModel& model);
   void findWork();
 
   Phase phase_ = Phase::kHello;
@@ -100,6 +108,7 @@ class ClientSession {
   LineBuffer input_;
   bool has_work_ = false;  ///< a whole line is there, or one that is too long
   std::uint64_t lines_ = 0;
+  std::optional<Felt> felt_;
   std::optional<double> state_due_s_;
   double state_before_s_ = 0;
 
@@ -110,6 +119,7 @@ class ClientSession {
   std::shared_ptr<const std::string> model_;  ///< the newest that the client does not have
   std::string replies_;                       ///< answers and the error, in the order of the lines
   std::shared_ptr<const std::string> state_;  ///< the newest; follows the replies, so that questions never hold it up
+  std::shared_ptr<const std::string> others_felt_;  ///< likewise
 };
 
 }  // namespace tactus::link

@@ -42,7 +42,7 @@ std::string shortName(std::string_view text) {
 
 void readWant(JsonMembers& members, Hello& hello) {
   if (!members.has("want")) return;
-  hello.wants_model = hello.wants_state = false;
+  hello.wants_model = false;
   std::vector<std::string> wanted;
   members.texts("want", wanted);
   for (const std::string& word : wanted) {
@@ -50,20 +50,22 @@ void readWant(JsonMembers& members, Hello& hello) {
       hello.wants_model = true;
     } else if (word == "state") {
       hello.wants_state = true;
+    } else if (word == "felt") {
+      hello.wants_felt = true;
     } else {
-      members.refuse("want", "the word " + base::quoted(word), "model, state or both");
+      members.refuse("want", "the word " + base::quoted(word), "model, state or felt");
     }
   }
 }
 
-Result<JsonValue> valueOf(const base::JsonDocument& document, std::string_view key) {
-  if (const auto value = document.root().find(key)) return *value;
+/// The line has none of the members that it may have; `wanted`: these.
+base::Error noMember(const base::JsonDocument& document, const std::string& wanted) {
   std::string found = "an object without members";
   for (const JsonValue first : document.root()) {
     found = "the member " + base::quoted(first.key());
     break;
   }
-  return base::fail(ErrorCode::kSchema, {}, std::move(found), "a line with the member '" + std::string(key) + "'");
+  return base::fail(ErrorCode::kSchema, {}, std::move(found), "a line with the member " + wanted).value();
 }
 
 Result<base::JsonDocument> parseLine(std::string_view line) {
@@ -75,12 +77,13 @@ Result<base::JsonDocument> parseLine(std::string_view line) {
 
 Result<Hello> readHello(std::string_view line) {
   TACTUS_TRY(const auto document, parseLine(line));
-  TACTUS_TRY(const auto greeting, valueOf(document, "hello"));
+  const auto greeting = document.root().find("hello");
+  if (!greeting) return tl::unexpected(noMember(document, "'hello'"));
   std::optional<base::Error> error;
   JsonMembers members(document.root(), error);
   Hello hello;
   std::string name;
-  if (greeting.kind() != JsonKind::kString || greeting.text() != kProtocol) {
+  if (greeting->kind() != JsonKind::kString || greeting->text() != kProtocol) {
     members.refuse("hello", "'" + std::string(kProtocol) + "'");
   }
   members.version(required("version"));
@@ -93,9 +96,9 @@ Result<Hello> readHello(std::string_view line) {
   return hello;
 }
 
-Result<Ask> readAsk(std::string_view line) {
-  TACTUS_TRY(const auto document, parseLine(line));
-  TACTUS_TRY(const auto question, valueOf(document, "ask"));
+namespace {
+
+Result<Ask> askOf(JsonValue question) {
   std::optional<base::Error> error;
   JsonMembers members(question, error);
   Ask ask;
@@ -110,6 +113,31 @@ Result<Ask> readAsk(std::string_view line) {
   members.numbers(required("inputs"), ask.inputs);
   if (error) return tl::unexpected(*std::move(error));
   return ask;
+}
+
+Result<Felt> feltOf(JsonValue report) {
+  std::optional<base::Error> error;
+  JsonMembers members(report, error);
+  Felt felt;
+  const base::NumberRange near{-kFarthestFelt, kFarthestFelt};
+  members.number(required("time_s"), felt.time_s);
+  members.number(required("depth_mm"), felt.depth_mm, near);
+  members.number(required("speed_mm_s"), felt.speed_mm_s, near);
+  members.number(required("force_n"), felt.force_n, near);
+  members.numbers("conditions", felt.conditions, base::kAnyNumber);
+  if (error) return tl::unexpected(*std::move(error));
+  return felt;
+}
+
+}  // namespace
+
+Result<std::variant<Ask, Felt>> readLaterLine(std::string_view line) {
+  using Line = std::variant<Ask, Felt>;
+  TACTUS_TRY(const auto document, parseLine(line));
+  if (const auto question = document.root().find("ask")) return askOf(*question).map([](Ask ask) { return Line(ask); });
+  if (const auto report = document.root().find("felt"))
+    return feltOf(*report).map([](Felt felt) { return Line(felt); });
+  return tl::unexpected(noMember(document, "'ask' or 'felt'"));
 }
 
 namespace {
@@ -157,25 +185,40 @@ std::string modelLine(std::uint64_t serial, std::string_view sha256, std::string
          "\",\"sent_sha256\":\"" + base::sha256(file) + "\",\"file\":" + file + "}}\n";
 }
 
+namespace {
+
+/// A JSON object of numbers by name.
+template <typename Numbers>
+std::string numbersJson(const Numbers& numbers) {
+  std::string json = "{";
+  for (const auto& [id, value] : numbers)
+    json += (json.size() > 1 ? "," : "") + jsonString(id) + ':' + jsonNumber(value);
+  return json + '}';
+}
+
+}  // namespace
+
 std::string stateLine(const LinkState& state, const LinkSetting& setting) {
   std::string line = "{\"state\":{\"time_s\":" + jsonNumber(state.time_s);
   line += ",\"depth_mm\":" + jsonNumber(state.depth_mm) + ",\"speed_mm_s\":" + jsonNumber(state.speed_mm_s);
   line += ",\"slip_speed_mm_s\":" + jsonNumber(state.slip_speed_mm_s) + ",\"force_n\":" + jsonNumber(state.force_n);
   line += ",\"model_force_n\":" + jsonNumber(state.model_force_n) + ",\"held\":" + truth(state.held);
   line += ",\"stroke\":" + std::to_string(state.stroke) + ",\"region\":" + regionAt(setting, state.depth_mm);
-  line += ",\"conditions\":{";
-  const char* separator = "";
-  for (const auto& [id, value] : setting.conditions) {
-    line += separator + jsonString(id) + ':' + jsonNumber(value);
-    separator = ",";
-  }
-  line += std::string("},\"simulated\":") + truth(setting.simulated) + ",\"held_last\":" + truth(state.held_last);
+  line += ",\"conditions\":" + numbersJson(setting.conditions);
+  line += std::string(",\"simulated\":") + truth(setting.simulated) + ",\"held_last\":" + truth(state.held_last);
   return line + "}}\n";
 }
 
 std::string answerLine(std::string_view id, const fuzzy::Evaluation& force, std::uint64_t serial) {
   return "{\"answer\":{\"id\":" + std::string(id) + ",\"force_n\":" + jsonNumber(force.force_n) +
          ",\"fired\":" + truth(force.fired) + ",\"serial\":" + std::to_string(serial) + "}}\n";
+}
+
+std::string feltLine(const Felt& felt, std::string_view name) {
+  std::string line = "{\"felt\":{\"time_s\":" + jsonNumber(felt.time_s) + ",\"depth_mm\":" + jsonNumber(felt.depth_mm);
+  line += ",\"speed_mm_s\":" + jsonNumber(felt.speed_mm_s) + ",\"force_n\":" + jsonNumber(felt.force_n);
+  line += ",\"conditions\":" + numbersJson(felt.conditions) + ",\"name\":" + jsonString(name);
+  return line + "}}\n";
 }
 
 std::string errorLine(std::string_view sentence) { return "{\"error\":" + jsonString(sentence) + "}\n"; }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -58,7 +59,8 @@ struct Hello {
   std::string name;         ///< of the program, for the screen; may be empty; at most 60 bytes
   bool wants_model = true;  ///< as `want` says; models without it
   bool wants_state = false;
-  double state_hz = 100;  ///< kLowestStateHz to kHighestStateHz
+  bool wants_felt = false;  ///< where other clients are
+  double state_hz = 100;    ///< kLowestStateHz to kHighestStateHz
 };
 
 /// A question for the force at a point.
@@ -67,11 +69,25 @@ struct Ask {
   std::vector<double> inputs;
 };
 
+/// Where a simulator is.
+struct Felt {
+  double time_s = 0;  ///< of the simulator's clock
+  double depth_mm = 0;
+  double speed_mm_s = 0;
+  double force_n = 0;
+  std::map<std::string, double> conditions;  ///< inputs by id; those that the simulator does not say are missing
+
+  bool operator==(const Felt&) const = default;
+};
+
+/// Depth, speed and force of a simulator are at most this far from 0, in mm, mm/s and N.
+inline constexpr double kFarthestFelt = 1e6;
+
 /// Reads the first line of a client. Unknown keys are ignored: a later version of the protocol may have them.
 base::Result<Hello> readHello(std::string_view line);
 
 /// Reads any later line.
-base::Result<Ask> readAsk(std::string_view line);
+base::Result<std::variant<Ask, Felt>> readLaterLine(std::string_view line);
 
 // What the server of the live link says: each function gives one line of JSON with its line end.
 
@@ -87,6 +103,9 @@ std::string stateLine(const LinkState& state, const LinkSetting& setting);
 
 /// `id`: JSON text. `serial`: of the model that answers.
 std::string answerLine(std::string_view id, const fuzzy::Evaluation& force, std::uint64_t serial);
+
+/// `name`: of the client that says so.
+std::string feltLine(const Felt& felt, std::string_view name);
 
 std::string errorLine(std::string_view sentence);
 

@@ -36,8 +36,9 @@ class LinkConnection {
   using Clock = std::chrono::steady_clock;
 
   /// `socket` must not block. The first line must be there at `hello_by`.
-  LinkConnection(base::Descriptor socket, Clock::time_point hello_by);
+  LinkConnection(base::Descriptor socket, std::uint64_t number, Clock::time_point hello_by);
 
+  std::uint64_t number() const { return number_; }
   int socket() const { return socket_.number(); }
   const std::string& address() const { return address_; }
   ClientSession& session() { return session_; }
@@ -61,6 +62,7 @@ class LinkConnection {
   void send();
 
   base::Descriptor socket_;
+  std::uint64_t number_;
   std::string address_;
   ClientSession session_;
   std::optional<Clock::time_point> deadline_;
@@ -83,8 +85,8 @@ constexpr auto kEndingTime = std::chrono::seconds(2);
 
 }  // namespace
 
-LinkConnection::LinkConnection(base::Descriptor socket, Clock::time_point hello_by)
-    : socket_(std::move(socket)), address_(peerOf(socket_.number())), deadline_(hello_by) {
+LinkConnection::LinkConnection(base::Descriptor socket, std::uint64_t number, Clock::time_point hello_by)
+    : socket_(std::move(socket)), number_(number), address_(peerOf(socket_.number())), deadline_(hello_by) {
   const int yes = 1;
   // A line goes out at once. A socket file has no such setting.
   ::setsockopt(socket_.number(), SOL_SOCKET, SO_SNDBUF, &kKeptBytes, sizeof kKeptBytes);
@@ -251,7 +253,8 @@ class LinkServer::Loop {
     if (model_ && sha256 == model_sha256_) return;
     const std::uint64_t serial = model_ ? model_->serial + 1 : 1;
     model_.emplace(ServedModel{serial, letter->value.compiled,
-                               std::make_shared<const std::string>(modelLine(serial, sha256, text))});
+                               std::make_shared<const std::string>(modelLine(serial, sha256, text)),
+                               letter->value.inputs});
     model_sha256_ = std::move(sha256);
     for (auto& connection : connections_) connection.session().offer(*model_);
   }
@@ -283,7 +286,7 @@ class LinkServer::Loop {
     const auto is_stranger = [](const LinkConnection& one) { return !one.isGreeted() && !one.isClosed(); };
     if (std::count_if(connections_.begin(), connections_.end(), is_stranger) >= std::ptrdiff_t{kMostStrangers})
       std::find_if(connections_.begin(), connections_.end(), is_stranger)->close();
-    connections_.emplace_back(std::move(socket), now + server_.settings_.hello_time);
+    connections_.emplace_back(std::move(socket), ++accepted_, now + server_.settings_.hello_time);
     if (greeted() >= kMostClients) connections_.back().session().refuse(kFull);
   }
 
@@ -302,7 +305,40 @@ class LinkServer::Loop {
       connection.keepTime(now);
       connection.work(needsOf(*model_), now);
     }
+    takeFelt();
     connections_.remove_if([](const LinkConnection& one) { return one.isClosed(); });
+  }
+
+  /// Keeps where the simulators are for the program, and tells the clients that want to know.
+  void takeFelt() {
+    std::vector<LinkFelt> arrived;
+    for (auto& connection : connections_) {
+      auto felt = connection.session().takeFelt();
+      if (!felt || connection.isClosed()) continue;
+      std::shared_ptr<const std::string> line;
+      for (auto& other : connections_) {
+        if (&other == &connection || !other.session().hello().wants_felt) continue;
+        if (!line) line = std::make_shared<const std::string>(feltLine(*felt, connection.session().hello().name));
+        other.session().offerFelt(line);
+      }
+      arrived.push_back({connection.number(), *std::move(felt)});
+    }
+    if (arrived.empty()) return;
+    bool first = false;
+    {
+      const std::lock_guard lock(server_.mutex_);
+      first = server_.felt_.empty();
+      for (LinkFelt& one : arrived) {
+        const auto same = [&](const LinkFelt& kept) { return kept.client == one.client; };
+        const auto kept = std::find_if(server_.felt_.begin(), server_.felt_.end(), same);
+        if (kept == server_.felt_.end()) {
+          server_.felt_.push_back(std::move(one));
+        } else {
+          *kept = std::move(one);
+        }
+      }
+    }
+    if (first && server_.felt_arrived_) server_.felt_arrived_();
   }
 
   void tellClients() {
@@ -311,7 +347,7 @@ class LinkServer::Loop {
     for (const auto& connection : connections_) {
       if (!connection.isGreeted()) continue;
       const Hello& hello = connection.session().hello();
-      clients.push_back({hello.name, connection.address(), hello.wants_state});
+      clients.push_back({hello.name, connection.address(), hello.wants_state, connection.number()});
       wants_states = wants_states || hello.wants_state;
     }
     server_.wants_states_.store(wants_states, std::memory_order_relaxed);
@@ -329,15 +365,23 @@ class LinkServer::Loop {
   std::string model_sha256_;
   std::uint64_t model_letter_ = 0;
   std::uint64_t states_letter_ = 0;
+  std::uint64_t accepted_ = 0;  ///< connections so far
   Clock::time_point accepts_at_{};
 };
 
+std::vector<std::string> inputIds(const fuzzy::ForceModel& model) {
+  std::vector<std::string> ids;
+  for (const fuzzy::Variable& input : model.inputs) ids.push_back(input.id);
+  return ids;
+}
+
 base::Result<std::unique_ptr<LinkServer>> LinkServer::start(LinkSettings settings, LinkModel model,
-                                                            std::function<void()> clients_changed) {
+                                                            std::function<void()> clients_changed,
+                                                            std::function<void()> felt_arrived) {
   TACTUS_CHECK(!settings.token.empty() && model.text);
   TACTUS_TRY(auto sockets, LinkSockets::open(settings.port, settings.socket_path));
   std::unique_ptr<LinkServer> server(
-      new LinkServer(std::move(settings), std::move(sockets), std::move(clients_changed)));
+      new LinkServer(std::move(settings), std::move(sockets), std::move(clients_changed), std::move(felt_arrived)));
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_NONBLOCK | O_CLOEXEC) != 0)
     return base::fail(base::ErrorCode::kIo, {}, base::systemReason(errno), "a pipe");
@@ -349,8 +393,12 @@ base::Result<std::unique_ptr<LinkServer>> LinkServer::start(LinkSettings setting
   return server;
 }
 
-LinkServer::LinkServer(LinkSettings settings, LinkSockets sockets, std::function<void()> clients_changed)
-    : settings_(std::move(settings)), sockets_(std::move(sockets)), clients_changed_(std::move(clients_changed)) {}
+LinkServer::LinkServer(LinkSettings settings, LinkSockets sockets, std::function<void()> clients_changed,
+                       std::function<void()> felt_arrived)
+    : settings_(std::move(settings)),
+      sockets_(std::move(sockets)),
+      clients_changed_(std::move(clients_changed)),
+      felt_arrived_(std::move(felt_arrived)) {}
 
 LinkServer::~LinkServer() {
   ending_.store(true, std::memory_order_release);
@@ -379,6 +427,11 @@ void LinkServer::publish(LinkStates states) {
 std::vector<LinkClient> LinkServer::clients() const {
   const std::lock_guard lock(mutex_);
   return clients_;
+}
+
+std::vector<LinkFelt> LinkServer::takeFelt() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(felt_, {});
 }
 
 }  // namespace tactus::link

@@ -17,6 +17,7 @@
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/fuzzy/force_model.h"
 #include "core/haptics/servo/mailbox.h"
 
 namespace tactus::link {
@@ -34,15 +35,26 @@ struct LinkModel {
   fuzzy::CompiledModel compiled;
   /// The text of its model file. Called once, by the server's thread, because it takes milliseconds.
   std::function<std::string()> text;
+  std::vector<std::string> inputs = {};  ///< ids, in the order of `compiled`
 };
+
+/// For LinkModel::inputs.
+std::vector<std::string> inputIds(const fuzzy::ForceModel& model);
 
 /// A connected client, for the screen.
 struct LinkClient {
   std::string name;     ///< as it says; may be empty
   std::string address;  ///< `port 53312`, `process 4711`
   bool wants_state = false;
+  std::uint64_t number = 0;  ///< of its connection, from 1
 
   bool operator==(const LinkClient&) const = default;
+};
+
+/// Where the simulator of a client is.
+struct LinkFelt {
+  std::uint64_t client = 0;  ///< LinkClient::number
+  Felt felt;
 };
 
 class LinkServer {
@@ -51,9 +63,11 @@ class LinkServer {
   /// The most connections that have not said hello yet or are about to end. One more closes the oldest of them.
   static constexpr std::size_t kMostStrangers = 16;
 
-  /// Listens, and serves `model` from now on. `clients_changed` is called by the server's thread; may be empty.
+  /// Listens, and serves `model` from now on. The server's thread calls `clients_changed`, and `felt_arrived` where
+  /// takeFelt has something new: once until the next takeFelt, however fast the clients are. Both may be empty.
   static base::Result<std::unique_ptr<LinkServer>> start(LinkSettings settings, LinkModel model,
-                                                         std::function<void()> clients_changed = {});
+                                                         std::function<void()> clients_changed = {},
+                                                         std::function<void()> felt_arrived = {});
   /// Closes all connections.
   ~LinkServer();
   LinkServer(const LinkServer&) = delete;
@@ -71,16 +85,20 @@ class LinkServer {
   bool wantsStates() const noexcept { return wants_states_.load(std::memory_order_relaxed); }
   /// The clients that have said hello, in the order of their connections. Thread: any.
   std::vector<LinkClient> clients() const;
+  /// Where the simulators of clients are that have said so since the last call: the newest of each. Thread: any.
+  std::vector<LinkFelt> takeFelt();
 
  private:
   class Loop;
 
-  LinkServer(LinkSettings settings, LinkSockets sockets, std::function<void()> clients_changed);
+  LinkServer(LinkSettings settings, LinkSockets sockets, std::function<void()> clients_changed,
+             std::function<void()> felt_arrived);
   void wake();
 
   const LinkSettings settings_;
   LinkSockets sockets_;
   const std::function<void()> clients_changed_;
+  const std::function<void()> felt_arrived_;
   // The end that is written to wakes the server's thread.
   base::Descriptor wake_read_;
   base::Descriptor wake_write_;
@@ -89,8 +107,9 @@ class LinkServer {
   haptics::Mailbox<LinkStates> states_;
   std::atomic<bool> ending_{false};
   std::atomic<bool> wants_states_{false};
-  mutable std::mutex mutex_;  ///< guards the next one
+  mutable std::mutex mutex_;  ///< guards the next two
   std::vector<LinkClient> clients_;
+  std::vector<LinkFelt> felt_;
   std::thread thread_;
 };
 

@@ -23,7 +23,10 @@ class SessionTest : public testing::Test {
   static ServedModel served(std::uint64_t serial) {
     const auto model = support::s4FiveRegions();
     const std::string text = model_io::formatModel(model);
-    return {serial, *fuzzy::compile(model), std::make_shared<const std::string>(modelLine(serial, "x", text))};
+    return {serial,
+            *fuzzy::compile(model),
+            std::make_shared<const std::string>(modelLine(serial, "x", text)),
+            {"lubrication", "neck_flexion", "depth", "speed"}};
   }
 
   /// Everything that is sent while `bytes` come in, line by line.
@@ -177,6 +180,70 @@ TEST_F(SessionTest, AnswersAreThoseOfTheModelInOrder) {
     EXPECT_EQ(answer.at("fired").get<bool>(), force.fired);
     EXPECT_EQ(answer.at("serial").get<int>(), 3);
   }
+}
+
+const std::string kFelt = R"({"felt":{"time_s":1.5,"depth_mm":120,"speed_mm_s":-3,"force_n":0.4,"held":true,)"
+                          R"("conditions":{"lubrication":0.5}}})";
+
+TEST_F(SessionTest, TheNewestPlaceOfASimulatorCounts) {
+  say(kHello + '\n');
+  EXPECT_FALSE(session_.takeFelt());
+  std::string flood;
+  for (int i = 0; i < 10'000; ++i)
+    flood += R"({"felt":{"time_s":)" + std::to_string(i) +
+             R"(,"depth_mm":0,"speed_mm_s":0,"force_n":0}})"
+             "\n";
+  EXPECT_TRUE(say(flood + kFelt + '\n').empty()) << "nothing is said to it";
+  const auto felt = session_.takeFelt();
+  ASSERT_TRUE(felt);
+  EXPECT_EQ(*felt, (Felt{1.5, 120, -3, 0.4, {{"lubrication", 0.5}}}));
+  EXPECT_FALSE(session_.takeFelt()) << "once";
+  EXPECT_TRUE(session_.wantsInput());
+}
+
+TEST_F(SessionTest, NonsenseAboutAPlaceIsOneSentenceAndTheEnd) {
+  const auto after_hello = [this](const std::string& from, const std::string& to) {
+    session_ = {};
+    say(kHello + '\n');
+    std::string line = kFelt;
+    const auto at = line.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    line.replace(at, from.size(), to);
+    const std::string error = errorOf(say(line + '\n'));
+    EXPECT_EQ(session_.phase(), Phase::kEnding) << line;
+    EXPECT_FALSE(session_.takeFelt()) << line;
+    return error;
+  };
+  const auto has = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  EXPECT_TRUE(has(after_hello("120", "1e999"), "1e999"));
+  EXPECT_TRUE(has(after_hello("120", "NaN"), "line 2 of the client"));
+  EXPECT_TRUE(has(after_hello("120", "1.1e6"), "/felt/depth_mm"));
+  EXPECT_TRUE(has(after_hello("-3", "-1e300"), "/felt/speed_mm_s"));
+  EXPECT_TRUE(has(after_hello("0.4", "\"much\""), "/felt/force_n"));
+  EXPECT_TRUE(has(after_hello(R"("depth_mm":120,)", ""), "'depth_mm'"));
+  EXPECT_TRUE(has(after_hello("lubrication", "swallow"),
+                  "/felt/conditions: found 'swallow', wanted inputs of the model: lubrication, neck_flexion"));
+  EXPECT_TRUE(has(after_hello("0.5", "null"), "/felt/conditions"));
+  EXPECT_TRUE(has(after_hello(R"({"lubrication":0.5})", "[1]"), "/felt/conditions"));
+  EXPECT_TRUE(
+      has(after_hello("felt", "fell"), "found the member 'fell', wanted a line with the member 'ask' or 'felt'"));
+}
+
+TEST_F(SessionTest, PlacesOfOthersGoToThoseWhoWantThem) {
+  say(kHello + '\n');
+  const auto line = std::make_shared<const std::string>(feltLine({1, 2, 3, 4, {{"speed", 3}}}, "Phantom \"2\""));
+  EXPECT_EQ(*line, R"({"felt":{"time_s":1,"depth_mm":2,"speed_mm_s":3,"force_n":4,"conditions":{"speed":3},)"
+                   R"("name":"Phantom \"2\""}})"
+                   "\n");
+  session_.offerFelt(line);
+  EXPECT_TRUE(work().empty()) << "it does not want them";
+  session_ = {};
+  say(R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":["felt"]})" + '\n');
+  session_.offerFelt(std::make_shared<const std::string>("{}\n"));
+  session_.offerFelt(line);
+  const auto lines = work();
+  ASSERT_EQ(lines.size(), 1U) << "the newest";
+  EXPECT_EQ(lines[0] + '\n', *line);
 }
 
 TEST_F(SessionTest, AFloodOfQuestionsIsReadNoFasterThanItsAnswersAreTaken) {

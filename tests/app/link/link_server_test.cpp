@@ -34,7 +34,7 @@ fuzzy::ForceModel named(const std::string& name) {
 
 LinkModel served(const fuzzy::ForceModel& model) {
   auto text = std::make_shared<const std::string>(model_io::formatModel(model));
-  return {*fuzzy::compile(model), [text] { return *text; }};
+  return {*fuzzy::compile(model), [text] { return *text; }, inputIds(model)};
 }
 
 class LinkServerTest : public testing::Test {
@@ -42,10 +42,17 @@ class LinkServerTest : public testing::Test {
   void start(LinkSettings settings = {}) {
     settings.token = kToken;
     settings.program = "tactus test";
-    auto started = LinkServer::start(std::move(settings), served(named("first")), [this] {
-      const std::lock_guard lock(mutex_);
-      changed_.notify_all();
-    });
+    auto started = LinkServer::start(
+        std::move(settings), served(named("first")),
+        [this] {
+          const std::lock_guard lock(mutex_);
+          changed_.notify_all();
+        },
+        [this] {
+          const std::lock_guard lock(mutex_);
+          ++told_;
+          changed_.notify_all();
+        });
     ASSERT_TRUE(started) << started.error().message();
     server_ = std::move(*started);
   }
@@ -56,6 +63,14 @@ class LinkServerTest : public testing::Test {
     EXPECT_TRUE(client.send(hello));
     EXPECT_EQ(client.line(), R"({"hello":"tactus-link","version":1,"program":"tactus test"})");
     return client;
+  }
+  /// After it the server has done all that earlier lines of this client ask for: the second answer is of a later turn.
+  static void roundTrip(TestClient& client) {
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_TRUE(client.send(R"({"ask":{"id":1,"inputs":[1,45,30,30]}})"
+                              "\n"));
+      EXPECT_NE(client.line().find("answer"), std::string::npos);
+    }
   }
   void waitForClients(std::size_t count) {
     std::unique_lock lock(mutex_);
@@ -68,6 +83,7 @@ class LinkServerTest : public testing::Test {
 
   std::mutex mutex_;
   std::condition_variable changed_;
+  int told_ = 0;                        ///< how often something was felt
   std::unique_ptr<LinkServer> server_;  ///< last: its thread ends before what it calls is gone
 };
 
@@ -118,6 +134,51 @@ TEST_F(LinkServerTest, QuestionsAreAnsweredByTheServedModelBitByBit) {
     ASSERT_EQ(answer.at("force_n").get<double>(), force.force_n);
     ASSERT_EQ(answer.at("fired").get<bool>(), force.fired);
   }
+}
+
+std::string feltAt(double depth_mm) {
+  return json{{"felt", {{"time_s", 1}, {"depth_mm", depth_mm}, {"speed_mm_s", 20}, {"force_n", 0.3}}}}.dump() + '\n';
+}
+
+TEST_F(LinkServerTest, WhereSimulatorsAreIsToldOnceUntilItIsTaken) {
+  start();
+  TestClient first = greeted(helloOf(kToken, R"("want":[],"name":"first")"));
+  TestClient second = greeted(helloOf(kToken, R"("want":["felt"],"name":"second")"));
+  std::string flood;
+  for (int i = 0; i < 20'000; ++i) flood += feltAt(i * 0.01);
+  ASSERT_TRUE(first.send(flood));
+  roundTrip(first);
+  {
+    const std::lock_guard lock(mutex_);
+    EXPECT_EQ(told_, 1);
+  }
+  auto felt = server_->takeFelt();
+  ASSERT_EQ(felt.size(), 1U);
+  EXPECT_EQ(felt[0].felt.depth_mm, 19'999 * 0.01);
+  EXPECT_EQ(felt[0].client, server_->clients()[0].number);
+  EXPECT_TRUE(server_->takeFelt().empty());
+  // The other client has got some of them, in order, and at last the newest; its own do not come back.
+  double before_mm = -1;
+  while (before_mm < 19'999 * 0.01) {
+    const json line = json::parse(second.line()).at("felt");
+    EXPECT_EQ(line.at("name"), "first");
+    EXPECT_GT(line.at("depth_mm").get<double>(), before_mm);
+    before_mm = line.at("depth_mm").get<double>();
+  }
+  ASSERT_TRUE(second.send(feltAt(7)));
+  roundTrip(second);
+  ASSERT_TRUE(first.send(feltAt(8)));
+  roundTrip(first);
+  felt = server_->takeFelt();
+  ASSERT_EQ(felt.size(), 2U);
+  EXPECT_EQ(felt[0].felt.depth_mm, 7);
+  EXPECT_EQ(felt[1].felt.depth_mm, 8);
+  // Nonsense of one is the end of that one alone.
+  ASSERT_TRUE(first.send(R"({"felt":{"depth_mm":1}})"
+                         "\n"));
+  EXPECT_NE(first.line().find("error"), std::string::npos);
+  waitForClients(1);
+  EXPECT_EQ(json::parse(second.line()).at("felt").at("depth_mm"), 8);
 }
 
 TEST_F(LinkServerTest, AClientThatSaysNoMoreStillGetsItsAnswersThenTheEnd) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,8 +17,10 @@ namespace tactus::link {
 
 /// Stops the program where the session breaks what it promises. Returns everything that it sent.
 inline std::string driveSession(std::string_view bytes) {
-  static const ServedModel model{1, *fuzzy::compile(support::s4FiveRegions()),
-                                 std::make_shared<const std::string>("{\"model\":{\"serial\":1}}\n")};
+  static const ServedModel model{1,
+                                 *fuzzy::compile(support::s4FiveRegions()),
+                                 std::make_shared<const std::string>("{\"model\":{\"serial\":1}}\n"),
+                                 {"lubrication", "neck_flexion", "depth", "speed"}};
   const SessionNeeds needs{model, "0123456789abcdef", "fuzz", true};
   const std::size_t piece = bytes.empty() ? 1 : 1 + static_cast<unsigned char>(bytes.front());
   if (!bytes.empty()) bytes.remove_prefix(1);
@@ -29,6 +32,8 @@ inline std::string driveSession(std::string_view bytes) {
     bytes.remove_prefix(std::min(piece, bytes.size()));
     while (session.hasWork()) {
       session.work(3, needs);
+      if (const auto felt = session.takeFelt())
+        TACTUS_CHECK(std::abs(felt->depth_mm) <= kFarthestFelt && std::abs(felt->force_n) <= kFarthestFelt);
       // A slow client: it takes a part of what is there.
       const auto output = session.output();
       const std::size_t taken = output.size() - output.size() / 3;

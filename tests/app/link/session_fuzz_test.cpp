@@ -30,6 +30,7 @@ TEST(SessionFuzz, AnyBytesAreAnsweredOrRefusedInWholeLines) {
   const std::string good =
       "{\"hello\":\"tactus-link\",\"version\":1,\"token\":\"0123456789abcdef\",\"want\":[\"model\",\"state\"],"
       "\"state_hz\":50,\"name\":\"x\"}\n{\"ask\":{\"id\":1,\"inputs\":[1,45,30,30]}}\n"
+      "{\"felt\":{\"time_s\":1,\"depth_mm\":20,\"speed_mm_s\":3,\"force_n\":0.2,\"conditions\":{\"depth\":1}}}\n"
       "{\"ask\":{\"id\":\"two\",\"inputs\":[0.5,0,-1e3,1E2]}}\n";
   base::Random random(18);
   int answered = 0;

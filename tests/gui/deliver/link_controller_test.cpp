@@ -138,6 +138,50 @@ TEST_F(LinkControllerTest, SaysWhoIsConnected) {
   EXPECT_FALSE(controller.wantsStates());
 }
 
+std::string feltAt(double depth_mm, const std::string& conditions = "{}") {
+  return R"({"felt":{"time_s":1,"speed_mm_s":20,"force_n":0.3,"depth_mm":)" + std::to_string(depth_mm) +
+         R"(,"conditions":)" + conditions + "}}\n";
+}
+
+TEST_F(LinkControllerTest, ASimulatorIsThereWhileItSaysWhereItIs) {
+  open();
+  controller.start();
+  const QSignalSpy moved(&controller, &LinkController::simulatorsMoved);
+  const double value_before = scene.value(0);
+  TestClient client = connect(R"("name":"Phantom 2","want":[])");
+  EXPECT_TRUE(controller.simulators().empty());
+  std::string flood;
+  for (int i = 0; i <= 5000; ++i) flood += feltAt(i * 0.001);
+  ASSERT_TRUE(client.send(flood));
+  const auto is_at = [&](double depth_mm) {
+    return controller.simulators().size() == 1 && controller.simulators()[0].felt.depth_mm == depth_mm;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return is_at(5); }, kPatience));
+  EXPECT_EQ(controller.simulators()[0].name, QStringLiteral("Phantom 2"));
+  EXPECT_LT(moved.size(), 500) << "a flood is looked at frame by frame";
+  EXPECT_EQ(scene.value(0), value_before) << "nothing else moves";
+  // Silent, it is gone, though it is connected; then it is there again, and gone when it leaves.
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.simulators().empty(); }, kPatience));
+  EXPECT_EQ(controller.clients().size(), 1U);
+  ASSERT_TRUE(client.send(feltAt(3)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return is_at(3); }, kPatience));
+  ASSERT_TRUE(client.send("nonsense\n"));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return controller.simulators().empty(); }, kPatience));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return controller.clients().empty(); }, kPatience));
+}
+
+TEST_F(LinkControllerTest, TheEndOfServingIsTheEndOfAllSimulators) {
+  open();
+  controller.start();
+  TestClient client = connect();
+  ASSERT_TRUE(client.send(feltAt(1)));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !controller.simulators().empty(); }, kPatience));
+  const QSignalSpy moved(&controller, &LinkController::simulatorsMoved);
+  controller.stop();
+  EXPECT_TRUE(controller.simulators().empty());
+  EXPECT_EQ(moved.size(), 1);
+}
+
 TEST_F(LinkControllerTest, WhatTheHandFeelsIsSentWithItsSetting) {
   open();
   tests::SteppedFeel time;

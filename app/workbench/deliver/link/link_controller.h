@@ -5,6 +5,8 @@
 #include <QDateTime>
 #include <QObject>
 #include <QString>
+#include <QTimer>
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -16,6 +18,14 @@
 namespace tactus::workbench {
 
 class ModelController;
+
+/// A simulator that says where it is.
+struct Simulator {
+  std::uint64_t client = 0;  ///< its connection
+  QString name;              ///< as it says; may be empty
+  link::Felt felt;           ///< the newest
+  std::chrono::steady_clock::time_point heard;
+};
 
 /// Thread: gui. The server has a thread of its own, which also writes the text of each model.
 class LinkController : public QObject {
@@ -36,6 +46,8 @@ class LinkController : public QObject {
   const std::vector<link::LinkClient>& clients() const { return clients_; }
   /// When the last client left, since serving began. Nothing while one is connected, or before the first one was.
   const std::optional<QDateTime>& allLeftAt() const { return all_left_at_; }
+  /// The simulators that said within the last second where they are.
+  const std::vector<Simulator>& simulators() const { return simulators_; }
   /// Whether a client wants to know what the hand feels.
   bool wantsStates() const { return server_ && server_->wantsStates(); }
   /// Tells the clients what the hand feels.
@@ -49,6 +61,8 @@ class LinkController : public QObject {
  signals:
   /// Serving began or ended, or a client came or went.
   void changed();
+  /// A simulator moved, came or went; at most 60 times a second.
+  void simulatorsMoved();
   /// The last client left; after `changed`.
   void allLeft();
   /// One sentence: why nothing can be served.
@@ -58,6 +72,10 @@ class LinkController : public QObject {
   base::Result<void> serve(std::uint16_t port);
   void publish();
   void showClients();
+  void listen();
+  void hear();
+  /// Forgets simulators that left or fell silent.
+  void forget();
 
   const ModelController& models_;
   std::uint16_t chosen_port_ = 0;  ///< 0: any
@@ -65,6 +83,9 @@ class LinkController : public QObject {
   std::optional<link::TokenFile> token_;
   std::vector<link::LinkClient> clients_;
   std::optional<QDateTime> all_left_at_;
+  std::vector<Simulator> simulators_;
+  QTimer frame_;  ///< until the next look at what simulators said
+  QTimer watch_;  ///< runs while there are simulators, which may fall silent
   CallQueue calls_;
   std::unique_ptr<link::LinkServer> server_;  ///< last: its thread ends before the queue goes
 };
