@@ -5,8 +5,11 @@
 #include <QPushButton>
 #include <QSettings>
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <variant>
 
@@ -27,13 +30,54 @@
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/history/history_panel.h"
+#include "app/workbench/understand/curves/curves_panel.h"
 
 namespace tactus::workbench {
 namespace {
 
 struct LinkFeature {
   Q_DECLARE_TR_FUNCTIONS(LinkFeature)
+
+ public:
+  /// Where the simulators are on the x axis of the curves.
+  static std::vector<SimulatorMark> marks(const LinkController& link, const SceneController& scene);
 };
+
+/// The value that a simulator gives for an input; nothing: it does not say it.
+std::optional<double> saidOf(const link::Felt& felt, const std::string& input) {
+  if (input == kDepthId) return felt.depth_mm;
+  if (input == kSpeedId) return felt.speed_mm_s;
+  const auto said = felt.conditions.find(input);
+  return said != felt.conditions.end() ? std::optional(said->second) : std::nullopt;
+}
+
+/// Whether a simulator runs under other conditions than those for which the curves are drawn.
+bool isElsewhere(const link::Felt& felt, const SceneController& scene) {
+  constexpr double kSame = 1e-3;  // of the universe: less is not seen on the screen
+  const auto& inputs = scene.model()->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto said = felt.conditions.find(inputs[i].id);
+    if (i == scene.xInput() || said == felt.conditions.end()) continue;
+    if (std::abs(said->second - scene.value(i)) > kSame * (inputs[i].max - inputs[i].min)) return true;
+  }
+  return false;
+}
+
+std::vector<SimulatorMark> LinkFeature::marks(const LinkController& link, const SceneController& scene) {
+  constexpr int kLongestName = 24;
+  std::vector<SimulatorMark> marks;
+  if (!scene.model()) return marks;
+  for (const Simulator& simulator : link.simulators()) {
+    const auto x = saidOf(simulator.felt, scene.xVariable().id);
+    if (!x) continue;
+    QString name = simulator.name.isEmpty()
+                       ? tr("From the simulator")
+                       : tr("From the simulator %1").arg(harmless(simulator.name.left(kLongestName)));
+    if (isElsewhere(simulator.felt, scene)) name = tr("%1, under other conditions").arg(name);
+    marks.push_back({std::move(name), *x, simulator.felt.force_n});
+  }
+  return marks;
+}
 
 }  // namespace
 
@@ -60,6 +104,12 @@ void addLink(Bench& bench) {
   QObject::connect(&feel, &FeelController::stateChanged, context, [&feel, &link, felt, ran = false]() mutable {
     if (std::exchange(ran, feel.isRunning()) && !ran && link.wantsStates()) link.tell(felt->afterRun());
   });
+  const auto show_simulators = [&link, &bench] {
+    bench.views.curves->setSimulators(LinkFeature::marks(link, bench.scene));
+  };
+  QObject::connect(&link, &LinkController::simulatorsMoved, bench.views.curves, show_simulators);
+  QObject::connect(&bench.scene, &SceneController::xInputChanged, bench.views.curves, show_simulators);
+  QObject::connect(&bench.scene, &SceneController::modelChanged, bench.views.curves, show_simulators);
   QObject::connect(&link, &LinkController::changed, context, [&link, &window, serving = false]() mutable {
     if (std::exchange(serving, link.isServing()) == link.isServing()) return;
     window.say(serving ? LinkFeature::tr("Simulators can connect to %1.").arg(link.address())

@@ -392,4 +392,45 @@ std::vector<LegendEntry> CurveOverlays::legend(const QString& ghost_name) const 
   return entries;
 }
 
+SimulatorMarks::SimulatorMarks(QCustomPlot& plot)
+    : QCPLayerable(&plot, QStringLiteral("overlay")), font_(theme::smallFont()) {}
+
+SimulatorMarks::~SimulatorMarks() = default;
+
+void SimulatorMarks::set(std::vector<SimulatorMark> marks) { marks_ = std::move(marks); }
+
+void SimulatorMarks::applyDefaultAntialiasingHint(QCPPainter* painter) const { painter->setAntialiasing(true); }
+
+void SimulatorMarks::draw(QCPPainter* painter) {
+  constexpr double kSize = 7;  // px from the center to a corner
+  const QCPAxisRect* area = mParentPlot->axisRect();
+  for (const SimulatorMark& mark : marks_) {
+    if (!area->axis(QCPAxis::atBottom)->range().contains(mark.x)) continue;
+    // A force beyond the axis stands at its edge.
+    const double y = std::clamp(area->axis(QCPAxis::atLeft)->coordToPixel(mark.force_n), double(area->top()),
+                                double(area->bottom()));
+    const QPointF at(area->axis(QCPAxis::atBottom)->coordToPixel(mark.x), y);
+    painter->setPen(QPen(theme::ink(), 2));
+    painter->setBrush(theme::card());
+    painter->drawPolygon(
+        QPolygonF{at + QPointF(0, -kSize), at + QPointF(kSize, 0), at + QPointF(0, kSize), at + QPointF(-kSize, 0)});
+    drawName(*painter, mark.name, at);
+  }
+}
+
+void SimulatorMarks::drawName(QCPPainter& painter, const QString& name, QPointF at) const {
+  constexpr double kAway = 12;  // px from the mark
+  const QRect area = mParentPlot->axisRect()->rect();
+  const QFontMetricsF metrics(font_);
+  const QSizeF size(metrics.horizontalAdvance(name) + 12, metrics.height() + 4);
+  const bool to_the_right = at.x() + kAway + size.width() <= area.right();
+  const double top = std::clamp(at.y() - size.height() / 2, double(area.top()), area.bottom() - size.height());
+  const QRectF tag(QPointF(to_the_right ? at.x() + kAway : at.x() - kAway - size.width(), top), size);
+  painter.setPen(QPen(theme::ink(), 1));
+  painter.setBrush(theme::card());
+  painter.drawRoundedRect(tag, 4, 4);
+  painter.setFont(font_);
+  painter.drawText(QPointF(tag.left() + 6, tag.bottom() - 2 - metrics.descent()), name);
+}
+
 }  // namespace tactus::workbench

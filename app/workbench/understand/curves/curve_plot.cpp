@@ -88,6 +88,7 @@ CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
   labels_ = new TermLabels(*plot_, kLabelRows);
   landmarks_ = new LandmarkMarks(*plot_, LandmarkMarks::Place::kInside);
   cursor_ = new ReadingCursor(*plot_);
+  simulators_ = new SimulatorMarks(*plot_);
   overlays_ = std::make_unique<CurveOverlays>(*plot_);
   plot_->axisRect()->setAutoMargins(QCP::msLeft | QCP::msBottom);
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
@@ -307,7 +308,7 @@ std::vector<LegendEntry> CurvePlot::legend() const {
 
 void CurvePlot::paintPicture(QCPPainter& painter, const QSize& size) {
   nameAxis(true);
-  paintPlot(*plot_, painter, size, {cursor_});
+  paintPlot(*plot_, painter, size, {cursor_, simulators_});
   nameAxis(height() >= kLow);
 }
 
@@ -338,6 +339,11 @@ void CurvePlot::setPull(const PullMarks* pull) {
   handle_ = has_handle ? std::optional(QPointF(pull->handle->x, pull->handle->wanted_n)) : std::nullopt;
   const bool mean = pull == nullptr || !pull->expert;
   overlays_->setPull(pull, mean ? theme::accent() : theme::expert(numbers_[*pull->expert]));
+  redraw(*plot_);
+}
+
+void CurvePlot::setSimulators(std::vector<SimulatorMark> marks) {
+  simulators_->set(std::move(marks));
   redraw(*plot_);
 }
 

@@ -33,9 +33,11 @@ class PullLayer;
 class ReadingCursor;
 class ShownRanges;
 class SilenceMarks;
+class SimulatorMarks;
 class TermBands;
 class TermLabels;
 struct GhostCurves;
+struct SimulatorMark;
 struct PullMarks;
 struct Reading;
 
@@ -76,6 +78,27 @@ class SilenceMarks : public QCPLayerable {
   double foot_ = 0;
   std::vector<figures::Interval> everyone_;
   std::vector<Lane> lanes_;
+};
+
+/// Where simulators are that run elsewhere: a diamond for each, with its name. Looks like no hand and no reading.
+class SimulatorMarks : public QCPLayerable {
+  Q_OBJECT
+
+ public:
+  explicit SimulatorMarks(QCustomPlot& plot);
+  ~SimulatorMarks() override;
+
+  void set(std::vector<SimulatorMark> marks);
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+
+ private:
+  void drawName(QCPPainter& painter, const QString& name, QPointF at) const;
+
+  std::vector<SimulatorMark> marks_;
+  QFont font_;
 };
 
 /// The forces of a curve for a graph, which leaves a gap where a value is NaN.
@@ -173,6 +196,7 @@ class CurvePlot : public QWidget, public PlotSource {
   std::size_t stepsMarked() const { return steps_marked_; }
   /// What is pulled; null: nothing.
   void setPull(const PullMarks* pull);
+  void setSimulators(std::vector<SimulatorMark> marks);
   QPoint pixelOf(double x, double force_n) const;
   /// True during a drag: thin lines without smoothing, which take half the time to draw.
   void setFast(bool fast);
@@ -222,6 +246,7 @@ class CurvePlot : public QWidget, public PlotSource {
   TermLabels* labels_;
   LandmarkMarks* landmarks_;
   ReadingCursor* cursor_;
+  SimulatorMarks* simulators_;
   std::unique_ptr<CurveOverlays> overlays_;
   fuzzy::Variable x_;
   fuzzy::Variable output_;

@@ -302,6 +302,8 @@ void CurvesPanel::onMarked(double x) {
 
 void CurvesPanel::setFast(bool fast) { plot_->setFast(fast); }
 
+void CurvesPanel::setSimulators(std::vector<SimulatorMark> marks) { plot_->setSimulators(std::move(marks)); }
+
 void CurvesPanel::setPull(const PullMarks* pull) { plot_->setPull(pull); }
 
 QPoint CurvesPanel::pixelOf(double x, double force_n) const { return plot_->mapTo(this, plot_->pixelOf(x, force_n)); }

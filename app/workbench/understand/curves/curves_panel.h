@@ -101,6 +101,13 @@ struct PullMarks {
   std::vector<fuzzy::Evaluation> curve;  ///< the line after the edit that is looked at; empty: none
 };
 
+/// Where a simulator is that runs elsewhere.
+struct SimulatorMark {
+  QString name;  ///< what stands beside it
+  double x = 0;  ///< on the x axis
+  double force_n = 0;
+};
+
 class CurvesPanel : public Card {
   Q_OBJECT
 
@@ -117,6 +124,8 @@ class CurvesPanel : public Card {
   std::optional<double> mark() const { return mark_; }
   /// Null: nothing is pulled.
   void setPull(const PullMarks* pull);
+  /// In the units of the x axis that is shown.
+  void setSimulators(std::vector<SimulatorMark> marks);
   /// Where `x` of the x axis and a force are in this panel, px.
   QPoint pixelOf(double x, double force_n) const;
 

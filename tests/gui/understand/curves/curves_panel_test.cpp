@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QDropEvent>
+#include <QFile>
 #include <QLabel>
 #include <QMimeData>
 #include <QToolButton>
@@ -15,6 +16,7 @@
 #include "app/workbench/understand/curves/reading_model.h"
 #include "core/base/tables/csv.h"
 
+#include "tests/app/link/test_client.h"
 #include "tests/gui/shown_bench.h"
 
 namespace tactus::workbench {
@@ -121,6 +123,28 @@ TEST_F(CurvesPanelTest, AClickWithShiftSetsTheSecondCursorAndTakesItAway) {
   EXPECT_EQ(bench.scene.value(1), before);
   QTest::mouseClick(canvas, Qt::LeftButton, Qt::ShiftModifier, place);
   EXPECT_FALSE(panel.mark());
+}
+
+TEST_F(CurvesPanelTest, ASimulatorStandsOnTheCurvesWhileItSaysWhereItIs) {
+  const QImage before = picture();
+  const double depth_before = bench.scene.value(1);
+  bench.link.start();
+  QFile token(bench.link.tokenFile());
+  ASSERT_TRUE(token.open(QIODevice::ReadOnly));
+  link::TestClient client(static_cast<std::uint16_t>(bench.link.address().section(QLatin1Char(':'), 1).toUInt()));
+  ASSERT_TRUE(client.send(link::helloOf(token.readLine().trimmed().toStdString(), R"("want":[],"name":"Phantom 2")") +
+                          R"({"felt":{"time_s":1,"depth_mm":4,"speed_mm_s":20,"force_n":0.6}})"
+                          "\n"));
+  // At 4 mm, over 0.6 N, is its mark; its name is beside it.
+  const QPoint tip = plot.mapFrom(&panel, panel.pixelOf(4, 0.6));
+  QRect changed;
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !(changed = tests::differenceOf(before, picture())).isEmpty(); }, tests::kPatience));
+  EXPECT_TRUE(changed.contains(tip)) << changed.x() << ' ' << changed.y() << ", " << tip.x() << ' ' << tip.y();
+  EXPECT_GT(changed.width(), QFontMetrics(theme::smallFont()).horizontalAdvance(QStringLiteral("Phantom 2")));
+  EXPECT_EQ(bench.scene.value(1), depth_before) << "the operating point stays";
+  // It says nothing more.
+  EXPECT_TRUE(QTest::qWaitFor([&] { return picture() == before; }, tests::kPatience));
 }
 
 TEST_F(CurvesPanelTest, TheRangeCanBeTakenAway) {
