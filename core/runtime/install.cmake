@@ -24,14 +24,15 @@ configure_file(tactus.pc.in "${CMAKE_CURRENT_BINARY_DIR}/tactus.pc" @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/tactus.pc" DESTINATION "${CMAKE_INSTALL_LIBDIR}/pkgconfig"
         COMPONENT libtactus-dev)
 
-install(FILES languages/tactus.py languages/Tactus.cs DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/languages"
+install(FILES languages/tactus.py languages/Tactus.cs languages/TactusLink.cs
+        DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/languages"
         COMPONENT libtactus-dev)
-# The Unity package: its Tactus.cs is the one of the other programs in C#.
+# The Unity package: its Tactus.cs and TactusLink.cs are those of the other programs in C#.
 set(unity_folder "${CMAKE_INSTALL_DATADIR}/tactus/unity")
 configure_file(unity/package.json.in "${CMAKE_CURRENT_BINARY_DIR}/package.json" @ONLY)
 install(DIRECTORY unity/ DESTINATION "${unity_folder}" COMPONENT libtactus-dev PATTERN package.json.in EXCLUDE)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/package.json" DESTINATION "${unity_folder}" COMPONENT libtactus-dev)
-install(FILES languages/Tactus.cs DESTINATION "${unity_folder}/Runtime" COMPONENT libtactus-dev)
+install(FILES languages/Tactus.cs languages/TactusLink.cs DESTINATION "${unity_folder}/Runtime" COMPONENT libtactus-dev)
 install(DIRECTORY examples/ DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus/examples" COMPONENT libtactus-dev)
 install(FILES "${PROJECT_SOURCE_DIR}/core/model_io/model_file.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/tactus"
         RENAME tactus-force-model.schema.json COMPONENT libtactus-dev)

@@ -8,7 +8,7 @@ file(GLOB_RECURSE files RELATIVE "${PREFIX}" "${PREFIX}/*")
 foreach(wanted include/tactus/tactus.h include/tactus/tactus.hpp "lib.*/libtactus.so.1" "lib.*/libtactus.so" "lib.*/libtactus.a"
         "lib.*/cmake/tactus/tactusConfig.cmake" "lib.*/pkgconfig/tactus.pc" share/tactus/languages/tactus.py
         share/tactus/tactus-force-model.schema.json
-        share/tactus/languages/Tactus.cs share/tactus/examples/force.c share/tactus/examples/insertion.cpp
+        share/tactus/languages/Tactus.cs share/tactus/languages/TactusLink.cs share/tactus/examples/force.c share/tactus/examples/insertion.cpp
         share/tactus/examples/force.py share/tactus/examples/Force.cs share/tactus/examples/live_link.py
         share/tactus/examples/simulator/simulator.cpp share/tactus/examples/simulator/swallow.tactus.json)
   set(found "${files}")

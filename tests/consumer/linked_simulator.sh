@@ -14,4 +14,10 @@ if [ -n "$4" ]; then
   # Half a swallow in the throat, the head upright: large and small clipped at 0.5, so
   # (0.125 * 0.85 + 0.075 * 0.2) / (0.125 + 0.075).
   "$4" "$5" --port "$port" --token-file "$work/token" --ask 0.5,0,160,30,0.5
+  # One client tells where it is, the other sees it; then the first is gone.
+  "$4" -u "$5" --port "$port" --token-file "$work/token" --others >"$work/others" &
+  others=$!
+  trap 'kill $server $others' EXIT
+  "$4" "$5" --port "$port" --token-file "$work/token" --push "$2" >"$work/pushed"
+  grep -q '^live_link.py: 29[0-9]\.[0-9]* mm, 0\.[0-9]* N$' "$work/others" || { echo "the other client saw nothing"; cat "$work/pushed"; }
 fi

@@ -40,6 +40,10 @@ foreach(project outside windows)
       "-DCMAKE_PREFIX_PATH=${WORK}/prefix" "-DWANTED_VERSION=${VERSION}")
   run(ignored ${CMAKE_COMMAND} --build "${WORK}/${project}")
 endforeach()
+# The example that follows the live link, with the sockets of Windows.
+run(ignored ${CMAKE_COMMAND} -S "${WORK}/prefix/share/tactus/examples" -B "${WORK}/examples" ${for_windows}
+    "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
+run(ignored ${CMAKE_COMMAND} --build "${WORK}/examples" --target simulator)
 
 find_program(WINE NAMES wine64 wine PATHS /usr/lib/wine)
 if(NOT WINE)

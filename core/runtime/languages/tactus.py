@@ -9,13 +9,20 @@
     tube.limits(stiffness_max_n_mm=0.2, force_cap_n=1.5) # what loop and device can take
     feel = tube.step(position_mm=12.0, held=True, dt_s=0.001)
 
+    with tactus.Link(token, port) as link:               # of `tactus serve`, or of the workbench
+        link.felt(0.001, feel.depth_mm, feel.speed_mm_s, feel.force_n)
+        for message in link: ...                         # models that are edited there
+
 What each call does, and which threads may call it: tactus/tactus.h. The library is looked for under TACTUS_LIBRARY, then
 where the system looks, then in the prefix that this file is installed in.
 """
 import ctypes
 import glob
+import hashlib
+import json
 import operator
 import os
+import socket
 
 try:
     import numpy
@@ -443,3 +450,90 @@ class Tube(_Owned):
         status = _lib.tactus_tube_load(self._handle, state, len(state))
         if status != 0:
             raise Error(status, "load: found bytes of another scene, model or version, or altered ones, wanted those of a save")
+
+
+class Link:
+    """A connection to the live link. Iterate over it for the messages of the server: one dictionary with one key each.
+
+    The token is the first line of the token file that the server names. One thread at a time. An Error where the server
+    refuses a line, or is no Tactus; an OSError where there is no connection.
+    """
+
+    def __init__(self, token, port=None, socket_path=None, want=("model",), state_hz=100, name="tactus.py"):
+        if socket_path:
+            self._socket = socket.socket(socket.AF_UNIX)
+            self._socket.connect(socket_path)
+        else:
+            self._socket = socket.create_connection(("127.0.0.1", port))
+        self._lines = self._socket.makefile("r", encoding="utf-8", newline="\n")
+        self._asked = 0
+        self._waiting = []
+        self._send({"hello": "tactus-link", "version": 1, "token": token, "name": name, "want": list(want),
+                    "state_hz": state_hz})
+        hello = self._next()
+        if hello is None or hello.get("hello") != "tactus-link":
+            raise Error(1, "found another program there, wanted a Tactus that serves")
+        self.program = hello["program"]
+
+    def close(self):
+        self._lines.close()
+        self._socket.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.close()
+
+    def __iter__(self):
+        return self
+
+    def __next__(self):
+        message = self._waiting.pop(0) if self._waiting else self._next()
+        if message is None:
+            raise StopIteration
+        return message
+
+    def force(self, inputs):
+        """The force in N at a point, and whether a rule fires. Other messages that come meanwhile are kept."""
+        self._asked += 1
+        self._send({"ask": {"id": self._asked, "inputs": [float(value) for value in inputs]}})
+        while True:
+            message = self._next()
+            if message is None:
+                raise Error(1, "the connection has ended")
+            if "answer" in message and message["answer"]["id"] == self._asked:
+                return message["answer"]["force_n"], message["answer"]["fired"]
+            self._waiting.append(message)
+
+    def felt(self, time_s, depth_mm, speed_mm_s, force_n, conditions=None):
+        """Says where this simulator is: depth as the model counts it; conditions by id, as far as they are known."""
+        self._send({"felt": {"time_s": float(time_s), "depth_mm": float(depth_mm), "speed_mm_s": float(speed_mm_s),
+                             "force_n": float(force_n),
+                             "conditions": {name: float(value) for name, value in (conditions or {}).items()}}})
+
+    def _send(self, message):
+        try:
+            text = json.dumps(message, allow_nan=False)
+        except ValueError:
+            raise Error(1, "found a number that is not finite, wanted finite ones") from None
+        self._socket.sendall(text.encode() + b"\n")
+
+    def _next(self):
+        try:
+            line = self._lines.readline()
+            message = json.loads(line) if line else None
+        except ValueError:
+            message = ()
+        if message is None:
+            return None
+        if not isinstance(message, dict):
+            raise Error(1, "found a line that is no JSON object, wanted a Tactus that serves")
+        if "error" in message:
+            raise Error(1, message["error"])
+        if "model" in message:
+            # `file` is the last member: what was sent is what arrived.
+            sent = line[line.index('"file":') + 7:].rstrip("\n")[:-2]
+            if hashlib.sha256(sent.encode()).hexdigest() != message["model"]["sent_sha256"]:
+                raise Error(1, "a model arrived altered")
+        return message

@@ -29,8 +29,49 @@ public static class Host
             largestN = Math.Max(largestN, called.Step(0.001));
         }
         Want(largestN > 0.05 && largestN < 1.1 && called.DepthMm > 50 && called.DepthMm < 60, "called: " + largestN);
+        // What the scene shows, and another condition in the hand: no kick, and after the fade the force of that scene.
+        string region = null, reason = null;
+        called.RegionChanged += id => region = id;
+        called.LetGo += why => reason = why;
+        Send(called, "Update");
+        Want(region == "nasal_cavity" && called.RegionLabel == "nasal_cavity", "region: " + region + ", " + called.RegionLabel);
+        double before = called.ForceN, largestStepN = 0;
+        called.SetCondition("lubrication", 0, 0.5);
+        for (int tick = 0; tick < 2000; ++tick)
+        {
+            called.PositionM += 0.00003;
+            double forceN = called.Step(0.001);
+            largestStepN = Math.Max(largestStepN, Math.Abs(forceN - before));
+            before = forceN;
+            if (tick % 100 == 50) called.SetCondition("neck_flexion", 45 - 0.01 * tick, 0.1);
+        }
+        Want(largestStepN < 0.03 && before > largestN, "another condition: " + largestStepN + ", " + before);
+        foreach (string wrong in new[] { "depth", "swallow", "" })
+        {
+            try { called.SetCondition(wrong, 1); }
+            catch (Tactus.Error) { continue; }
+            throw new Exception("condition " + wrong);
+        }
+        called.Step(5);
+        Send(called, "Update");
+        Want(reason != null && UnityEngine.Debug.warned == reason, "a pause without a word");
         Send(called, "OnDisable");
-        Want(called.ForceN == 0, "a force after the end");
+        Want(called.ForceN == 0 && called.Region == null, "a force after the end");
+        // The mouse in the place of a device; a model with an input more than the list of conditions.
+        var fifth = new Tactus.TactusInsertion { ownThread = false, modelFile = "swallow.tactus.json" };
+        Send(fifth, "OnEnable");
+        fifth.SetCondition("swallow", 1);
+        var mouse = new Tactus.MouseInsertion { insertion = fifth };
+        UnityEngine.Input.pressed = true;
+        for (int tick = 0; tick < 400; ++tick)
+        {
+            UnityEngine.Input.mousePosition.y = tick;
+            Send(mouse, "Update");
+            fifth.Step(0.001);
+        }
+        Send(mouse, "OnGUI");
+        Want(fifth.ForceN > 0 && fifth.DepthMm > 50 && UnityEngine.GUI.shown.Contains(" N at "), "mouse");
+        Send(fifth, "OnDisable");
 
         // By the component's own thread, while this one moves the hand at 60 mm/s.
         var own = new Tactus.TactusInsertion { ownThread = true, Held = true };

@@ -14,4 +14,33 @@ namespace UnityEngine
     {
         public static string streamingAssetsPath;
     }
+
+    public static class Debug
+    {
+        public static string warned;
+        public static void LogWarning(object message) { warned = message.ToString(); }
+    }
+
+    public struct Vector3
+    {
+        public float x, y, z;
+    }
+
+    public struct Rect
+    {
+        public Rect(float x, float y, float width, float height) { }
+    }
+
+    public static class Input
+    {
+        public static Vector3 mousePosition;
+        public static bool pressed;
+        public static bool GetMouseButton(int button) { return pressed; }
+    }
+
+    public static class GUI
+    {
+        public static string shown;
+        public static void Label(Rect place, string text) { shown = text; }
+    }
 }

@@ -13,10 +13,14 @@
 
 // One model under the conditions of this simulator. Never changed once it is in a box.
 struct Scenes {
-  Scenes(unsigned long long model_serial, tactus::Scene at_rest, tactus::Scene while_swallowing)
-      : serial(model_serial), rest(std::move(at_rest)), swallowing(std::move(while_swallowing)) {}
+  Scenes(unsigned long long model_serial, double offset_mm, tactus::Scene at_rest, tactus::Scene while_swallowing)
+      : serial(model_serial),
+        depth_offset_mm(offset_mm),
+        rest(std::move(at_rest)),
+        swallowing(std::move(while_swallowing)) {}
 
   unsigned long long serial;  // of the live link; 0: the model of the bundle
+  double depth_offset_mm;     // depth of the model where that of the tube is 0
   tactus::Scene rest;
   tactus::Scene swallowing;       // as `rest` where the model has no input `swallow`
   unsigned long long number = 0;  // set by the box

@@ -2,7 +2,6 @@
 //   simulator BUNDLE [--port P | --socket PATH] [--token-file FILE] [--set ID=VALUE]... [--out DIR] [--fast]
 // Writes DIR/trace.csv (each millisecond) and DIR/strokes.csv. The hand is simulated.
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cstdarg>
 #include <cstdio>
@@ -13,7 +12,7 @@
 #include <memory>
 #include <string>
 #include <tactus/tactus.hpp>
-#include <time.h>
+#include <thread>
 #include <vector>
 
 #include "live_link.h"
@@ -93,7 +92,7 @@ std::unique_ptr<Scenes> scenesOf(const tactus::Model& model, const Options& opti
     rest[id] = set != options.conditions.end() ? set->second : id == "swallow" ? model.inputMin(i) : middle;
     swallowing[id] = id == "swallow" && set == options.conditions.end() ? model.inputMax(i) : rest[id];
   }
-  return std::make_unique<Scenes>(serial, model.scene(rest), model.scene(swallowing));
+  return std::make_unique<Scenes>(serial, model.renderer().depth_offset_mm, model.scene(rest), model.scene(swallowing));
 }
 
 double depthOf(const tactus::Model& model, bool end) {
@@ -103,20 +102,10 @@ double depthOf(const tactus::Model& model, bool end) {
   throw tactus::Error(TACTUS_BAD_ARGUMENT, "found a model without an input 'depth', wanted one with it");
 }
 
-void waitUntil(timespec& next) {
-  next.tv_nsec += 1'000'000;
-  if (next.tv_nsec >= 1'000'000'000) {
-    next.tv_nsec -= 1'000'000'000;
-    ++next.tv_sec;
-  }
-  while (::clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &next, nullptr) == EINTR) continue;
-}
-
 // The servo loop: nothing in it allocates, waits for another thread or writes a file.
-void runStrokes(SceneBox& box, tactus::Tube& tube, const Scenes* scenes, SimulatedHand hand, bool fast,
+void runStrokes(SceneBox& box, LiveLink* link, tactus::Tube& tube, const Scenes* scenes, SimulatedHand hand, bool fast,
                 std::vector<Row>& rows) {
-  timespec next{};
-  ::clock_gettime(CLOCK_MONOTONIC, &next);
+  auto next = std::chrono::steady_clock::now();
   bool swallows = false;
   double force_n = 0;
   while (!hand.isDone() && rows.size() < kMostTicks) {
@@ -134,11 +123,15 @@ void runStrokes(SceneBox& box, tactus::Tube& tube, const Scenes* scenes, Simulat
     force_n = feel.force_n;  // a real simulator sends it to its device, behind limits of its own
     rows.push_back({static_cast<double>(rows.size()) * kTickS, pose.position_mm, feel, pose.stroke, pose.held ? 1 : 0,
                     swallows ? 1 : 0, scenes->serial});
-    if (!fast) waitUntil(next);
+    if (link != nullptr)
+      link->felt(rows.back().time_s, feel.depth_mm + scenes->depth_offset_mm, feel.speed_mm_s, feel.force_n);
+    if (!fast) std::this_thread::sleep_until(next += std::chrono::milliseconds(1));
   }
 }
 
+#ifdef __GNUC__
 std::string line(const char* format, ...) __attribute__((format(printf, 1, 2)));
+#endif
 std::string line(const char* format, ...) {
   char text[256];
   va_list values;
@@ -204,7 +197,7 @@ int simulate(Options options) {
   std::vector<Row> rows;
   rows.reserve(kMostTicks);
   const SimulatedHand hand(kStrokes, (depthOf(model, true) - start_mm) / kStrokes);
-  runStrokes(box, tube, first.get(), hand, options.fast, rows);
+  runStrokes(box, link.get(), tube, first.get(), hand, options.fast, rows);
   link.reset();
 
   const bool written = writeTrace(options.out + "/trace.csv", rows) && writeStrokes(options.out + "/strokes.csv", rows);
