@@ -92,6 +92,9 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen);
 /// `serve`. While it runs, it writes its address to `out` and its messages to `err`.
 void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostream& err);
 
+/// `emulate` with its subcommands. While one runs, it writes its address to `out`.
+void addEmulateCommands(CLI::App& app, Chosen& chosen, std::ostream& out);
+
 struct Terminal;
 /// Adds `devices` with its subcommands (commands.h). `terminal`: for the dialog with the person; `aside`: the
 /// same while standard output is used for JSON.

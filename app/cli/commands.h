@@ -274,6 +274,22 @@ struct ServeOptions {
 /// one sentence each time the file has changed and is no model.
 base::Result<Output> serve(const ServeOptions& options, std::ostream& out, std::ostream& err);
 
+struct EmulateHaplyOptions {
+  std::uint16_t port = 10001;  ///< of the loopback; 0: a free one
+  int devices = 1;
+  std::string hand = "strokes";  ///< strokes, still, self-test
+  bool without_grip = false;
+  double rate_hz = 3000;
+  double late_ms = 0;
+  double late_share = 1;
+  std::optional<double> dead_after_s;
+  std::optional<double> silent_after_s;
+  std::string trace;  ///< CSV file to write at the end; empty: none
+};
+/// Simulates the Haply Inverse Service until SIGINT or SIGTERM, or until it is dead as asked. Writes one line with its
+/// address to `out`; returns a summary of what was commanded.
+base::Result<Output> emulateHaply(const EmulateHaplyOptions& options, std::ostream& out);
+
 // The commands of `tactus devices`. Two of them hold a dialog with the person at the device.
 
 /// The streams of the dialog. Both outlive the command.

@@ -71,11 +71,11 @@ base::Result<haptics::AxisMapping> parseAxis(const std::string& text) {
 }
 
 base::Result<Output> storeAxis(const DeviceCalibrateOptions& options, const devices::DeviceSettings& settings) {
-  if (!options.id.starts_with("openhaptics"))
+  if (!devices::hasOwnCalibration(options.id))
     return base::fail(base::ErrorCode::kValue, options.id, "--inwards",
                       options.id.starts_with("hid:")
                           ? "a calibration, which measures the axis too (leave --inwards out)"
-                          : "a device behind OpenHaptics");
+                          : "a device behind OpenHaptics or the Haply service");
   TACTUS_TRY(const auto axis, parseAxis(options.inwards));
   TACTUS_TRY(const auto opened, devices::open(options.id, settings));
   if (const auto made = makeFolderOf(settings.calibrations); !made) return tl::unexpected(made.error());
@@ -180,13 +180,14 @@ std::string asJson(const haptics::DeviceInfo& info, const SelfTest& test) {
 }
 
 base::Result<SelfTest> run(const devices::OpenedDevice& opened, SelfTestPrompt& guide) {
-  auto settings = devices::settingsFor(opened.device->info());
+  const haptics::DeviceInfo& info = opened.device->info();
+  auto settings = devices::settingsFor(info);
   settings.axis = opened.axis;
   settings.axis_advice = opened.axis_advice;
   if (!opened.calibration_advice.empty()) settings.calibration_advice = opened.calibration_advice;
-  guide.say(wrapped(opened.device->info().simulated
-                        ? "This device is simulated, and so is the person who holds it."
-                        : "No force above 0.1 N is asked for. Letting the button go ends every force.",
+  guide.say(wrapped(info.backend == "virtual" ? "This device is simulated, and so is the person who holds it."
+                    : info.simulated          ? "This device is simulated: its hand moves by itself."
+                                     : "No force above 0.1 N is asked for. Letting the button go ends every force.",
                     "", 0));
   return devices::selfTest(*opened.device, settings, guide);
 }
@@ -230,6 +231,10 @@ std::string asText(const DeviceList& list) {
     if (!device.serial.empty()) text += base::oneLine(", serial number " + device.serial);
     text += ", " + state(device) + '\n';
     if (!device.reason.empty()) text += wrapped(base::oneLine(device.reason), "  why: ", 7);
+    if (device.round_trip_s && device.largest_stiffness_n_mm)
+      text += "  measured: it replies within " + base::formatFixed(1e3 * *device.round_trip_s, 2) +
+              " ms, so a tube is rendered with at most " + base::formatFixed(*device.largest_stiffness_n_mm, 2) +
+              " N/mm\n";
     if (!device.advice.empty()) text += wrapped(base::oneLine(device.advice), "  do: ", 6);
   }
   for (const auto& note : list.notes) text += wrapped(base::oneLine(note), "note: ", 6);
@@ -244,7 +249,10 @@ std::string asJson(const DeviceList& list) {
     json.key("backend").value(device.backend).key("simulated").value(device.simulated);
     json.key("usable").value(device.usable).key("calibrated").value(device.calibrated).key("used_by");
     device.used_by.empty() ? json.null() : json.value(device.used_by);
-    json.key("reason").value(device.reason).key("advice").value(device.advice).endObject();
+    json.key("reason").value(device.reason).key("advice").value(device.advice);
+    const auto round_trip_s = device.round_trip_s;
+    json.key("round_trip_ms").value(round_trip_s ? std::optional(1e3 * *round_trip_s) : std::nullopt);
+    json.key("largest_stiffness_n_mm").value(device.largest_stiffness_n_mm).endObject();
   }
   json.endArray().key("notes").values(list.notes);
   return json.endObject().text();

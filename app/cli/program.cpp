@@ -347,6 +347,7 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   addDeliveryCommands(app, chosen);
   addServeCommand(app, chosen, out, err);
   addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
+  addEmulateCommands(app, chosen, out);
   if (arguments.empty()) {
     err << app.help();
     return kWrongUsage;

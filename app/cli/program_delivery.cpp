@@ -37,8 +37,8 @@ void addDeviceCommands(CLI::App& app, Chosen& chosen, const Terminal& terminal, 
                    ->check(oneOf({"spring", "weight"}));
                command
                    .add_option("--inwards", o.inwards,
-                               "Store the insertion axis of an OpenHaptics device, x,y,z (right, up, toward "
-                               "you): --inwards=0,0,-1; by default the calibration runs")
+                               "Store the insertion axis of an OpenHaptics or Haply device, x,y,z (right, up, "
+                               "toward you): --inwards=0,0,-1; by default the calibration runs")
                    ->check(notEmpty());
                o.terminal = terminal;
              });
@@ -57,6 +57,47 @@ void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostr
       ->check(notEmpty());
   command.add_flag("--watch", o->watch, "Serve the file again when it changes");
   command.callback([&chosen, &out, &err, o] { chosen = [&out, &err, o] { return serve(*o, out, err); }; });
+}
+
+void addEmulateCommands(CLI::App& app, Chosen& chosen, std::ostream& out) {
+  CLI::App& emulate = *app.add_subcommand("emulate", "Simulates a device for other programs");
+  emulate.require_subcommand(1);
+  const auto o = std::make_shared<EmulateHaplyOptions>();
+  CLI::App& command = *emulate.add_subcommand(
+      "haply", "The service of a Haply Inverse3 with a simulated hand; prints at the end what was commanded");
+  const auto seconds = [] {
+    return numberThat("seconds from 0 to 1000000", [](double x) { return x >= 0 && x <= 1e6; });
+  };
+  command.add_option("--port", o->port, "TCP port on the loopback, 0 for a free one")
+      ->capture_default_str()
+      ->check(wholeNumberUpTo(65535));
+  command.add_option("--devices", o->devices, "How many devices it has: SIM-1, SIM-2, …")
+      ->capture_default_str()
+      ->check(
+          numberThat("a whole number from 1 to 8", [](double x) { return x >= 1 && x <= 8 && x == std::floor(x); }));
+  command
+      .add_option("--hand", o->hand,
+                  "What the hands do: strokes of 60 mm with the button held, nothing, or the steps of `devices test`")
+      ->capture_default_str()
+      ->check(oneOf({"strokes", "still", "self-test"}));
+  command.add_flag("--no-grip", o->without_grip, "Without a grip, so without a button");
+  command.add_option("--rate", o->rate_hz, "The most replies per second and client")
+      ->capture_default_str()
+      ->check(numberThat("a number from 1 to 1000000", [](double x) { return x >= 1 && x <= 1e6; }));
+  command.add_option("--late", o->late_ms, "Milliseconds that a reply is late")
+      ->check(numberThat("milliseconds from 0 to 10000", [](double x) { return x >= 0 && x <= 1e4; }));
+  command.add_option("--late-share", o->late_share, "Share of the replies that are late")
+      ->capture_default_str()
+      ->check(numberThat("a share from 0 to 1", [](double x) { return x >= 0 && x <= 1; }));
+  command.add_option("--dead-after", o->dead_after_s, "Seconds after the first message until it dies: it ends")
+      ->check(seconds());
+  command
+      .add_option("--silent-after", o->silent_after_s,
+                  "Seconds after the first message until it replies no more, though it is there")
+      ->check(seconds());
+  command.add_option("--trace", o->trace, "CSV file for position and force of each command, written at the end")
+      ->check(notEmpty());
+  command.callback([&chosen, &out, o] { chosen = [&out, o] { return emulateHaply(*o, out); }; });
 }
 
 void addDeliveryCommands(CLI::App& app, Chosen& chosen) {

@@ -9,6 +9,7 @@
 #include "core/base/text.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/openhaptics/openhaptics_device.h"
+#include "core/haptics/servo/servo_core.h"
 #include "core/haptics/simulated/virtual_device.h"
 
 namespace tactus::devices {
@@ -17,6 +18,13 @@ namespace {
 using base::Result;
 
 constexpr std::string_view kOpenHaptics = "openhaptics";
+constexpr std::string_view kHaply = "haply";
+constexpr std::string_view kSimulatedHaply = "simulated-haply";
+
+/// `backend` alone, or with a name behind a colon.
+bool isOf(std::string_view backend, const std::string& id) {
+  return id == backend || id.starts_with(std::string(backend) + ':');
+}
 
 std::string calibrateAdvice(const std::string& id) { return "calibrate it: tactus devices calibrate " + id; }
 
@@ -40,6 +48,20 @@ Result<OpenedDevice> openOpenHaptics(const std::string& id, const DeviceSettings
     opened.axis = axis;
   }
   opened.axis_advice = turnAxisAdvice(info.id, opened.axis.inwards());
+  return opened;
+}
+
+Result<OpenedDevice> openHaply(const std::string& id, const DeviceSettings& settings,
+                               const std::vector<haptics::DeviceAxis>& axes) {
+  TACTUS_TRY(auto device, haptics::HaplyDevice::open(settings.haply_port, id == kHaply ? std::string() : id));
+  OpenedDevice opened;
+  const haptics::HaplyFound& found = device->found();
+  const auto* const stored = findAxis(axes, found.info.id, found.info.serial);
+  TACTUS_TRY(opened.axis,
+             haptics::AxisMapping::make(stored != nullptr ? stored->inwards : opened.axis.inwards(), found.middle_mm));
+  opened.calibration_advice = found.advice;
+  opened.axis_advice = turnAxisAdvice(found.info.id, opened.axis.inwards());
+  opened.device = std::move(device);
   return opened;
 }
 
@@ -71,14 +93,19 @@ Result<OpenedDevice> openHid(const std::string& id, const haptics::DeviceCalibra
 
 Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings) {
   if (id == "virtual") return openVirtual();
-  const bool openhaptics = id == kOpenHaptics || id.starts_with(std::string(kOpenHaptics) + ':');
-  if (!openhaptics && !id.starts_with("hid:"))
+  const bool own = hasOwnCalibration(id);
+  if (!own && !id.starts_with("hid:"))
     return base::fail(base::ErrorCode::kReference, "device", base::quoted(id),
-                      "an id that `tactus devices` lists: virtual, hid:…, openhaptics");
+                      "an id that `tactus devices` lists: virtual, hid:…, openhaptics, haply:…");
   TACTUS_TRY(const auto file, haptics::readCalibrationFile(settings.calibrations));
-  if (openhaptics) return openOpenHaptics(id, settings, file.axes);
+  if (isOf(kOpenHaptics, id)) return openOpenHaptics(id, settings, file.axes);
+  if (own) return openHaply(id, settings, file.axes);
   TACTUS_TRY(const auto found, findHid(id));
   return openHid(id, findCalibration(file.calibrations, id, found.identity.serial), found);
+}
+
+bool hasOwnCalibration(const std::string& id) {
+  return isOf(kOpenHaptics, id) || isOf(kHaply, id) || isOf(kSimulatedHaply, id);
 }
 
 std::string turnAxisAdvice(const std::string& id, const haptics::Vector3& inwards) {
@@ -149,6 +176,36 @@ ListedDevice listed(const OpenHapticsLook& look) {
   return device;
 }
 
+ListedDevice listed(const haptics::HaplyFound& found) {
+  ListedDevice device;
+  device.id = found.info.id;
+  device.name = found.info.name;
+  device.serial = found.info.serial;
+  device.backend = found.info.backend;
+  device.simulated = found.info.simulated;
+  device.usable = found.problem.empty();
+  device.reason = found.problem;
+  device.advice = found.advice;
+  if (device.usable && found.calibrated && found.info.buttons == 0)
+    device.advice = "switch its grip on, or hold the tube with a key or a pedal";
+  device.calibrated = found.calibrated;
+  device.round_trip_s = found.round_trip_s;
+  device.largest_stiffness_n_mm = haptics::largestStiffnessNMm(found.info);
+  return device;
+}
+
+void addHaply(const HaplyLook& haply, DeviceList& list) {
+  if (!haply) {
+    list.notes.push_back("Haply is not in use: " + haply.error().message());
+    return;
+  }
+  for (const haptics::HaplyFound& found : *haply) list.devices.push_back(listed(found));
+  if (haply->empty()) list.notes.push_back("Haply is not in use: its service has no device; connect the Inverse3");
+  if (haply->size() > 1)
+    list.notes.push_back("Of " + std::to_string(haply->size()) +
+                         " Haply devices, `haply` alone means the first: " + haply->front().info.id);
+}
+
 ListedDevice virtualDevice() {
   ListedDevice device;
   device.id = "virtual";
@@ -165,6 +222,10 @@ ListedDevice virtualDevice() {
 DeviceSettings settingsOfProcess() {
   DeviceSettings settings;
   settings.hd_library = variable("TACTUS_LIBHD");
+  if (const std::string port = variable("TACTUS_HAPLY_PORT"); !port.empty()) {
+    const auto number = base::parseInteger(port);
+    settings.haply_port = number && *number > 0 && *number <= 65535 ? static_cast<std::uint16_t>(*number) : 0;
+  }
   settings.calibrations = variable("TACTUS_CALIBRATIONS");
   if (settings.calibrations.empty()) settings.calibrations = defaultCalibrations();
   return settings;
@@ -187,7 +248,7 @@ OpenHapticsLook lookAtOpenHaptics(const std::string& hd_library) {
   return look;
 }
 
-DeviceList listOf(const std::vector<HidDevice>& hid, const OpenHapticsLook& openhaptics,
+DeviceList listOf(const std::vector<HidDevice>& hid, const OpenHapticsLook& openhaptics, const HaplyLook& haply,
                   const std::vector<haptics::DeviceCalibration>& calibrations) {
   DeviceList list;
   if (openhaptics.info) list.devices.push_back(listed(openhaptics));
@@ -207,14 +268,16 @@ DeviceList listOf(const std::vector<HidDevice>& hid, const OpenHapticsLook& open
   }
   if (!openhaptics.info && !touch)
     list.notes.push_back("OpenHaptics is not in use: " + openhaptics.reason + "; " + openhaptics.advice);
+  addHaply(haply, list);
   list.devices.push_back(virtualDevice());
   return list;
 }
 
 DeviceList listDevices(const DeviceSettings& settings) {
   const auto file = haptics::readCalibrationFile(settings.calibrations);
-  DeviceList list = listOf(haptics::listHidDevices(), lookAtOpenHaptics(settings.hd_library),
-                           file.value_or(haptics::CalibrationFile()).calibrations);
+  DeviceList list =
+      listOf(haptics::listHidDevices(), lookAtOpenHaptics(settings.hd_library),
+             haptics::lookAtHaply(settings.haply_port), file.value_or(haptics::CalibrationFile()).calibrations);
   if (!file) list.notes.push_back(file.error().message());
   return list;
 }

@@ -9,17 +9,20 @@
 #include "core/base/error.h"
 #include "core/haptics/device/calibration_file.h"
 #include "core/haptics/device/device.h"
+#include "core/haptics/haply/haply_device.h"
 #include "core/haptics/hid/hid_pid_device.h"
 
 namespace tactus::devices {
 
 /// The settings of the device search.
 struct DeviceSettings {
-  std::string hd_library;    ///< path of libHD; empty: the system's loader finds it
-  std::string calibrations;  ///< JSON file of the calibrations of this computer
+  std::string hd_library;                          ///< path of libHD; empty: the system's loader finds it
+  std::string calibrations;                        ///< JSON file of the calibrations of this computer
+  std::uint16_t haply_port = haptics::kHaplyPort;  ///< of the Haply Inverse Service
 };
 
 /// The settings of this process. TACTUS_LIBHD is the path of the OpenHaptics library if the loader does not find it.
+/// TACTUS_HAPLY_PORT is the port of the Haply Inverse Service if it has another one; 0 if it is no port.
 /// TACTUS_CALIBRATIONS is the calibration file; default: tactus/calibrations.json in the user's configuration folder
 /// (XDG_CONFIG_HOME, else ~/.config).
 DeviceSettings settingsOfProcess();
@@ -27,14 +30,17 @@ DeviceSettings settingsOfProcess();
 struct ListedDevice {
   std::string id;  ///< for `open`; unusable devices have one, too
   std::string name;
-  std::string serial;   ///< may be empty
-  std::string backend;  ///< `virtual`, `hid-pid`, `openhaptics`, or `none` if Tactus does not support the device
+  std::string serial;  ///< may be empty
+  std::string
+      backend;  ///< `virtual`, `hid-pid`, `openhaptics`, `haply`, or `none` if Tactus does not support the device
   bool simulated = false;
   bool usable = false;
-  std::string reason;              ///< why the device cannot be used
-  std::string advice;              ///< what to do to use it, or to calibrate it
-  std::optional<bool> calibrated;  ///< nothing: unknown
-  std::string used_by;             ///< another program that has it open; empty: none is known
+  std::string reason;                            ///< why the device cannot be used
+  std::string advice;                            ///< what to do to use it, or to calibrate it
+  std::optional<bool> calibrated;                ///< nothing: unknown
+  std::string used_by;                           ///< another program that has it open; empty: none is known
+  std::optional<double> round_trip_s;            ///< measured: from a command to its reply
+  std::optional<double> largest_stiffness_n_mm;  ///< what the servo renders at most with it; if measured
 };
 
 struct DeviceList {
@@ -53,9 +59,11 @@ struct OpenHapticsLook {
 /// Loads the library, opens the default device and closes it again. The device does not move.
 OpenHapticsLook lookAtOpenHaptics(const std::string& hd_library);
 
+using HaplyLook = base::Result<std::vector<haptics::HaplyFound>>;
+
 /// Makes the list from the search results. A Touch on USB and the device of OpenHaptics are one device.
 DeviceList listOf(const std::vector<haptics::HidDevice>& hid, const OpenHapticsLook& openhaptics,
-                  const std::vector<haptics::DeviceCalibration>& calibrations);
+                  const HaplyLook& haply, const std::vector<haptics::DeviceCalibration>& calibrations);
 
 /// Searches for devices on this computer.
 DeviceList listDevices(const DeviceSettings& settings);
@@ -69,9 +77,13 @@ struct OpenedDevice {
   std::string axis_advice;  ///< what to do if inward and outward are swapped; empty: the axis is the device's own
 };
 
-/// Opens `virtual`, `hid:VVVV:PPPP[:SERIAL]` or `openhaptics[:NAME]`. Refused, with advice: an invalid id, a device
+/// Opens `virtual`, `hid:VVVV:PPPP[:SERIAL]`, `openhaptics[:NAME]`, `haply` for the first Haply device,
+/// `haply:ID` or `simulated-haply:ID`. Refused, with advice: an invalid id, a device
 /// that is missing or cannot be opened, a calibration file that cannot be read.
 base::Result<OpenedDevice> open(const std::string& id, const DeviceSettings& settings);
+
+/// Whether the driver of the device calibrates it, so that its file of calibrations has its axis alone.
+bool hasOwnCalibration(const std::string& id);
 
 /// How to reverse the insertion axis of a device that its driver calibrates.
 std::string turnAxisAdvice(const std::string& id, const haptics::Vector3& inwards);

@@ -4,9 +4,11 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <thread>
 
 #include "core/base/text.h"
+#include "core/haptics/haply/haply_device.h"
 #include "core/haptics/openhaptics/openhaptics_device.h"
 #include "core/haptics/servo/loop_statistics.h"
 #include "core/haptics/servo/servo.h"
@@ -85,32 +87,62 @@ base::Result<haptics::DeviceCalibration> runCalibration(haptics::HapticDevice& d
   return procedure.result(measured_at);
 }
 
+namespace {
+
+/// A device that its driver calibrates.
+struct DriverCalibration {
+  std::function<bool()> done;
+  std::function<void()> request;  ///< tells the driver that the device is in its reference posture
+  std::function<std::string()> advice;
+  bool reports_late = false;  ///< its first report comes some time after the start
+};
+
+std::optional<DriverCalibration> driverOf(haptics::HapticDevice& device, const CalibrationClock& clock) {
+  if (auto* const touch = dynamic_cast<haptics::OpenHapticsDevice*>(&device))
+    return DriverCalibration{[touch] { return touch->calibrated(); }, [touch] { touch->requestCalibration(); },
+                             [touch] { return touch->calibrationAdvice(); }};
+  auto* const haply = dynamic_cast<haptics::HaplyDevice*>(&device);
+  if (haply == nullptr) return std::nullopt;
+  const auto done = [haply, now_ns = clock.now_ns] {
+    const haptics::DeviceState state = haply->read(now_ns());
+    return state.number > 0 && state.fault != haptics::DeviceFault::kNotCalibrated;
+  };
+  return DriverCalibration{done, [] {}, [] { return std::string("calibrate it as its maker says, in the Haply Hub"); },
+                           true};
+}
+
+void waitFor(const DriverCalibration& driver, const CalibrationGuide& guide, const CalibrationClock& clock) {
+  for (int waited = 0; waited < kDriverTicks && !driver.done() && !guide.interrupted(); ++waited)
+    clock.sleep_until(clock.now_ns() + kSampleNs);
+}
+
+}  // namespace
+
 base::Result<void> calibrateByDriver(haptics::HapticDevice& device, CalibrationGuide& guide,
                                      const CalibrationClock& clock) {
-  auto* const driven = dynamic_cast<haptics::OpenHapticsDevice*>(&device);
-  if (driven == nullptr)
+  const auto driver = driverOf(device, clock);
+  if (!driver)
     return base::fail(base::ErrorCode::kReference, device.info().id, "a device without a calibration",
-                      "a HID device or one behind OpenHaptics");
-  if (auto started = driven->start(); !started) return started;
-  if (!driven->calibrated()) guide.instruct("To calibrate, " + driven->calibrationAdvice() + ": then press Enter.");
+                      "a HID device, one behind OpenHaptics or one of the Haply service");
+  if (auto started = device.start(); !started) return started;
+  if (driver->reports_late) waitFor(*driver, guide, clock);
+  if (!driver->done()) guide.instruct("To calibrate, " + driver->advice() + ": then press Enter.");
   bool stopped = false;
-  while (!driven->calibrated() && !stopped && !guide.interrupted()) {
+  while (!driver->done() && !stopped && !guide.interrupted()) {
     clock.sleep_until(clock.now_ns() + kSampleNs);
     const auto answer = guide.answer();
     if (!answer) continue;
     stopped = base::trimmed(*answer) == "stop";
     if (stopped) continue;
-    driven->requestCalibration();
-    for (int waited = 0; waited < kDriverTicks && !driven->calibrated() && !guide.interrupted(); ++waited)
-      clock.sleep_until(clock.now_ns() + kSampleNs);
-    if (!driven->calibrated() && !guide.interrupted())
-      guide.refuse("The driver did not take it. Try again, or type stop.");
+    driver->request();
+    waitFor(*driver, guide, clock);
+    if (!driver->done() && !guide.interrupted()) guide.refuse("The driver did not take it. Try again, or type stop.");
   }
-  const bool calibrated = driven->calibrated();
-  driven->stop();
+  const bool calibrated = driver->done();
+  device.stop();
   if (calibrated) return {};
   if (guide.interrupted()) return interruption(device);
-  return base::fail(base::ErrorCode::kCancelled, device.info().id, "no calibration", driven->calibrationAdvice());
+  return base::fail(base::ErrorCode::kCancelled, device.info().id, "no calibration", driver->advice());
 }
 
 namespace {

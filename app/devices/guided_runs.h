@@ -187,9 +187,9 @@ base::Result<haptics::DeviceCalibration> runCalibration(haptics::HapticDevice& d
                                                         const std::string& measured_at, CalibrationGuide& guide,
                                                         const CalibrationClock& clock = systemClock());
 
-/// For a device that its own driver calibrates (OpenHaptics): instructs the person and waits until the driver reports
-/// the calibration. An answer tells the driver that the device is in its reference posture. Refused: a device of
-/// another kind, a device that does not start, a person who stops or interrupts.
+/// For a device that its own driver calibrates (OpenHaptics, Haply): instructs the person and waits until the driver
+/// reports the calibration. An answer tells the driver that the device is in its reference posture. Refused: a device
+/// of another kind, a device that does not start, a person who stops or interrupts.
 base::Result<void> calibrateByDriver(haptics::HapticDevice& device, CalibrationGuide& guide,
                                      const CalibrationClock& clock = systemClock());
 

@@ -234,13 +234,14 @@ Result<std::vector<Trial>> trialsAt(const std::string& path) {
 
 namespace {
 
-/// A device of the list without what is one's own: `hid:VVVV:PPPP`, `openhaptics` or `virtual`; empty for any other
-/// text.
+/// A device of the list without what is one's own: `hid:VVVV:PPPP`, `openhaptics`, `haply`, `simulated-haply` or
+/// `virtual`; empty for any other text.
 std::string kindOf(const std::string& device) {
   constexpr std::size_t kHidKind = 13;  // hid:VVVV:PPPP
   if (device.starts_with("hid:")) return device.substr(0, kHidKind);
   const std::string kind = device.substr(0, device.find(':'));
-  return kind == "openhaptics" || kind == "virtual" ? kind : std::string();
+  constexpr std::string_view kKinds[] = {"openhaptics", "haply", "simulated-haply", "virtual"};
+  return std::find(std::begin(kKinds), std::end(kKinds), kind) != std::end(kKinds) ? kind : std::string();
 }
 
 }  // namespace

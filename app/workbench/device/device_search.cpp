@@ -19,7 +19,7 @@ constexpr int kPollMs = 50;
 
 }  // namespace
 
-DeviceSearch::DeviceSearch(QObject* parent) : QObject(parent), list_(devices::listOf({}, {}, {})) {
+DeviceSearch::DeviceSearch(QObject* parent) : QObject(parent), list_(devices::listOf({}, {}, {}, {})) {
   // What was not looked for yet is nothing to remark on.
   list_.notes.clear();
   poll_.setInterval(kPollMs);

@@ -124,7 +124,7 @@ void DeviceRun::end() noexcept {
 
 using haptics::EnableKind;
 
-bool isHeldByKey(const haptics::DeviceInfo& device) { return device.simulated || device.buttons == 0; }
+bool isHeldByKey(const haptics::DeviceInfo& device) { return device.backend == "virtual" || device.buttons == 0; }
 
 haptics::EnableSettings enableOf(const haptics::DeviceInfo& device, const DeviceGrip& grip) {
   haptics::EnableSettings enable;

@@ -4,12 +4,12 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <utility>
 
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/haptics/device/device.h"
+#include "core/haptics/device/device_threads.h"
 
 namespace tactus::haptics {
 
@@ -117,18 +117,6 @@ constexpr std::int64_t kAfterFailureNs = 2'000'000;
 constexpr std::int64_t kProofOfLifeNs = 20'000'000;  // a write so recent shows that a silent device is still there
 constexpr double kUsbDelayS = 0.0025;                // full-speed interrupt transfers there and back, and a tick
 
-/// Signals are for the threads of the program: here they would interrupt a poll.
-template <class Work>
-std::thread startThread(Work work) {
-  sigset_t all;
-  sigset_t before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  std::thread thread(std::move(work));
-  pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return thread;
-}
-
 }  // namespace
 
 base::Result<std::unique_ptr<HidPidDevice>> HidPidDevice::open(std::unique_ptr<HidTransport> transport,
@@ -217,8 +205,8 @@ base::Result<void> HidPidDevice::start() {
   started_ns_.store(session_->startedNs(), std::memory_order_relaxed);
   reader_ends_.store(false, std::memory_order_relaxed);
   writer_ends_.store(false, std::memory_order_relaxed);
-  reader_ = startThread([this, blocks = session_->blocks()] { readerLoop(blocks); });
-  writer_thread_ = startThread([this] { writerLoop(); });
+  reader_ = startDeviceThread([this, blocks = session_->blocks()] { readerLoop(blocks); });
+  writer_thread_ = startDeviceThread([this] { writerLoop(); });
   return {};
 }
 

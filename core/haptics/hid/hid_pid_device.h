@@ -16,6 +16,7 @@
 #include "core/base/error.h"
 #include "core/haptics/device/calibration_file.h"
 #include "core/haptics/device/device.h"
+#include "core/haptics/device/device_threads.h"
 #include "core/haptics/hid/hidapi_transport.h"
 #include "core/haptics/hid/pid_layout.h"
 #include "core/haptics/hid/pid_session.h"
@@ -76,38 +77,6 @@ class PidInput {
   // A firmware without these switches leaves the bits at 0 forever. So a 0 counts only after a 1.
   bool had_switch_ = false;
   bool had_power_ = false;
-};
-
-// Passes copies of the newest value from one thread to another. Neither thread waits or allocates.
-
-/// A triple buffer: the writer owns one slot, the reader owns one, and both exchange the third. One writer, one reader.
-template <typename T>
-class NewestValue {
- public:
-  /// Thread: writer. Real-time safe: yes.
-  void put(const T& value) noexcept {
-    slots_[back_] = value;
-    back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
-  }
-
-  /// Whether `take` would return a new value. Thread: reader. Real-time safe: yes.
-  bool fresh() const noexcept { return (middle_.load(std::memory_order_relaxed) & kFresh) != 0; }
-
-  /// The newest value; a default value before the first one. Valid until the next call.
-  /// Thread: reader. Real-time safe: yes.
-  const T& take() noexcept {
-    if (fresh()) front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
-    return slots_[front_];
-  }
-
- private:
-  static constexpr std::uint8_t kIndex = 3;
-  static constexpr std::uint8_t kFresh = 4;
-
-  alignas(64) std::uint8_t back_ = 0;                ///< Touched by the writer alone.
-  alignas(64) std::atomic<std::uint8_t> middle_{1};  ///< Touched by both; release and acquire carry the slot's content.
-  alignas(64) std::uint8_t front_ = 2;               ///< Touched by the reader alone.
-  std::array<T, 3> slots_{};
 };
 
 // The writer thread of a PID device: converts the newest command in N to reports.

@@ -1,8 +1,8 @@
+#include "core/haptics/device/device_threads.h"
+
 #include <array>
 #include <gtest/gtest.h>
 #include <thread>
-
-#include "core/haptics/hid/hid_pid_device.h"
 
 namespace tactus::haptics {
 namespace {
