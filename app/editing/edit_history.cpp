@@ -122,6 +122,7 @@ fuzzy::ForceModel withoutExperts(const fuzzy::ForceModel& model) {
   out.accepted_holes = model.accepted_holes;
   out.renderer = model.renderer;
   out.checks = model.checks;
+  out.contracts = model.contracts;
   out.extra = model.extra;
   return out;
 }

@@ -17,6 +17,19 @@ std::string_view name(Shape shape) noexcept {
 
 std::string_view name(Implication implication) noexcept { return implication == Implication::kClip ? "clip" : "scale"; }
 
+std::string_view name(Contract::Kind kind) noexcept {
+  switch (kind) {
+    case Contract::Kind::kNeverRaises: return "never_raises";
+    case Contract::Kind::kNeverLowers: return "never_lowers";
+    case Contract::Kind::kNeverHarder: return "never_harder";
+    case Contract::Kind::kNoStep: return "no_step";
+    case Contract::Kind::kNeverAbove: return "never_above";
+    case Contract::Kind::kNeverBelow: return "never_below";
+    case Contract::Kind::kNeverSilent: return "never_silent";
+  }
+  return "";
+}
+
 std::size_t pointCount(Shape shape) noexcept {
   switch (shape) {
     case Shape::kTrapezoid: return 4;

@@ -19,6 +19,7 @@ inline constexpr std::size_t kMostInputs = 8;
 inline constexpr std::size_t kMostTerms = 64;    ///< per variable
 inline constexpr std::size_t kMostRules = 4096;  ///< per expert
 inline constexpr std::size_t kMostExperts = 1024;
+inline constexpr std::size_t kMostContracts = 64;
 
 enum class Shape {
   kTrapezoid,  ///< points a <= b <= c <= d
@@ -102,6 +103,35 @@ struct Check {
   bool operator==(const Check&) const = default;
 };
 
+/// A promise about the force in the whole input space, or where inputs are in words (docs/contracts.md). Its names may
+/// be of variables and terms that the model no longer has: then it says nothing, and the check says so.
+struct Contract {
+  enum class Kind {
+    kNeverRaises,  ///< more of `input` never raises the force
+    kNeverLowers,
+    kNeverHarder,  ///< in `word` of `input` the force is never above that in `than`, at equal other inputs
+    kNoStep,       ///< within `within` of `input` the force never changes by more than `limit`
+    kNeverAbove,   ///< the force is never above `limit`
+    kNeverBelow,
+    kNeverSilent,  ///< some rule fires
+  };
+  std::string id;
+  Kind kind = Kind::kNeverSilent;
+  std::string input;
+  std::string word, than;
+  double within = 0;  ///< in the unit of the input, > 0
+  double limit = 0;   ///< in the unit of the output, or in just-noticeable differences; of kNoStep > 0
+  bool limit_in_jnd = false;
+  std::vector<Condition> where;  ///< inputs whose membership in a word is at least one half; others are free
+
+  bool operator==(const Contract&) const = default;
+};
+
+/// All kinds, for a search by name.
+inline constexpr Contract::Kind kContractKinds[] = {
+    Contract::Kind::kNeverRaises, Contract::Kind::kNeverLowers, Contract::Kind::kNeverHarder, Contract::Kind::kNoStep,
+    Contract::Kind::kNeverAbove,  Contract::Kind::kNeverBelow,  Contract::Kind::kNeverSilent};
+
 /// A key and its value as JSON text.
 struct NamedJson {
   std::string key;
@@ -133,6 +163,7 @@ struct ForceModel {
   std::vector<Expert> experts;
   std::optional<RendererParameters> renderer;
   std::vector<Check> checks;
+  std::vector<Contract> contracts;
   std::vector<NamedJson> extra;  ///< unknown top-level keys of the model file
 
   bool operator==(const ForceModel&) const = default;
@@ -142,6 +173,8 @@ struct ForceModel {
 std::string_view name(Shape shape) noexcept;
 /// `clip`, `scale`.
 std::string_view name(Implication implication) noexcept;
+/// `never_raises`, `never_lowers`, `never_harder`, `no_step`, `never_above`, `never_below`, `never_silent`.
+std::string_view name(Contract::Kind kind) noexcept;
 /// The number of points of a shape: 4, 3, 2.
 std::size_t pointCount(Shape shape) noexcept;
 

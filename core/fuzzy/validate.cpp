@@ -77,6 +77,35 @@ Problem checkChecks(const ForceModel& model) {
   return nullptr;
 }
 
+/// The names in a contract may be gone; its numbers must mean something.
+Problem checkContracts(const ForceModel& model) {
+  const Place root;
+  const Place all = root["contracts"];
+  if (model.contracts.size() > kMostContracts) {
+    return problem(ErrorCode::kLimit, all, std::to_string(model.contracts.size()) + " contracts",
+                   "at most " + std::to_string(kMostContracts));
+  }
+  NameList ids;
+  for (std::size_t i = 0; i < model.contracts.size(); ++i) {
+    const Place place = all[i];
+    const Contract& contract = model.contracts[i];
+    if (auto wrong = checkUnique(ids, contract.id, place["id"])) return wrong;
+    if (auto wrong = checkNumber(contract.limit, -kLargest, kLargest, place["limit"])) return wrong;
+    if (contract.kind == Contract::Kind::kNoStep) {
+      if (auto wrong = checkNumber(contract.limit, kNarrowest, kLargest, place["limit"])) return wrong;
+      if (auto wrong = checkNumber(contract.within, kNarrowest, kLargest, place["within"])) return wrong;
+    }
+    for (std::size_t k = 0; k < contract.where.size(); ++k) {
+      for (std::size_t j = 0; j < k; ++j) {
+        if (contract.where[j].input != contract.where[k].input) continue;
+        return problem(ErrorCode::kSchema, place["where"],
+                       "the input " + base::quoted(contract.where[k].input) + " twice", "each input once");
+      }
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 base::Result<void> validate(const ForceModel& model) {
@@ -94,6 +123,7 @@ Problem resolve(const ForceModel& model, ModelTables& tables) {
   if (model.renderer) {
     if (auto wrong = checkRenderer(*model.renderer)) return wrong;
   }
+  if (auto wrong = checkContracts(model)) return wrong;
   return checkChecks(model);
 }
 

@@ -92,6 +92,7 @@ void cleanTexts(fuzzy::ForceModel& model, Names names) {
     for (auto& own : expert.overrides) clean(own.terms, names);
   }
   std::erase_if(model.accepted_holes, [&](const std::string& hole) { return holdsName(hole, names); });
+  std::erase_if(model.contracts, [&](const fuzzy::Contract& contract) { return holdsName(contract.id, names); });
   clean(model.extra, names);
   if (!model.provenance) return;
   model.provenance->study = withoutNames(model.provenance->study, names);

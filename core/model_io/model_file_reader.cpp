@@ -98,6 +98,7 @@ class ModelReader {
     for (const JsonValue value : members.elements(required("experts"))) model.experts.push_back(expert(value));
     if (const auto value = members.object("renderer")) model.renderer = renderer(*value);
     for (const JsonValue value : members.elements("checks")) model.checks.push_back(check(value));
+    for (const JsonValue value : members.elements("contracts")) model.contracts.push_back(contract(value));
     model.extra = named(members.others());
   }
 
@@ -201,6 +202,33 @@ class ModelReader {
     members.numbers(required("in"), out.in);
     members.number(required("force"), out.force);
     members.flag(required("fired"), out.fired);
+    warnOfOthers(members);
+    return out;
+  }
+
+  fuzzy::Contract contract(JsonValue object) {
+    using Kind = fuzzy::Contract::Kind;
+    fuzzy::Contract out;
+    JsonMembers members(object, error_);
+    members.textOrEmpty(required("id"), out.id);
+    out.kind = oneOf(members, "kind", fuzzy::kContractKinds);
+    const auto is = [&](std::initializer_list<Kind> kinds) {
+      return std::find(kinds.begin(), kinds.end(), out.kind) != kinds.end();
+    };
+    if (is({Kind::kNeverRaises, Kind::kNeverLowers, Kind::kNeverHarder, Kind::kNoStep}))
+      members.textOrEmpty(required("input"), out.input);
+    if (is({Kind::kNeverHarder})) {
+      members.textOrEmpty(required("word"), out.word);
+      members.textOrEmpty(required("than"), out.than);
+    }
+    if (is({Kind::kNoStep, Kind::kNeverAbove, Kind::kNeverBelow})) members.number(required("limit"), out.limit);
+    if (is({Kind::kNoStep})) {
+      members.flag("limit_in_jnd", out.limit_in_jnd);
+      members.number(required("within"), out.within);
+    }
+    std::vector<JsonMembers::NamedText> where;
+    members.texts("where", where);
+    for (auto& [input, term] : where) out.where.push_back({std::move(input), std::move(term)});
     warnOfOthers(members);
     return out;
   }

@@ -66,6 +66,27 @@ void append(JsonWriter& json, const fuzzy::Check& check) {
   json.key("fired").value(check.fired).endObject();
 }
 
+/// The members that this kind of contract has.
+void append(JsonWriter& json, const fuzzy::Contract& contract) {
+  using Kind = fuzzy::Contract::Kind;
+  const Kind kind = contract.kind;
+  json.beginObject(Layout::kInline).key("id").value(contract.id).key("kind").value(name(kind));
+  const bool has_limit = kind == Kind::kNoStep || kind == Kind::kNeverAbove || kind == Kind::kNeverBelow;
+  if (kind != Kind::kNeverAbove && kind != Kind::kNeverBelow && kind != Kind::kNeverSilent)
+    json.key("input").value(contract.input);
+  if (kind == Kind::kNeverHarder) json.key("word").value(contract.word).key("than").value(contract.than);
+  if (has_limit) json.key("limit").value(contract.limit);
+  if (kind == Kind::kNoStep) {
+    json.key("limit_in_jnd").value(contract.limit_in_jnd).key("within").value(contract.within);
+  }
+  if (!contract.where.empty()) {
+    json.key("where").beginObject();
+    for (const auto& condition : contract.where) json.key(condition.input).value(condition.term);
+    json.endObject();
+  }
+  json.endObject();
+}
+
 }  // namespace
 
 std::string formatModel(const fuzzy::ForceModel& model) {
@@ -90,6 +111,11 @@ std::string formatModel(const fuzzy::ForceModel& model) {
   if (!model.checks.empty()) {
     json.key("checks").beginArray();
     for (const auto& check : model.checks) append(json, check);
+    json.endArray();
+  }
+  if (!model.contracts.empty()) {
+    json.key("contracts").beginArray();
+    for (const auto& contract : model.contracts) append(json, contract);
     json.endArray();
   }
   append(json, model.extra);

@@ -56,6 +56,17 @@ TEST(BrokenModelFile, AnotherFormatOrVersion) {
   });
 }
 
+TEST(BrokenModelFile, Contracts) {
+  expectRefused({
+      {"\"kind\": \"never_raises\", \"input\": \"lubrication\"", "\"kind\": \"never_raises\"", kSchema,
+       "/contracts/0: found no key 'input', wanted a key 'input' with a string"},
+      {"\"id\": \"safe\"", "\"id\": \"smoother\"", kSchema,
+       "/contracts/3/id: found 'smoother' twice, wanted each id once"},
+      {"\"limit\": 1, \"limit_in_jnd\"", "\"limit\": 0, \"limit_in_jnd\"", kValue,
+       "/contracts/2/limit: found 0, wanted a number in [1e-150, 1e+150]"},
+  });
+}
+
 TEST(BrokenModelFile, MissingKeys) {
   expectRefused({
       {"\"name\"", "\"title\"", kSchema, "found no key 'name', wanted a key 'name' with a string"},

@@ -48,6 +48,12 @@ TEST(ModelFile, ReadsTheExample) {
   EXPECT_EQ(model.renderer, fuzzy::RendererParameters{});
   ASSERT_EQ(model.checks.size(), 4U);
   EXPECT_EQ(model.checks[3], (fuzzy::Check{{0.5, 300}, 0.25, false}));
+  using Kind = fuzzy::Contract::Kind;
+  ASSERT_EQ(model.contracts.size(), 5U);
+  EXPECT_EQ(model.contracts[0],
+            (fuzzy::Contract{
+                "smoother", Kind::kNeverRaises, "lubrication", "", "", 0, 0, false, {{"depth", "nasal_cavity"}}}));
+  EXPECT_EQ(model.contracts[2], (fuzzy::Contract{"no knock", Kind::kNoStep, "depth", "", "", 1, 1, true, {}}));
   EXPECT_EQ(model.extra, (std::vector<fuzzy::NamedJson>{{"x_simulator", R"({ "scene": "NGT", "revision": 7 })"}}));
 }
 
@@ -70,7 +76,7 @@ TEST(ModelFile, OptionalKeysHaveTheirDefaults) {
   EXPECT_EQ(model.experts[0].rules[0].weight, 1);
   EXPECT_TRUE(model.experts[0].rules[0].enabled);
   EXPECT_EQ(model.implication, fuzzy::Implication::kScale);
-  for (const char* const key : {"provenance", "default_force_n", "accepted_holes", "renderer", "checks"}) {
+  for (const char* const key : {"provenance", "default_force_n", "accepted_holes", "renderer", "checks", "contracts"}) {
     EXPECT_EQ(formatModel(model).find(key), std::string::npos) << key;
   }
 }

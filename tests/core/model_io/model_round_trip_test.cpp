@@ -42,6 +42,12 @@ fuzzy::ForceModel handMadeModel() {
   model.renderer->stiffness_n_mm = 0.1 + 0.2;
   model.checks = {{{1, 45, 600.5, -30}, -0.1, false}};
   model.experts[0].rules.resize(2);
+  using Kind = fuzzy::Contract::Kind;
+  model.contracts = {{"a", Kind::kNeverRaises, "lubrication", "", "", 0, 0, false, {{"speed", "slow"}}},
+                     {"b", Kind::kNeverHarder, "depth", "nasal_cavity", "gone", 0, 0, false, {}},
+                     {"c", Kind::kNoStep, "depth", "", "", 1, 0.1, true, {}},
+                     {"d", Kind::kNeverBelow, "", "", "", 0, -0.3, false, {}},
+                     {"e", Kind::kNeverSilent, "", "", "", 0, 0, false, {}}};
   model.extra = {{"extra", "{ \"a\": 1e5 }"}, {"another", "\"text\""}};
   return model;
 }

@@ -163,6 +163,8 @@ TEST(ModelSchema, RefusesWhatTheReaderRefusesForItsShape) {
   refused("/experts/0/rules/0/enabled", 1);
   refused("/renderer/stiffness_n_mm", 0);
   refused("/checks/0/fired", "yes");
+  refused("/contracts/0/kind", "never_hurts");
+  refused("/contracts/2/within", 0);
   for (const std::string key : {"name", "inputs", "output", "inference", "experts"}) {
     json broken = whole;
     broken.erase(key);
