@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/text.h"
+#include "core/contracts/contract_check.h"
 
 namespace tactus::analysis {
 namespace {
@@ -91,6 +92,8 @@ Listing listingOf(const fuzzy::ForceModel& model) {
     }
     addRules(expert, listing);
   }
+  for (const fuzzy::Contract& contract : model.contracts)
+    listing.add("contract " + quoted(contract.id), contracts::sentenceOf(model, contract));
   const fuzzy::RendererParameters renderer = model.renderer.value_or(fuzzy::RendererParameters{});
   for (const auto& field : fuzzy::kRendererFields) {
     listing.add(std::string("renderer, ") + field.key, formatNumber(renderer.*field.member));

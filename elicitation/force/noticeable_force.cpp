@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contracts/contract_check.h"
+
 namespace tactus::elicitation {
 
 analysis::StepLimits forceStepLimits(const fuzzy::ForceModel& model) {
@@ -12,11 +14,7 @@ analysis::StepLimits forceStepLimits(const fuzzy::ForceModel& model) {
   return limits;
 }
 
-double justNoticeableDifference(double force_n) {
-  constexpr double kThresholdN = 0.04;
-  constexpr double kWeberFraction = 0.12;
-  return std::hypot(kThresholdN, kWeberFraction * force_n);
-}
+double justNoticeableDifference(double force_n) { return contracts::justNoticeableDifference(force_n); }
 
 StrokeDifference strokeDifference(const fuzzy::CompiledModel& first, const fuzzy::CompiledModel& second,
                                   std::vector<double> point, std::size_t depth_input, double from_mm, double to_mm) {

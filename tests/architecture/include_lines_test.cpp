@@ -31,7 +31,7 @@ const std::map<std::string, Permission>& permissions() {
                                              "elicitation/rules",      "elicitation/agreement",   "elicitation/model",
                                              "elicitation/variables",  "elicitation/uncertainty", "elicitation/depth",
                                              "elicitation/tracing"};
-  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/study"};
+  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/contracts", "core/study"};
   const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
     for (const auto& set : more) folders.insert(set.begin(), set.end());
     return folders;
@@ -97,7 +97,8 @@ const std::map<std::string, Permission>& permissions() {
       {"core/base/files", {{"core/base"}, {}}},
       {"core/base/tables", {{"core/base", "core/base/files"}, {}}},
       {"core/fuzzy", {{"core/base", "core/base/json"}, {}}},
-      {"core/analysis", {{"core/base", "core/fuzzy"}, {}}},
+      {"core/contracts", {{"core/base", "core/fuzzy"}, {}}},
+      {"core/analysis", {{"core/base", "core/fuzzy", "core/contracts"}, {}}},
       {"core/analysis/pull", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
       {"core/render", {{"core/base", "core/fuzzy"}, {}}},
       {"core/study", {base, {}}},
@@ -171,7 +172,7 @@ const std::map<std::string, Permission>& permissions() {
       {"app/link", {joined({"core/fuzzy", "core/haptics/servo"}, {base}), {"netinet/"}}},
       {"app/editing", {joined({"core/model_io"}, {base, model, elicitation}), {}}},
       {"app/replay",
-       {joined({"app/editing", "core/haptics/sources", "core/model_io", "core/render", "core/store"},
+       {joined({"app/editing", "core/contracts", "core/haptics/sources", "core/model_io", "core/render", "core/store"},
                {base, model, elicitation}),
         {}}},
       {"app/cli",
