@@ -7,6 +7,7 @@
 #include "app/bundle/file_errors.h"
 #include "app/bundle/zip.h"
 #include "app/cli/commands.h"
+#include "app/cli/contracts_text.h"
 #include "app/cli/output_file.h"
 #include "app/cli/pull_text.h"
 #include "app/version.h"
@@ -15,6 +16,7 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 
 namespace tactus::cli {
@@ -74,8 +76,9 @@ base::Result<Sender> senderOf(const VerifyOptions& options, const std::string& n
   return out;
 }
 
-std::string asText(const std::string& name, const model_io::BundleCheck& bundle, const Sender& sender) {
-  const bool ok = bundle.ok() && sender.failure.empty();
+std::string asText(const std::string& name, const model_io::BundleCheck& bundle, const Sender& sender,
+                   const std::vector<CheckedContract>& contracts) {
+  const bool ok = bundle.ok() && sender.failure.empty() && brokenContract(contracts).empty();
   std::string text = base::oneLine(name) + ": " + (ok ? "verified" : "not verified") + "\n  fingerprint " +
                      model_io::fingerprintText(bundle.fingerprint) + '\n';
   if (!sender.signed_by.empty()) {
@@ -96,12 +99,14 @@ std::string asText(const std::string& name, const model_io::BundleCheck& bundle,
     }
     text += '\n';
   }
-  return text;
+  return text + contractsAsText(bundle.model, contracts);
 }
 
-std::string asJson(const std::string& name, const model_io::BundleCheck& bundle, const Sender& sender) {
+std::string asJson(const std::string& name, const model_io::BundleCheck& bundle, const Sender& sender,
+                   const std::vector<CheckedContract>& contracts) {
+  const bool ok = bundle.ok() && sender.failure.empty() && brokenContract(contracts).empty();
   base::JsonWriter json;
-  json.beginObject().key("bundle").value(name).key("ok").value(bundle.ok() && sender.failure.empty());
+  json.beginObject().key("bundle").value(name).key("ok").value(ok);
   json.key("fingerprint").value(bundle.fingerprint).key("model_sha256").value(bundle.model_sha256);
   json.key("signature").value(bundle.signature.has_value()).key("signed_by");
   sender.signed_by.empty() ? json.null() : json.value(sender.signed_by);
@@ -117,7 +122,9 @@ std::string asJson(const std::string& name, const model_io::BundleCheck& bundle,
     if (!check.ok) json.key("wrong").value(check.wrong);
     json.endObject();
   }
-  return json.endArray().endObject().text();
+  json.endArray();
+  writeContracts(contracts, json);
+  return json.endObject().text();
 }
 
 }  // namespace
@@ -126,11 +133,15 @@ base::Result<Output> verify(const VerifyOptions& options) {
   TACTUS_TRY(const auto name, bundleNamed(options.folder));
   TACTUS_TRY(const auto bundle, bundle::verifyBundle(name, kGenerator));
   TACTUS_TRY(const auto sender, senderOf(options, name, bundle));
-  Output output{options.json ? asJson(name, bundle, sender) : asText(name, bundle, sender), {}};
+  TACTUS_TRY(const auto compiled, fuzzy::compile(bundle.model));
+  TACTUS_TRY(const auto contracts, checkedContracts(bundle.model, compiled, {}));
+  Output output{options.json ? asJson(name, bundle, sender, contracts) : asText(name, bundle, sender, contracts), {}};
   output.failure = sender.failure;
   for (const model_io::FileCheck& check : bundle.files) {
     if (!check.ok && output.failure.empty()) output.failure = check.wrong;
   }
+  const std::string broken = brokenContract(contracts);
+  if (output.failure.empty() && !broken.empty()) output.failure = base::oneLine(name) + ": " + broken;
   return output;
 }
 

@@ -1,4 +1,5 @@
 #include "app/cli/commands.h"
+#include "app/cli/contracts_text.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/model_arguments.h"
 #include "core/base/error.h"
@@ -18,13 +19,15 @@ std::size_t ruleCount(const fuzzy::ForceModel& model) {
   return rules;
 }
 
-std::string asText(const std::string& file, const fuzzy::ForceModel& model, const elicitation::RuleLint& found) {
+std::string asText(const std::string& file, const fuzzy::ForceModel& model, const elicitation::RuleLint& found,
+                   const std::vector<CheckedContract>& contracts) {
   const auto& lint = found.model;
   const auto& range = lint.reachable;
   std::string text = base::oneLine(file) + ": valid; inputs " + std::to_string(model.inputs.size()) + ", experts " +
                      std::to_string(model.experts.size()) + ", rules " + std::to_string(ruleCount(model)) +
                      ", findings " + std::to_string(found.findings.size()) + '\n';
   text += findingsAsText(found.findings, model.output.unit);
+  text += contractsAsText(model, contracts);
   if (!found.newtons_complete) text += "  the model is very large, so only some forces at stake were computed\n";
   if (!lint.coverage_complete) text += "  the search for holes was cut off: the model is too finely divided\n";
   if (!lint.bounds) return text + "reachable force: none, no rule fires anywhere\n";
@@ -40,7 +43,7 @@ std::string asText(const std::string& file, const fuzzy::ForceModel& model, cons
 }
 
 std::string asJson(const std::string& file, const fuzzy::ForceModel& model, const elicitation::RuleLint& found,
-                   const std::vector<std::string>& warnings) {
+                   const std::vector<CheckedContract>& contracts, const std::vector<std::string>& warnings) {
   using Layout = base::JsonWriter::Layout;
   const auto& lint = found.model;
   base::JsonWriter json;
@@ -48,6 +51,7 @@ std::string asJson(const std::string& file, const fuzzy::ForceModel& model, cons
   json.key("experts").value(model.experts.size()).key("rules").value(ruleCount(model));
   json.key("warnings").values(warnings);
   writeFindings(found.findings, json);
+  writeContracts(contracts, json);
   json.key("coverage_complete").value(lint.coverage_complete);
   json.key("newtons_complete").value(found.newtons_complete);
   json.key("reachable").beginObject(Layout::kInline);
@@ -69,9 +73,14 @@ std::string asJson(const std::string& file, const fuzzy::ForceModel& model, cons
 
 base::Result<Output> check(const CheckOptions& options) {
   TACTUS_TRY(const auto opened, openedModel(options.model));
+  TACTUS_TRY(const auto contracts, checkedContracts(opened.model, opened.compiled, options.contracts));
   const auto found = elicitation::ruleLint(opened.model, opened.compiled);
-  if (options.json) return Output{asJson(options.model, opened.model, found, opened.warnings), {}};
-  return Output{asText(options.model, opened.model, found), opened.warnings};
+  Output output{options.json ? asJson(options.model, opened.model, found, contracts, opened.warnings)
+                             : asText(options.model, opened.model, found, contracts),
+                options.json ? std::vector<std::string>{} : opened.warnings};
+  if (const std::string broken = brokenContract(contracts); !broken.empty())
+    output.failure = base::oneLine(options.model) + ": " + broken;
+  return output;
 }
 
 }  // namespace tactus::cli

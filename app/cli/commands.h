@@ -37,9 +37,11 @@ base::Result<Output> eval(const EvalOptions& options);
 
 struct CheckOptions {
   std::string model;
+  std::vector<std::string> contracts;  ///< sentences to check beside those of the model
   bool json = false;
 };
-/// Validates and lints a model file. Findings are results, not failures.
+/// Validates and lints a model file, and checks its contracts. Findings are results, not failures; a violated contract
+/// is a failure.
 base::Result<Output> check(const CheckOptions& options);
 
 struct ClusterOptions {
@@ -104,8 +106,19 @@ struct WhyOptions {
 /// Why the force at a point is what it is, and what would change it.
 base::Result<Output> why(const WhyOptions& options);
 
+struct TellOptions {
+  std::string first;
+  std::string second;
+  std::string first_expert;  ///< id of one expert; empty: the mean
+  std::string second_expert;
+  std::string strokes;  ///< file for the stroke; empty: none
+  bool json = false;
+};
+/// The insertion in which a hand feels the largest difference between two models, and a bound on all others.
+base::Result<Output> tellApart(const TellOptions& options);
+
 struct ReplayOptions {
-  std::string study;
+  std::string study;            ///< or a file of strokes
   std::string model;            ///< the model after
   std::string before;           ///< model file to compare with; empty: the last version in the study
   std::vector<std::string> at;  ///< `INPUT=VALUE` of conditions that strokes have no recorded value for
@@ -208,7 +221,8 @@ struct VerifyOptions {
   std::string key;     ///< file of the sender's public key, whose signature there must be; empty: any or none
   bool json = false;
 };
-/// Reads a bundle back. A file that is missing, altered or beyond its tolerance is a failure.
+/// Reads a bundle back, and checks the contracts of its model. A file that is missing, altered or beyond its tolerance
+/// is a failure, and so is a violated contract.
 base::Result<Output> verify(const VerifyOptions& options);
 
 struct CertifyOptions {

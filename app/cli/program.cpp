@@ -214,10 +214,17 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                        "exact, or sampled like other tools: midpoint:N, linspace:N")
                    ->default_str("exact");
              });
-  addCommand(app, chosen, "check", "Validation and lint of a model", check, [](CLI::App& command, CheckOptions& o) {
-    addModel(command, o.model);
-    addJson(command, o.json);
-  });
+  addCommand(
+      app, chosen, "check", "Validation, lint and contracts of a model", check, [](CLI::App& command, CheckOptions& o) {
+        addModel(command, o.model);
+        command
+            .add_option("--contract", o.contracts,
+                        "Sentence to prove or refute, such as 'more lubrication never raises the force'; repeatable")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+            ->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(app, chosen, "why", "Why the force at a point is what it is, and what would change it", why,
              [](CLI::App& command, WhyOptions& o) {
                addModel(command, o.model);
@@ -225,9 +232,21 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--expert", o.expert, "One expert; by default the mean of all")->check(notEmpty());
                addJson(command, o.json);
              });
+  addCommand(
+      app, chosen, "tell", "The insertion that tells two models apart, and a bound on all others", tellApart,
+      [](CLI::App& command, TellOptions& o) {
+        command.add_option("A", o.first, "Model file")->required()->transform(inputFile());
+        command.add_option("B", o.second, "Model file")->required()->transform(inputFile());
+        command.add_option("--expert-a", o.first_expert, "One expert of A; by default the mean")->check(notEmpty());
+        command.add_option("--expert-b", o.second_expert, "One expert of B; by default the mean")->check(notEmpty());
+        command.add_option("--strokes", o.strokes, "File to write the stroke to, for tactus replay")->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(app, chosen, "replay", "Recorded strokes through another model: what would feel different", replayStrokes,
              [](CLI::App& command, ReplayOptions& o) {
-               command.add_option("STUDY", o.study, "Study file with recorded strokes")->required()->check(notEmpty());
+               command.add_option("STUDY", o.study, "Study file with recorded strokes, or a file of strokes")
+                   ->required()
+                   ->check(notEmpty());
                addModel(command, o.model);
                command.add_option("--before", o.before, "Model to compare with; by default the last one in the study")
                    ->transform(inputFile());

@@ -119,19 +119,19 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
             ->check(notEmpty());
         addJson(command, o.json);
       });
-  addCommand(app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance", verify,
-             [](CLI::App& command, VerifyOptions& o) {
-               command
-                   .add_option("DIR", o.folder,
-                               "Folder of the bundle, its manifest, or its zip file; by default the present folder")
-                   ->check(notEmpty());
-               command
-                   .add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
-                   ->check(notEmpty());
-               command.add_option("--key", o.key, "Public key of OpenSSH (*.pub) by which the bundle must be signed")
-                   ->check(notEmpty());
-               addJson(command, o.json);
-             });
+  addCommand(
+      app, chosen, "verify", "Reads a bundle back: nothing missing, altered or beyond its tolerance, contracts kept",
+      verify, [](CLI::App& command, VerifyOptions& o) {
+        command
+            .add_option("DIR", o.folder,
+                        "Folder of the bundle, its manifest, or its zip file; by default the present folder")
+            ->check(notEmpty());
+        command.add_option("--expect", o.expect, "The fingerprint that its sender told you: that of the manifest")
+            ->check(notEmpty());
+        command.add_option("--key", o.key, "Public key of OpenSSH (*.pub) by which the bundle must be signed")
+            ->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(
       app, chosen, "certify", "Asks a foreign program for the forces of a model: how far off, how fast", certifyProgram,
       [](CLI::App& command, CertifyOptions& o) {

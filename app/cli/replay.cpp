@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -8,8 +9,10 @@
 #include "app/cli/model_arguments.h"
 #include "app/cli/terminal.h"
 #include "app/replay/recorded_strokes.h"
+#include "app/replay/stroke_file.h"
 #include "app/replay/stroke_replay.h"
 #include "core/base/error.h"
+#include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/store/model_versions.h"
@@ -26,6 +29,7 @@ using replay::StrokeComparison;
 using replay::StrokeUse;
 
 constexpr std::size_t kNameWidth = 32;
+constexpr std::size_t kMostStrokeBytes = std::size_t{1} << 20U;
 
 /// The kinds of strokes with their words: in JSON, and as the reason why they are left out.
 struct UseWords {
@@ -193,10 +197,48 @@ editing::SharedModel shared(OpenedModel opened) {
       editing::ReadyModel{std::move(opened.model), std::move(opened.compiled)});
 }
 
+/// The strokes of a file through the two models, without the renderer.
+base::Result<Output> replayFile(const ReplayOptions& options, const OpenedModel& after) {
+  if (options.before.empty()) {
+    return tl::unexpected(
+        base::Error{base::ErrorCode::kData, options.study, {}, "strokes without a model before", "--before MODEL"});
+  }
+  TACTUS_TRY(const auto before, openedModel(options.before));
+  TACTUS_TRY(const auto text, base::readFile(options.study, kMostStrokeBytes));
+  TACTUS_TRY(const auto strokes, replay::parseStrokes(before.model, text, options.study));
+  TACTUS_TRY(const auto inputs, contracts::strokeInputs(before.model));
+  const auto same_id = [](const auto& a, const auto& b) { return a.id == b.id; };
+  if (!std::equal(before.model.inputs.begin(), before.model.inputs.end(), after.model.inputs.begin(),
+                  after.model.inputs.end(), same_id)) {
+    return tl::unexpected(base::Error{base::ErrorCode::kMismatch, options.model, "/inputs", "other inputs",
+                                      "the inputs of " + options.before});
+  }
+  std::size_t felt = 0;
+  std::string rows;
+  base::JsonWriter json;
+  json.beginObject().key("before").value(options.before).key("strokes").beginArray();
+  for (const replay::NamedStroke& one : strokes) {
+    const auto feel = contracts::feelOf(before.compiled, after.compiled, inputs, one.stroke);
+    felt += feel.rms_jnd >= 1 ? 1 : 0;
+    rows += padded(one.name, kNameWidth) + rightAligned(formatFixed(feel.rms_jnd, 2), 8) +
+            rightAligned(formatFixed(feel.largest_jnd, 2), 9) + rightAligned(formatFixed(feel.at_mm, 0), 8) + '\n';
+    json.beginObject().key("name").value(one.name).key("rms_jnd").value(feel.rms_jnd);
+    json.key("largest_jnd").value(feel.largest_jnd).key("largest_n").value(feel.largest_n);
+    json.key("at_mm").value(feel.at_mm).endObject();
+  }
+  const std::string head =
+      std::to_string(felt) + " of " + counted(strokes.size(), "stroke") +
+      " would feel different: by a just-noticeable difference (JND) or more in the mean square.\n" +
+      "before: " + base::oneLine(options.before) + "\n\n" + std::string(kNameWidth, ' ') +
+      " rms JND  largest   at mm\n";
+  return Output{options.json ? json.endArray().endObject().text() : head + rows, after.warnings};
+}
+
 }  // namespace
 
 base::Result<Output> replayStrokes(const ReplayOptions& options) {
   TACTUS_TRY(auto after, openedModel(options.model));
+  if (options.study.ends_with(".json")) return replayFile(options, after);
   TACTUS_TRY(const auto file, store::StudyFile::open(options.study, {store::Access::kReadOnly}));
   TACTUS_TRY(auto named, modelBefore(options, file));
   replay::Conditions conditions;
