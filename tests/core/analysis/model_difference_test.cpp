@@ -29,8 +29,9 @@ TEST(ModelDifference, EachChangeIsNamedOnce) {
   second.default_force_n = 0.1;
   second.renderer.emplace().stiffness_n_mm = 0.5;
   second.experts.push_back({"S5", "S5", 1, {}, {}});
+  second.contracts.push_back({"safe", fuzzy::Contract::Kind::kNeverAbove, "", "", "", 0, 1, false, {}});
   const auto changes = modelChanges(first, second);
-  ASSERT_EQ(changes.size(), 8U);
+  ASSERT_EQ(changes.size(), 9U);
   const auto find = [&changes](const std::string& start) -> ModelChange {
     for (const ModelChange& change : changes) {
       if (change.place.starts_with(start)) return change;
@@ -42,6 +43,7 @@ TEST(ModelDifference, EachChangeIsNamedOnce) {
   EXPECT_EQ(find("expert 'S4'"), (ModelChange{ChangeKind::kChanged, "expert 'S4'", "weight 1", "weight 2"}));
   EXPECT_EQ(find("expert 'S5'").kind, ChangeKind::kAdded);
   EXPECT_EQ(find("default force"), (ModelChange{ChangeKind::kChanged, "default force", "0", "0.1"}));
+  EXPECT_EQ(find("contract"), (ModelChange{ChangeKind::kAdded, "contract 'safe'", "", "the force is never above 1 N"}));
   EXPECT_EQ(find("renderer"), (ModelChange{ChangeKind::kChanged, "renderer, stiffness_n_mm", "0.25", "0.5"}));
   int rules = 0;
   int removed = 0;
