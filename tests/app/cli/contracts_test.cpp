@@ -73,12 +73,12 @@ TEST_F(ContractsTest, AModelWithoutContractsPrintsNone) {
 
 TEST_F(ContractsTest, VerifyChecksThoseOfTheBundle) {
   const std::string bundle = folder_.file("bundle");
-  ASSERT_EQ(ProgramRun({"bundle", modelWith({kHeld}), "--out", bundle}).status, 0);
+  ASSERT_EQ(ProgramRun({"bundle", modelWith({kHeld}), "--out", bundle, "--table-error", "0.2"}).status, 0);
   const ProgramRun held({"verify", bundle});
   EXPECT_EQ(held.status, 0) << held.err;
   EXPECT_NE(held.out.find("  proved    " + std::string(kHeld)), std::string::npos) << held.out;
   const std::string other = folder_.file("other");
-  ASSERT_EQ(ProgramRun({"bundle", modelWith({kBroken}), "--out", other}).status, 0);
+  ASSERT_EQ(ProgramRun({"bundle", modelWith({kBroken}), "--out", other, "--table-error", "0.2"}).status, 0);
   const ProgramRun broken({"verify", other, "--json"});
   EXPECT_EQ(broken.status, 1);
   EXPECT_EQ(Json::parse(broken.out)["ok"], false);
