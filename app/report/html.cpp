@@ -144,6 +144,7 @@ figcaption { font-size: 14.5px; line-height: 1.5; margin-top: 8px; max-width: 96
   .panels.columns-2, .panels.columns-3 { grid-template-columns: 1fr; }
 }
 @media print {
+  .screen-only { display: none; }
   @page { size: A4; margin: 16mm 15mm 18mm; @bottom-center { content: counter(page) " of " counter(pages); font: 9pt Arial, sans-serif; color: #57606a; } }
   body { font-size: 10.5pt; -webkit-print-color-adjust: exact; print-color-adjust: exact; }
   header { background: none; color: var(--ink); padding: 0 0 8px; border-bottom: 2px solid var(--line); }
@@ -223,10 +224,18 @@ std::string HtmlPage::numberText(std::string_view kind, int& count) {
   return "<span class=\"caption-number\">" + std::string(kind) + ' ' + std::to_string(++count) + ".</span> ";
 }
 
-void HtmlPage::section(std::string_view title) {
+void HtmlPage::startSection(std::string_view title, std::string_view attributes) {
   const std::string anchor = anchorFor(title);
-  contents_ += "<li><a href=\"#" + anchor + "\">" + base::xmlEscaped(title) + "</a></li>\n";
-  body_ += "<h2 id=\"" + anchor + "\">" + base::xmlEscaped(title) + "</h2>\n";
+  contents_ +=
+      "<li" + std::string(attributes) + "><a href=\"#" + anchor + "\">" + base::xmlEscaped(title) + "</a></li>\n";
+  body_ += "<h2 id=\"" + anchor + '"' + std::string(attributes) + '>' + base::xmlEscaped(title) + "</h2>\n";
+}
+
+void HtmlPage::section(std::string_view title) { startSection(title, ""); }
+
+void HtmlPage::screenSection(std::string_view title, const Markup& content) {
+  startSection(title, " class=\"screen-only\"");
+  body_ += "<div class=\"screen-only\">" + content.html() + "</div>\n";
 }
 
 void HtmlPage::subsection(std::string_view title) {
@@ -293,10 +302,13 @@ void HtmlPage::figure(const Figure& figure) {
 std::string HtmlPage::html() const {
   std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n";
+  out +=
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>\n";
   out += "<title>" + base::xmlEscaped(title_) + "</title>\n<style>\n";
   out += kStyleSheet;
-  out += "</style>\n</head>\n<body>\n<header>\n<h1>" + base::xmlEscaped(title_) + "</h1>\n<p class=\"subtitle\">" +
-         subtitle_.html() + "</p>\n</header>\n";
+  out += style_ + "</style>\n</head>\n<body>\n<header>\n<h1>" + base::xmlEscaped(title_) +
+         "</h1>\n<p class=\"subtitle\">" + subtitle_.html() + "</p>\n</header>\n";
   out += "<div class=\"page\">\n<nav aria-label=\"Contents\">\n<div class=\"nav-title\">Contents</div>\n<ol>\n" +
          contents_ + "</ol>\n</nav>\n<main>\n" + body_ + "</main>\n</div>\n</body>\n</html>\n";
   return out;

@@ -1,6 +1,6 @@
-// A self-contained HTML page: sections with anchors and a table of contents, tables and figures with captions. It has
-// no scripts and loads nothing. Designed for screens 1280 to 1920 pixels wide and for paper. Written as XML, so that
-// every tool can check it.
+// A self-contained HTML page: sections with anchors and a table of contents, tables and figures with captions. It loads
+// nothing, and forbids the browser to; scripts are those of a section for the screen alone. Designed for screens 1280
+// to 1920 pixels wide and for paper. Written as XML, so that every tool can check it.
 #pragma once
 
 #include <string>
@@ -112,6 +112,10 @@ class HtmlPage {
   /// lists sections.
   void section(std::string_view title);
   void subsection(std::string_view title);
+  /// A section that is not printed. `content` may hold scripts and is as wide as the page.
+  void screenSection(std::string_view title, const Markup& content);
+  /// Adds to the style sheet.
+  void style(std::string_view css) { style_ += css; }
 
   void paragraph(const Markup& text);
   void list(const std::vector<Markup>& items);
@@ -127,6 +131,7 @@ class HtmlPage {
 
  private:
   std::string anchorFor(std::string_view title);
+  void startSection(std::string_view title, std::string_view attributes);
   /// `Table 3. ` where captions are numbered.
   std::string numberText(std::string_view kind, int& count);
 
@@ -134,6 +139,7 @@ class HtmlPage {
   Markup subtitle_;
   std::string contents_;
   std::string body_;
+  std::string style_;
   std::vector<std::string> anchors_;
   bool numbered_ = false;
   int tables_ = 0;

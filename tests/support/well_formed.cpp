@@ -16,6 +16,8 @@ class Checker {
     while (at_ < text_.size() && fault_.empty()) {
       if (starts("<!--")) {
         skipPast("-->");
+      } else if (starts("<![CDATA[")) {
+        skipPast("]]>");
       } else if (starts("<!")) {
         skipPast(">");
       } else if (starts("</")) {

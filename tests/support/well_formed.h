@@ -7,7 +7,7 @@
 namespace tactus::support {
 
 /// What is wrong with `markup` (XML, or HTML written as XML), with the place; empty if nothing is. Knows elements,
-/// attributes, comments, a document type, and the entities amp, lt, gt, quot, apos and character references.
+/// attributes, comments, CDATA, a document type, and the entities amp, lt, gt, quot, apos and character references.
 std::string markupFault(std::string_view markup);
 
 /// How often `part` occurs in `text`, without overlaps.

@@ -54,7 +54,7 @@ TEST(DemoReport, IsWellFormedSelfContainedAndSmall) {
   EXPECT_FALSE(has("src="));
   EXPECT_FALSE(has("url("));
   // The only address in it is the name of the SVG name space.
-  EXPECT_EQ(support::countOf(page(), "http"), support::countOf(page(), "xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_EQ(support::countOf(page(), "http:"), support::countOf(page(), "xmlns=\"http://www.w3.org/2000/svg\""));
   EXPECT_LT(page().size(), 3'000'000U);
   EXPECT_TRUE(has("Seed &lt;1&gt;"));
 }
