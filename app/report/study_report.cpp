@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/living/living.h"
 #include "app/report/report_sections.h"
 #include "core/base/error.h"
 
@@ -55,6 +56,15 @@ void addModelSections(HtmlPage& page, const ReportContext& context) {
   addComparisons(page, context);
   addReachableRange(page, context);
   addChoices(page, context);
+}
+
+/// The averaged model, for a reader who moves it.
+void addLiving(HtmlPage& page, const ReportContext& context) {
+  const fuzzy::ForceModel& model = context.in.built.model;
+  const auto living = living::sectionOf(model, context.curves->compiled(), context.simulated());
+  if (!living) return;
+  page.style(living->style);
+  page.screenSection("Try the model", Markup::raw(living->html));
 }
 
 std::string titleOf(const StudyReportInputs& inputs) {
@@ -141,6 +151,7 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
                 "fuzzy logic”.");
   page.numberCaptions();
   addStudyOverview(page, context);
+  if (with_experts) addLiving(page, context);
   addParticipants(page, context);
   addDataFindings(page, context);
   addOrderEffects(page, context);
