@@ -11,7 +11,6 @@ namespace tactus::fuzzy {
 
 using base::ErrorCode;
 using base::formatNumber;
-using base::quoted;
 
 namespace {
 
@@ -22,7 +21,7 @@ constexpr std::size_t kLongestId = 64;
 Problem checkId(const std::string& id, const Place& place) {
   const bool control = std::any_of(id.begin(), id.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
   if (!id.empty() && id.size() <= kLongestId && !control && id.front() != ' ' && id.back() != ' ') return nullptr;
-  return problem(ErrorCode::kValue, place, id.empty() ? "an empty id" : quoted(id),
+  return problem(ErrorCode::kValue, place, id.empty() ? "an empty id" : base::quoted(id),
                  "an id of 1 to 64 bytes without control characters and without spaces at its ends");
 }
 
@@ -83,7 +82,7 @@ Problem checkCount(std::size_t count, std::size_t most, std::string_view what, c
 Problem checkUnique(NameList& seen, const std::string& id, const Place& place) {
   if (auto wrong = checkId(id, place)) return wrong;
   if (seen.add(id)) return nullptr;
-  return problem(ErrorCode::kSchema, place, quoted(id) + " twice", "each id once");
+  return problem(ErrorCode::kSchema, place, base::quoted(id) + " twice", "each id once");
 }
 
 Problem checkTerms(const std::vector<Term>& terms, const Variable* output, const Place& place, NameList& names) {

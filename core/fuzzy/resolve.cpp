@@ -13,7 +13,6 @@ namespace tactus::fuzzy {
 namespace {
 
 using base::ErrorCode;
-using base::quoted;
 
 const Variable& variableOf(const ForceModel& model, std::size_t index) {
   return index < model.inputs.size() ? model.inputs[index] : model.output;
@@ -76,11 +75,12 @@ class Resolver {
       const Place at = place[own.variable];
       const std::size_t variable = names_.variables.find(own.variable);
       if (variable == NameList::kNone) {
-        return problem(ErrorCode::kReference, at, quoted(own.variable), "the id of a variable of the model");
+        return problem(ErrorCode::kReference, at, base::quoted(own.variable), "the id of a variable of the model");
       }
       NameList& names = own_terms_[variable];
       if (terms_[variable] == &names) {
-        return problem(ErrorCode::kSchema, at, quoted(own.variable) + " twice", "one list of terms for a variable");
+        return problem(ErrorCode::kSchema, at, base::quoted(own.variable) + " twice",
+                       "one list of terms for a variable");
       }
       if (auto wrong = checkTerms(own.terms, variable == output_ ? &model_.output : nullptr, at, names)) return wrong;
       terms_[variable] = &names;
@@ -156,10 +156,10 @@ class Resolver {
       const Place at = premise[condition.input];
       const std::size_t input = names_.variables.find(condition.input);
       if (input >= output_) {
-        return problem(ErrorCode::kReference, at, quoted(condition.input), "the id of an input of the model");
+        return problem(ErrorCode::kReference, at, base::quoted(condition.input), "the id of an input of the model");
       }
       if (!known.add(condition.input)) {
-        return problem(ErrorCode::kSchema, at, quoted(condition.input) + " twice", "each input once in a rule");
+        return problem(ErrorCode::kSchema, at, base::quoted(condition.input) + " twice", "each input once in a rule");
       }
       if (terms_[input]->find(condition.term) == NameList::kNone) return unknownTerm(input, condition.term, at);
     }
@@ -173,7 +173,8 @@ class Resolver {
     const Variable& variable = variableOf(model_, index);
     std::string known;
     for (const Term& term : termsFor(*expert_, variable)) known += (known.empty() ? "" : ", ") + term.id;
-    return problem(ErrorCode::kReference, place, quoted(id), "a term of " + quoted(variable.id) + ": " + known);
+    return problem(ErrorCode::kReference, place, base::quoted(id),
+                   "a term of " + base::quoted(variable.id) + ": " + known);
   }
 
   const ForceModel& model_;

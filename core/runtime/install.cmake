@@ -1,10 +1,12 @@
 # What `cmake --install` gives a simulator: component libtactus1 (the library), libtactus-dev (everything to build with it).
 include(CMakePackageConfigHelpers)
 
-install(TARGETS tactus_runtime_shared EXPORT tactus
-        LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus1 NAMELINK_COMPONENT libtactus-dev
-        RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT libtactus1
-        ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
+if(TACTUS_SHARED)
+  install(TARGETS tactus_runtime_shared EXPORT tactus
+          LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus1 NAMELINK_COMPONENT libtactus-dev
+          RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}" COMPONENT libtactus1
+          ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
+endif()
 install(TARGETS tactus_runtime_static EXPORT tactus
         ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT libtactus-dev)
 install(DIRECTORY include/ DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT libtactus-dev)
@@ -13,8 +15,7 @@ set(package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/tactus")
 install(EXPORT tactus NAMESPACE tactus:: FILE tactusTargets.cmake DESTINATION "${package_folder}" COMPONENT libtactus-dev)
 configure_package_config_file(tactusConfig.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/tactusConfig.cmake"
                               INSTALL_DESTINATION "${package_folder}" NO_SET_AND_CHECK_MACRO)
-# Interfaces stay compatible within one major version, and before version 1 within the interface's number.
-write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/tactusConfigVersion.cmake" COMPATIBILITY SameMajorVersion)
+configure_file(tactusConfigVersion.cmake.in "${CMAKE_CURRENT_BINARY_DIR}/tactusConfigVersion.cmake" @ONLY)
 install(FILES "${CMAKE_CURRENT_BINARY_DIR}/tactusConfig.cmake" "${CMAKE_CURRENT_BINARY_DIR}/tactusConfigVersion.cmake"
         DESTINATION "${package_folder}" COMPONENT libtactus-dev)
 
