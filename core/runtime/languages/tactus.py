@@ -14,7 +14,8 @@
         for message in link: ...                         # models that are edited there
 
 What each call does, and which threads may call it: tactus/tactus.h. The library is looked for under TACTUS_LIBRARY, then
-where the system looks, then in the prefix that this file is installed in.
+in the folder tactus.libs beside this file (a wheel has it there), then where the system looks, then in the prefix that this
+file is installed in.
 """
 import ctypes
 import glob
@@ -94,7 +95,11 @@ def _places():
     named = os.environ.get("TACTUS_LIBRARY")
     if named:
         return [named]
-    prefix = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+    folder = os.path.dirname(os.path.abspath(__file__))
+    own = os.path.join(folder, "tactus.libs", "tactus.dll" if os.name == "nt" else "libtactus.so.1")
+    if os.path.exists(own):
+        return [own]
+    prefix = os.path.normpath(os.path.join(folder, "..", "..", ".."))
     if os.name == "nt":
         return ["tactus.dll", os.path.join(prefix, "bin", "tactus.dll")]
     below = [("lib*", "libtactus.so.1"), ("lib", "*", "libtactus.so.1")]
