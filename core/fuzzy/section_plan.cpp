@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bitset>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "core/fuzzy/flat_map.h"
@@ -11,7 +10,6 @@
 namespace tactus::fuzzy {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // With ramps no wider and weights no smaller than these the smallest strength of an ordinary input is still positive.
 constexpr double kWidestRamp = 1e10;
 constexpr double kSmallestWeight = 1e-10;
