@@ -95,6 +95,18 @@ void addServeCommand(CLI::App& app, Chosen& chosen, std::ostream& out, std::ostr
 /// `emulate` with its subcommands. While one runs, it writes its address to `out`.
 void addEmulateCommands(CLI::App& app, Chosen& chosen, std::ostream& out);
 
+/// `help` and `completion`, which tell about all commands of `app`; it outlives `chosen`.
+void addHelpCommands(CLI::App& app, Chosen& chosen);
+
+/// Puts the commands of `app` into the groups of its help, and ends each help with what holds for that command.
+void arrangeHelp(CLI::App& app);
+
+/// `help COMMAND ...` as the arguments `COMMAND ... --help`; others unchanged.
+std::vector<std::string> withoutHelpCommand(std::vector<std::string> arguments);
+
+/// The command that `arguments` begin with: `tactus study new`.
+std::string commandOf(const CLI::App& app, const std::vector<std::string>& arguments);
+
 struct Terminal;
 /// Adds `devices` with its subcommands (commands.h). `terminal`: for the dialog with the person; `aside`: the
 /// same while standard output is used for JSON.

@@ -354,10 +354,6 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   CLI::App app("Tactus turns what experts know by feel into a force model.", "tactus");
   app.set_version_flag("--version", std::string(kGenerator));
   app.option_defaults()->always_capture_default();
-  app.footer(
-      "Exit status: 0 fine, 1 the input is wrong or a check failed, 2 wrong usage: an unknown word, a value out of its "
-      "range.\nA CSV table may have 2 GiB. From a pipe at most 256 MiB are read.\n"
-      "How tables may be written: docs/csv-tables.md.");
   app.require_subcommand(1);
   Chosen chosen;
   addCommands(app, chosen);
@@ -367,6 +363,9 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
   addServeCommand(app, chosen, out, err);
   addDeviceCommands(app, chosen, {&in, &out}, {&in, &err});
   addEmulateCommands(app, chosen, out);
+  addHelpCommands(app, chosen);
+  arrangeHelp(app);
+  arguments = withoutHelpCommand(std::move(arguments));
   if (arguments.empty()) {
     err << app.help();
     return kWrongUsage;
@@ -385,6 +384,7 @@ int run(std::vector<std::string> arguments, std::istream& in, std::ostream& out,
     const int status = app.exit(error, help, wrong) == 0 ? kFine : kWrongUsage;
     out << help.str() << std::flush;
     if (!out.good()) return cannotWrite(err);
+    if (status != kFine) err << commandOf(app, typed) << ": ";
     err << harmless(wrong.str(), typed);
     return status;
   }
