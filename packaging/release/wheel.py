@@ -20,21 +20,28 @@ _MACHINES = {62: "x86_64", 183: "aarch64"}
 _SUMMARY = "Forces of experts in a haptic simulator: position in, force out, at 1 kHz"
 
 
+def machine(binary):
+    """The kind of processor that an ELF file is for."""
+    number = struct.unpack_from("<H", binary, 18)[0] if binary[:4] == b"\x7fELF" else None
+    if number not in _MACHINES:
+        raise SystemExit(f"found a file for the machine {number}, wanted one for Linux on {' or '.join(_MACHINES.values())}")
+    return _MACHINES[number]
+
+
+def glibc_minor(binary):
+    """N of the newest glibc 2.N whose symbols an ELF file uses. 17 is the oldest that a wheel's name can say."""
+    return max([17] + [int(minor) for minor in re.findall(rb"\0GLIBC_2\.(\d+)(?:\.\d+)?(?=\0)", binary)])
+
+
 def platform_tag(library):
-    """manylinux_2_N_MACHINE of a shared library for Linux, from its head and the versions of the symbols that it needs."""
-    if library[:4] != b"\x7fELF":
-        raise SystemExit("--library: found no ELF file, wanted a shared library for Linux")
-    machine = struct.unpack_from("<H", library, 18)[0]
-    if machine not in _MACHINES:
-        raise SystemExit(f"--library: found the machine {machine}, wanted one of {_MACHINES}")
+    """manylinux_2_N_MACHINE of a shared library for Linux, win_amd64 of a DLL."""
+    if library[:2] == b"MZ":
+        return "win_amd64"
+    kind = machine(library)
     for needed in re.findall(rb"\0(lib(?:stdc\+\+|c\+\+|gcc_s)[^\0]*\.so[^\0]*)\0", library):
         raise SystemExit(f"--library: found that it needs {needed.decode()}, wanted the C++ runtime inside: "
                          "configure with TACTUS_STATIC_RUNTIME=ON")
-    minors = [int(minor) for minor in re.findall(rb"\0GLIBC_2\.(\d+)(?:\.\d+)?(?=\0)", library)]
-    if not minors:
-        raise SystemExit("--library: found no symbol of glibc, wanted a shared library for Linux")
-    # Tags begin with glibc 2.5; the oldest one that pip and the index know with a number is 2.17.
-    return f"manylinux_2_{max([17] + minors)}_{_MACHINES[machine]}"
+    return f"manylinux_2_{glibc_minor(library)}_{kind}"
 
 
 def description(text):
@@ -52,7 +59,7 @@ def entries_of(library, module, texts, version):
     wheel = f"Wheel-Version: 1.0\nGenerator: tactus wheel.py\nRoot-Is-Purelib: false\nTag: {tag}\n"
     files = {
         "tactus.py": module,
-        "tactus.libs/libtactus.so.1": library,
+        "tactus.libs/" + ("tactus.dll" if tag.endswith("win_amd64") else "libtactus.so.1"): library,
         f"{info}/METADATA": metadata.encode(),
         f"{info}/WHEEL": wheel.encode(),
         f"{info}/top_level.txt": b"tactus\n",
@@ -63,7 +70,7 @@ def entries_of(library, module, texts, version):
     for name, data in sorted(files.items()):
         digest = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
         record += f"{name},sha256={digest},{len(data)}\n"
-    entries = [(name, data, name.endswith(".so.1")) for name, data in sorted(files.items())]
+    entries = [(name, data, name.startswith("tactus.libs/")) for name, data in sorted(files.items())]
     return tag, entries + [(f"{info}/RECORD", (record + f"{info}/RECORD,,\n").encode(), False)]
 
 

@@ -26,7 +26,12 @@ foreach(wanted bin/tactus lib/udev/rules.d/60-tactus.rules share/mime/packages/t
     message(FATAL_ERROR "not installed: ${wanted}")
   endif()
 endforeach()
-if(EXISTS "${PREFIX}-program/bin/tactus-workbench" AND
-   NOT EXISTS "${PREFIX}-program/share/applications/tactus-workbench.desktop")
-  message(FATAL_ERROR "the workbench is installed without its desktop entry")
+if(EXISTS "${BUILD}/tactus-workbench")
+  execute_process(COMMAND ${CMAKE_COMMAND} --install "${BUILD}" --component tactus-workbench --prefix "${PREFIX}-program"
+                  OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+  foreach(wanted bin/tactus-workbench share/applications/tactus-workbench.desktop)
+    if(NOT EXISTS "${PREFIX}-program/${wanted}")
+      message(FATAL_ERROR "not installed: ${wanted}")
+    endif()
+  endforeach()
 endif()

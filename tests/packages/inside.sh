@@ -47,7 +47,7 @@ cd / && python3 -c 'import tactus; print(tactus.version())'
 bash /sources/tests/packages/follow_guide.sh /sources/docs/guide/simulator.md "$work/guide"
 say "the guide, word by word"
 
-dpkg -P tactus libtactus-dev libtactus1
+dpkg -P tactus-workbench tactus tactus-doc libtactus-dev libtactus1
 left=$(find /usr /etc /lib /var/lib -iname '*tactus*' ! -path '/usr/share/mime/*' -print)
 [ -z "$left" ] || { echo "left behind: $left"; exit 1; }
 say "removed, and nothing is left"

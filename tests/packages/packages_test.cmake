@@ -1,4 +1,5 @@
-# The Debian packages of the library: what they hold, what they need, and what lintian says where it is there.
+# The Debian packages of the library, the program and the documents: what they hold, what they need, and what lintian says where it
+# is there.
 file(REMOVE_RECURSE "${WORK}")
 file(MAKE_DIRECTORY "${WORK}")
 find_program(SHLIBDEPS dpkg-shlibdeps)
@@ -8,13 +9,15 @@ if(NOT SHLIBDEPS OR NOT DPKG_DEB)
   message("SKIPPED: there is no dpkg-dev here (dpkg-shlibdeps), so the Debian packages are not made")
   return()
 endif()
-execute_process(COMMAND ${CPACK} -B "${WORK}" -D "CPACK_COMPONENTS_ALL=libtactus1;libtactus-dev" WORKING_DIRECTORY "${BUILD}"
+execute_process(COMMAND ${CPACK} -B "${WORK}" -D "CPACK_COMPONENTS_ALL=libtactus1;libtactus-dev;tactus;tactus-doc" WORKING_DIRECTORY "${BUILD}"
                 OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
   message(FATAL_ERROR "cpack: ${said}")
 endif()
 file(GLOB runtime "${WORK}/libtactus1_${VERSION}_*.deb")
 file(GLOB dev "${WORK}/libtactus-dev_${VERSION}_*.deb")
+file(GLOB program "${WORK}/tactus_${VERSION}_*.deb")
+file(GLOB doc "${WORK}/tactus-doc_${VERSION}_all.deb")
 
 # field(PACKAGE NAME WANTED): a field of the control file matches an expression.
 function(field package name wanted)
@@ -29,6 +32,15 @@ field("${runtime}" Depends "libc6 \\(>= .*libstdc\\+\\+6 \\(>= ")
 field("${runtime}" Description "^force models .*\n \\.\n ")
 field("${dev}" Section "^libdevel\n$")
 field("${dev}" Depends "^libtactus1 \\(= ${VERSION}\\)\n$")
+field("${program}" Package "^tactus\n$")
+field("${program}" Depends "libsqlite3")
+field("${doc}" Section "^doc\n$")
+# A simulator's computer has no display.
+execute_process(COMMAND ${DPKG_DEB} -f "${program}" Depends OUTPUT_VARIABLE needed COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${DPKG_DEB} -c "${program}" OUTPUT_VARIABLE held COMMAND_ERROR_IS_FATAL ANY)
+if(needed MATCHES "qt6|Qt|X11" OR held MATCHES "workbench")
+  message(FATAL_ERROR "the program without a window: needs ${needed}, holds ${held}")
+endif()
 
 # What needs the shared library finds the package in `shlibs`; the linker's cache is renewed by the trigger alone.
 execute_process(COMMAND ${DPKG_DEB} -e "${runtime}" "${WORK}/control" COMMAND_ERROR_IS_FATAL ANY)
@@ -42,9 +54,12 @@ if(NOT shlibs STREQUAL "libtactus 1 libtactus1 (>= ${VERSION})\n")
 endif()
 
 execute_process(COMMAND ${DPKG_DEB} -x "${runtime}" "${WORK}/unpacked" COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${DPKG_DEB} -x "${dev}" "${WORK}/unpacked" COMMAND_ERROR_IS_FATAL ANY)
+foreach(package "${dev}" "${program}" "${doc}")
+  execute_process(COMMAND ${DPKG_DEB} -x "${package}" "${WORK}/unpacked" COMMAND_ERROR_IS_FATAL ANY)
+endforeach()
 foreach(wanted lib/libtactus.so.1 lib/libtactus.so lib/libtactus.a lib/cmake/tactus/tactusConfig.cmake lib/pkgconfig/tactus.pc
-        include/tactus/tactus.h share/doc/libtactus1/copyright share/doc/libtactus-dev/changelog.gz)
+        include/tactus/tactus.h share/doc/libtactus1/copyright share/doc/libtactus-dev/changelog.gz bin/tactus
+        share/man/man1/tactus.1.gz share/doc/tactus/bench/inference.svg share/doc/tactus/conformance/README.md share/doc/tactus-doc/copyright)
   # Below lib or, where the build is for /usr, below the folder of the machine's kind.
   string(REGEX REPLACE "^lib/" "lib/*/" of_machine "${wanted}")
   file(GLOB found "${WORK}/unpacked/usr/${wanted}" "${WORK}/unpacked/usr/${of_machine}")
@@ -54,7 +69,7 @@ foreach(wanted lib/libtactus.so.1 lib/libtactus.so lib/libtactus.a lib/cmake/tac
 endforeach()
 
 # Each link of an installed page leads to a file that is installed with it.
-set(pages "${WORK}/unpacked/usr/share/doc/libtactus-dev")
+set(pages "${WORK}/unpacked/usr/share/doc/tactus")
 file(GLOB_RECURSE documents "${pages}/*.md")
 set(checked 0)
 foreach(document IN LISTS documents)
@@ -78,7 +93,7 @@ if(checked LESS 100)
 endif()
 
 if(LINTIAN)
-  execute_process(COMMAND ${LINTIAN} --allow-root "${runtime}" "${dev}" OUTPUT_VARIABLE findings)
+  execute_process(COMMAND ${LINTIAN} --allow-root "${runtime}" "${dev}" "${program}" "${doc}" OUTPUT_VARIABLE findings)
   if(findings MATCHES "(^|\n)[EW]: ")
     message(FATAL_ERROR "lintian: ${findings}")
   endif()
