@@ -12,5 +12,6 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 # assembler takes the instructions that need no alignment.
 set(CMAKE_CXX_FLAGS_INIT "-Wa,-muse-unaligned-vector-move")
 # One file to hand on: the C++ runtime is inside.
-set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
+# The linker strips it, because strip would write the time into it: the same bytes on each day.
+set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static -s -Wl,--no-insert-timestamp")
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")

@@ -85,7 +85,6 @@ class Release:
         folder = self.stage("windows")
         self.run("cmake", "--install", build, "--prefix", folder)
         dll = os.path.join(folder, "bin", "tactus.dll")
-        self.run("x86_64-w64-mingw32-strip", "--strip-unneeded", dll)
         # Its linker takes libtactus.dll.a; Microsoft's takes this.
         self.run("x86_64-w64-mingw32-dlltool", "--deterministic-libraries", "-d", os.path.join(folder, "lib", "tactus.def"), "-D", "tactus.dll", "-l",
                  os.path.join(folder, "lib", "tactus.lib"))
