@@ -1,0 +1,176 @@
+#include "app/planning/nurse_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "app/session/simulated_nurse.h"
+#include "app/session/simulated_study.h"
+#include "core/base/check.h"
+#include "core/base/statistics.h"
+#include "elicitation/variables/ngt_variables.h"
+#include "experiments/published_tables.h"
+#include "questionnaires/form_file.h"
+
+namespace tactus::planning {
+namespace {
+
+double variance(const std::vector<double>& sample) { return std::pow(base::standardDeviation(sample), 2); }
+
+std::vector<double> exponentials(std::vector<double> logs) {
+  for (double& one : logs) one = std::exp(one);
+  return logs;
+}
+
+/// The mean word of S1, S2 and S3 at each question, over several seeds of their simulated answers.
+std::vector<double> typicalLevels(const study::Form& form) {
+  constexpr std::uint64_t kSeeds = 10;
+  std::vector<double> sum(form.items.size(), 0);
+  std::vector<double> count(form.items.size(), 0);
+  for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    for (const auto& answer : session::simulatedAnswers(form, seed)) {
+      const auto item = std::find_if(form.items.begin(), form.items.end(),
+                                     [&](const auto& one) { return one.number == answer.item; });
+      const auto word = std::find_if(form.answers.begin(), form.answers.end(),
+                                     [&](const auto& one) { return one.term == answer.term; });
+      const auto place = static_cast<std::size_t>(item - form.items.begin());
+      sum[place] += static_cast<double>(word - form.answers.begin());
+      ++count[place];
+    }
+  }
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
+  return sum;
+}
+
+}  // namespace
+
+Questions ngtQuestions() {
+  const auto form = questionnaires::ngtForceForm();
+  Questions out;
+  out.inputs = elicitation::ngtInputs();
+  const auto depths = elicitation::findDepthTerms(form.depth_terms);
+  TACTUS_CHECK(depths.has_value());
+  for (auto& input : out.inputs) {
+    if (input.id == elicitation::ngtRegionInput()) input.terms = depths->terms;
+  }
+  for (const auto& item : form.items) {
+    auto& conditions = out.items.emplace_back();
+    for (const auto& one : item.conditions) conditions.push_back({one.input, one.term});
+  }
+  out.words = form.answers.size();
+  return out;
+}
+
+std::vector<std::size_t> regionsOf(const Questions& questions) {
+  std::map<std::string, std::size_t> seen;
+  std::vector<std::size_t> out;
+  const auto depth = elicitation::ngtRegionInput();
+  for (const auto& item : questions.items) {
+    std::string region;
+    for (const auto& condition : item) {
+      if (condition.input == depth) region = condition.term;
+    }
+    out.push_back(seen.try_emplace(region, seen.size()).first->second);
+  }
+  return out;
+}
+
+SpreadParts spreadParts(const std::vector<std::vector<double>>& rows, std::vector<std::size_t> group) {
+  TACTUS_CHECK(rows.size() >= 2 && !rows.front().empty());
+  for (std::size_t c = group.size(); c < rows.front().size(); ++c) group.push_back(c);
+  const std::size_t columns = group.size();
+  const std::size_t groups = *std::max_element(group.begin(), group.end()) + 1;
+  const auto n = static_cast<double>(rows.size());
+  SpreadParts out;
+  out.column_mean.assign(columns, 0);
+  for (const auto& row : rows) {
+    for (std::size_t c = 0; c < columns; ++c) out.column_mean[c] += row[c] / n;
+  }
+  std::vector<double> size(groups, 0);
+  for (const std::size_t one : group) ++size[one];
+  // Each row less the column means: its mean, the means of its groups, the rest.
+  std::vector<double> row_mean;
+  std::vector<std::vector<double>> group_mean(groups);
+  double rest = 0;
+  for (const auto& row : rows) {
+    std::vector<double> sums(groups, 0);
+    double all = 0;
+    for (std::size_t c = 0; c < columns; ++c) {
+      sums[group[c]] += row[c] - out.column_mean[c];
+      all += row[c] - out.column_mean[c];
+    }
+    row_mean.push_back(all / static_cast<double>(columns));
+    for (std::size_t g = 0; g < groups; ++g) group_mean[g].push_back(sums[g] / size[g]);
+    for (std::size_t c = 0; c < columns; ++c) {
+      rest += std::pow(row[c] - out.column_mean[c] - group_mean[group[c]].back(), 2);
+    }
+  }
+  const double mean_size = static_cast<double>(columns) / static_cast<double>(groups);
+  const auto count = static_cast<double>(groups);
+  double of_groups = 0;  // variance of a group's mean within its row
+  if (groups > 1) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      double mean = 0;
+      for (std::size_t g = 0; g < groups; ++g) mean += group_mean[g][r] / count;
+      for (std::size_t g = 0; g < groups; ++g) of_groups += std::pow(group_mean[g][r] - mean, 2);
+    }
+    of_groups /= (n - 1) * (count - 1);
+  }
+  const bool single = groups == columns;
+  const double cell = single ? of_groups : rest / ((n - 1) * (static_cast<double>(columns) - count));
+  const double between = single ? 0 : std::max(0.0, of_groups - cell / mean_size);
+  out.cell = std::sqrt(cell);
+  out.group = std::sqrt(between);
+  out.row = std::sqrt(std::max(0.0, variance(row_mean) - of_groups / count));
+  return out;
+}
+
+TrueNurse NurseFamily::draw(base::Random& random) const {
+  TrueNurse out;
+  const double all = threshold_log * random.normal();
+  for (const double one : threshold_n)
+    out.threshold_n.push_back(one * std::exp(all + threshold_own_log * random.normal()));
+  std::sort(out.threshold_n.begin(), out.threshold_n.end());
+  out.beyond_from_n = std::max(beyond_from_n * std::exp(all), out.threshold_n.back());
+  const double whole = level_words * random.normal();
+  std::vector<double> of_region(region.empty() ? 0 : *std::max_element(region.begin(), region.end()) + 1);
+  for (double& one : of_region) one = level_region_words * random.normal();
+  for (std::size_t i = 0; i < level.size(); ++i)
+    out.level.push_back(level[i] + whole + of_region[region[i]] + level_own_words * random.normal());
+  const double hand = speed_log * random.normal();
+  for (const double one : speed_mm_s) out.speed_mm_s.push_back(one * std::exp(hand + speed_own_log * random.normal()));
+  std::sort(out.speed_mm_s.begin(), out.speed_mm_s.end());
+  return out;
+}
+
+NurseFamily defaultFamily(const Questions& questions) {
+  NurseFamily out;
+  std::vector<std::vector<double>> thresholds;
+  for (const auto& one : session::respondersOfTable2()) {
+    auto& row = thresholds.emplace_back();
+    for (const double threshold : one.threshold_n) row.push_back(std::log(threshold));
+    out.beyond_from_n = one.beyond_from_n;
+  }
+  const auto felt = spreadParts(thresholds);
+  out.threshold_n = exponentials(felt.column_mean);
+  out.threshold_log = felt.row;
+  out.threshold_own_log = felt.cell;
+  std::map<std::string, std::vector<double>> speeds;
+  for (const auto& one : experiments::publishedSpeeds()) speeds[one.participant].push_back(std::log(one.mean_mm_s));
+  std::vector<std::vector<double>> rows;
+  for (const auto& [participant, row] : speeds) rows.push_back(row);
+  const auto moved = spreadParts(rows);
+  out.speed_mm_s = exponentials(moved.column_mean);
+  out.speed_log = moved.row;
+  out.speed_own_log = moved.cell;
+  out.level = typicalLevels(questionnaires::ngtForceForm());
+  TACTUS_CHECK(out.level.size() == questions.items.size());
+  out.region = regionsOf(questions);
+  out.level_words = 0.5;
+  out.level_region_words = 0.4;
+  out.level_own_words = 0.45;
+  return out;
+}
+
+}  // namespace tactus::planning
