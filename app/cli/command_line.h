@@ -47,6 +47,23 @@ CLI::Validator inputFile();
 /// One of `words`. Another word is refused with the closest of them as a suggestion.
 CLI::Validator oneOf(std::vector<std::string> words);
 
+/// `--force-terms`, for options with a member `force_terms`.
+template <class Options>
+void addForceTermsFrom(CLI::App& command, Options& o) {
+  command
+      .add_option_function<std::string>(
+          "--force-terms",
+          [&o](const std::string& word) {
+            using enum elicitation::ForceTermsFrom;
+            for (const auto from : {kVote, kFrequency, kThresholds, kProbit}) {
+              if (word == name(from)) o.force_terms = from;
+            }
+          },
+          "Terms of the force from the judgements")
+      ->check(oneOf({"vote", "frequency", "thresholds", "probit"}))
+      ->default_str("vote");
+}
+
 /// A number for which `holds` is true; the sentence `wanted` describes the condition.
 CLI::Validator numberThat(std::string wanted, std::function<bool(double)> holds);
 

@@ -25,18 +25,7 @@ CLI::Validator weightsWord() {
 /// The options of `build` and `vote` for the terms of the force.
 template <class Options>
 void addForceTerms(CLI::App& command, Options& o) {
-  command
-      .add_option_function<std::string>(
-          "--force-terms",
-          [&o](const std::string& word) {
-            using enum elicitation::ForceTermsFrom;
-            for (const auto from : {kVote, kFrequency, kThresholds, kProbit}) {
-              if (word == name(from)) o.force_terms = from;
-            }
-          },
-          "Terms of the force from the judgements")
-      ->check(oneOf({"vote", "frequency", "thresholds", "probit"}))
-      ->default_str("vote");
+  addForceTermsFrom(command, o);
   command
       .add_option(
           "--force-end", o.force_end_n,

@@ -1,6 +1,10 @@
 // The command line of `tactus study`.
+#include <cmath>
+
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
+#include "app/planning/study_plan.h"
+#include "app/session/simulated_study.h"
 
 namespace tactus::cli {
 namespace {
@@ -84,6 +88,46 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
         command.add_option("--out", o.out, "CSV file for the bands at every 5 mm; no default")->check(notEmpty());
+        addJson(command, o.json);
+      });
+  addCommand(
+      study, chosen, "plan", "How many nurses and questions? Simulated studies, their error and hours", studyPlan,
+      [](CLI::App& command, StudyPlanOptions& o) {
+        command.add_option("STUDY", o.study, "A running study, as a file or a folder; default: a study to come")
+            ->check(notEmpty());
+        command.add_option("--precision", o.precision_n, "Error that is wanted, N, root mean square")
+            ->check(numberThat("a number above 0", [](double x) { return x > 0; }));
+        command.add_option("--region", o.region, "Region, such as laryngopharynx; default: all")->check(notEmpty());
+        const auto whole = [](int low, int high) {
+          return numberThat("a whole number from " + std::to_string(low) + " to " + std::to_string(high),
+                            [low, high](double x) { return x >= low && x <= high && x == std::floor(x); });
+        };
+        command.add_option("--most-nurses", o.most_nurses, "Largest number of nurses")
+            ->check(whole(2, planning::kMostNurses));
+        command
+            .add_option("--questions", o.questions,
+                        "Numbers of questions; default: 15,30,45, for a running study "
+                        "ten fewer, as many and ten more")
+            ->delimiter(',')
+            ->check(whole(1, 100));
+        command
+            .add_option("--strokes", o.strokes,
+                        "Numbers of strokes at each speed; default: 4, for a running study "
+                        "as it has")
+            ->delimiter(',')
+            ->check(whole(1, 100));
+        command
+            .add_option("--minutes", o.minutes,
+                        "Minutes of: consent and setup, a stroke, a force, a question; "
+                        "default: 5,0.2,0.2,0.1667")
+            ->delimiter(',')
+            ->expected(4)
+            ->check(numberThat("a number of 0 or more", [](double x) { return x >= 0; }));
+        command.add_option("--studies", o.studies, "Simulated studies of each design")
+            ->check(whole(2, planning::kMostStudies));
+        command.add_option("--seed", o.seed, "Seed, a whole number")->check(wholeNumberUpTo(session::kLargestSeed));
+        addForceTermsFrom(command, o);
+        command.add_option("--out", o.out, "CSV file for the designs; no default")->check(notEmpty());
         addJson(command, o.json);
       });
   addCommand(study, chosen, "form", "The questionnaire as a web page, for a survey system or on paper", studyForm,

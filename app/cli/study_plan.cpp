@@ -1,0 +1,273 @@
+// How many nurses, how many questions: the error of whole simulated studies, for a study to come or one that runs.
+#include "app/planning/study_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/cli/commands.h"
+#include "app/cli/output_file.h"
+#include "app/cli/study_build.h"
+#include "app/cli/terminal.h"
+#include "core/base/error.h"
+#include "core/base/json/json_writer.h"
+#include "core/base/tables/csv.h"
+#include "core/base/text.h"
+
+namespace tactus::cli {
+namespace {
+
+using base::formatFixed;
+using base::formatNumber;
+using base::JsonWriter;
+using base::Result;
+using planning::Design;
+using planning::DesignError;
+
+constexpr int kMoreNurses = 2;
+constexpr int kMoreQuestions = 10;
+constexpr std::string_view kSimulated =
+    "Simulated nurses, not real ones: they show what the method does with nurses like these, not what yours will say.";
+
+/// What is planned, and its result.
+struct Planned {
+  planning::Questions questions;
+  planning::NurseFamily family;
+  planning::PlanSettings settings;
+  std::optional<Design> now;  ///< of the running study
+  std::vector<std::string> notes;
+  std::vector<std::string> warnings;
+  planning::StudyPlan plan;
+};
+
+/// The next step of a running study: what it saves in newtons.
+struct Gain {
+  Design from, to;
+  double buys_n = 0;
+};
+
+Result<void> takeStudy(const StudyPlanOptions& options, Planned& out) {
+  BuildOptions build;
+  build.study = options.study;
+  build.force_terms = options.force_terms;
+  build.replicates = 0;
+  TACTUS_TRY(const auto made, buildStudy(build));
+  TACTUS_TRY(auto found, planning::familyOf(made.tables.study, made.built, made.settings));
+  out.warnings = made.warnings();
+  out.questions = std::move(found.questions);
+  out.family = std::move(found.family);
+  out.settings.noise = found.noise;
+  out.notes = std::move(found.notes);
+  std::size_t rules = 0;
+  for (const auto& expert : made.built.model.experts) rules += expert.rules.size();
+  Design now;
+  now.nurses = static_cast<int>(found.nurses);
+  const auto items = static_cast<int>(out.questions.items.size());
+  now.questions = std::clamp(static_cast<int>((rules + found.nurses / 2) / found.nurses), 1, items);
+  if (found.strokes > 0) now.strokes = static_cast<int>(found.strokes);
+  out.now = now;
+  auto& settings = out.settings;
+  settings.strokes = {now.strokes};
+  if (options.questions.empty()) {
+    settings.questions = {std::max(1, now.questions - kMoreQuestions), now.questions,
+                          std::min(items, now.questions + kMoreQuestions)};
+  } else {
+    settings.questions.push_back(now.questions);
+  }
+  settings.most_nurses = std::max(settings.most_nurses, now.nurses + kMoreNurses);
+  settings.least_nurses = std::min(settings.least_nurses, now.nurses);
+  return {};
+}
+
+Result<Planned> planFrom(const StudyPlanOptions& options) {
+  Planned out;
+  auto& settings = out.settings;
+  settings.precision_n = options.precision_n;
+  settings.region = options.region;
+  settings.most_nurses = options.most_nurses;
+  settings.least_nurses = std::min(settings.least_nurses, options.most_nurses);
+  if (!options.questions.empty()) settings.questions = options.questions;
+  if (!options.strokes.empty()) settings.strokes = options.strokes;
+  settings.studies = options.studies;
+  settings.seed = options.seed;
+  settings.force_terms = options.force_terms;
+  if (!options.minutes.empty())
+    settings.minutes = {options.minutes[0], options.minutes[1], options.minutes[2], options.minutes[3]};
+  if (options.study.empty()) {
+    out.questions = planning::ngtQuestions();
+    out.family = planning::defaultFamily(out.questions);
+  } else if (auto ok = takeStudy(options, out); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  for (auto* const list : {&settings.questions, &settings.strokes}) {
+    std::sort(list->begin(), list->end());
+    list->erase(std::unique(list->begin(), list->end()), list->end());
+  }
+  const InterruptSignals interrupt;
+  const auto draw = [&family = out.family](base::Random& random) { return family.draw(random); };
+  TACTUS_TRY(out.plan, planning::planStudy(out.questions, draw, settings, [&](double) { return !interrupt.raised(); }));
+  return out;
+}
+
+std::vector<Gain> gainsOf(const Planned& planned) {
+  std::vector<Gain> out;
+  if (!planned.now) return out;
+  const auto* const now = planned.plan.find(*planned.now);
+  Design nurses = *planned.now;
+  nurses.nurses += kMoreNurses;
+  Design more = *planned.now;
+  more.questions = std::min(more.questions + kMoreQuestions, static_cast<int>(planned.questions.items.size()));
+  Design fewer = *planned.now;
+  fewer.questions = std::max(1, fewer.questions - kMoreQuestions);
+  for (const auto& to : {nurses, more, fewer}) {
+    const auto* const found = planned.plan.find(to);
+    if (found == nullptr || (to.nurses == now->design.nurses && to.questions == now->design.questions)) continue;
+    out.push_back({*planned.now, to, now->error_n - found->error_n});
+  }
+  return out;
+}
+
+std::string sentence(const Gain& gain) {
+  const auto newtons = formatFixed(std::abs(gain.buys_n), 3) + " N";
+  const bool buys = gain.buys_n >= 0;
+  const int nurses = gain.to.nurses - gain.from.nurses;
+  const int questions = gain.to.questions - gain.from.questions;
+  if (nurses > 0) return std::to_string(nurses) + " more nurses buy " + newtons + ".";
+  if (questions > 0)
+    return std::to_string(questions) + " more questions each " + (buys ? "buy " : "cost ") + newtons + ".";
+  return std::to_string(-questions) + " questions fewer each " + (buys ? "would gain " : "would cost ") + newtons + ".";
+}
+
+std::string designText(const Design& design) {
+  return std::to_string(design.nurses) + " nurses, " + std::to_string(design.questions) + " questions, " +
+         std::to_string(design.strokes) + " strokes at each speed";
+}
+
+std::string cheapestText(const Planned& planned) {
+  const auto& designs = planned.plan.designs;
+  if (planned.plan.cheapest) {
+    const auto& one = designs[*planned.plan.cheapest];
+    return "The cheapest design for ± " + formatNumber(planned.settings.precision_n) + " N: " + designText(one.design) +
+           ", " + formatFixed(one.hours, 1) + " hours.";
+  }
+  const auto best = std::min_element(designs.begin(), designs.end(),
+                                     [](const auto& a, const auto& b) { return a.high_n < b.high_n; });
+  std::string out = "No design reaches ± " + formatNumber(planned.settings.precision_n) +
+                    " N. The best of them: " + designText(best->design) + ", ± " + formatFixed(best->error_n, 3) +
+                    " N.";
+  if (best->bias_n > planned.settings.precision_n)
+    out += " More nurses of this kind would not help: " + formatFixed(best->bias_n, 3) + " N of it stay.";
+  return out;
+}
+
+std::string textOf(const Planned& planned) {
+  const auto& settings = planned.settings;
+  std::string out = wrapped(kSimulated, "", 0);
+  out += wrapped("Error of the averaged force " +
+                     (settings.region.empty() ? std::string("in all regions") : "in " + settings.region) +
+                     " for other nurses; " + std::to_string(settings.studies) +
+                     " simulated studies of each design, "
+                     "force words by " +
+                     std::string(name(settings.force_terms)) + ", seed " + std::to_string(settings.seed) + ".",
+                 "", 0);
+  out += "\nquestions  strokes  nurses  error N       95 %        95 % of studies below  hours\n";
+  for (const auto& one : planned.plan.designs) {
+    out += rightAligned(std::to_string(one.design.questions), 9) + rightAligned(std::to_string(one.design.strokes), 9) +
+           rightAligned(std::to_string(one.design.nurses), 8) + rightAligned(formatFixed(one.error_n, 3), 9) + "  " +
+           formatFixed(one.low_n, 3) + " to " + formatFixed(one.high_n, 3) +
+           rightAligned(formatFixed(one.p95_n, 3), 23) + rightAligned(formatFixed(one.hours, 1), 7) + "\n";
+  }
+  out += "\n" + wrapped(cheapestText(planned), "", 0);
+  if (planned.now) out += wrapped("The study now: " + designText(*planned.now) + ".", "", 0);
+  for (const auto& gain : gainsOf(planned)) out += wrapped(sentence(gain), "", 0);
+  for (const auto& note : planned.notes) out += wrapped(note, "", 0);
+  return out;
+}
+
+std::string jsonOf(const StudyPlanOptions& options, const Planned& planned) {
+  const auto& settings = planned.settings;
+  JsonWriter json;
+  json.beginObject().key("simulated").value(true).key("note").value(kSimulated);
+  if (!options.study.empty()) json.key("study").value(options.study);
+  json.key("seed").value(static_cast<std::size_t>(settings.seed));
+  json.key("studies").value(settings.studies);
+  json.key("population").value(settings.population);
+  json.key("region").value(settings.region).key("precision_n").value(settings.precision_n);
+  json.key("force_terms").value(name(settings.force_terms));
+  const auto& family = planned.family;
+  json.key("family").beginObject();
+  json.key("threshold_n").values(family.threshold_n).key("threshold_log").value(family.threshold_log);
+  json.key("threshold_own_log").value(family.threshold_own_log).key("level_words").value(family.level_words);
+  json.key("level_region_words").value(family.level_region_words);
+  json.key("level_own_words").value(family.level_own_words).key("speed_mm_s").values(family.speed_mm_s);
+  json.key("speed_log").value(family.speed_log).key("speed_own_log").value(family.speed_own_log);
+  json.key("judgement_jnd").value(settings.noise.judgement_jnd).key("lapse").value(settings.noise.lapse);
+  json.key("answer_words").value(settings.noise.answer_words);
+  json.key("stroke_log").value(settings.noise.stroke_log).endObject();
+  const auto& minutes = settings.minutes;
+  json.key("minutes").beginObject(JsonWriter::Layout::kInline).key("other").value(minutes.other);
+  json.key("stroke").value(minutes.stroke).key("force").value(minutes.force);
+  json.key("question").value(minutes.question).endObject();
+  const auto writeDesign = [&json](const Design& design) {
+    json.key("nurses").value(design.nurses).key("questions").value(design.questions);
+    json.key("strokes").value(design.strokes);
+  };
+  json.key("designs").beginArray();
+  for (const auto& one : planned.plan.designs) {
+    json.beginObject(JsonWriter::Layout::kInline);
+    writeDesign(one.design);
+    json.key("hours").value(one.hours).key("error_n").value(one.error_n).key("low_n").value(one.low_n);
+    json.key("high_n").value(one.high_n).key("simulated_n").value(one.simulated_n).key("p95_n").value(one.p95_n);
+    json.key("bias_n").value(one.bias_n).key("silent").value(one.silent).key("refused").value(one.refused);
+    json.endObject();
+  }
+  json.endArray();
+  if (planned.plan.cheapest) {
+    json.key("cheapest").beginObject(JsonWriter::Layout::kInline);
+    writeDesign(planned.plan.designs[*planned.plan.cheapest].design);
+    json.endObject();
+  }
+  json.key("gains").beginArray();
+  for (const auto& gain : gainsOf(planned)) {
+    json.beginObject(JsonWriter::Layout::kInline);
+    writeDesign(gain.to);
+    json.key("buys_n").value(gain.buys_n).key("text").value(sentence(gain)).endObject();
+  }
+  json.endArray().key("notes").values(planned.notes).endObject();
+  return json.text();
+}
+
+std::string csvOf(const Planned& planned) {
+  base::CsvWriter csv{"nurses", "questions",   "strokes",     "hours",  "error_n",  "low_n",
+                      "high_n", "simulated_n", "p95_n",       "bias_n", "silent",   "refused",
+                      "region", "studies",     "force_terms", "seed",   "simulated"};
+  const auto& settings = planned.settings;
+  for (const auto& one : planned.plan.designs) {
+    for (const int number : {one.design.nurses, one.design.questions, one.design.strokes}) csv.cell(number);
+    for (const double number : {one.hours, one.error_n, one.low_n, one.high_n, one.simulated_n, one.p95_n, one.bias_n,
+                                one.silent, one.refused})
+      csv.cell(number);
+    csv.cell(settings.region);
+    csv.cell(settings.studies);
+    csv.cell(name(settings.force_terms));
+    csv.cell(static_cast<std::size_t>(settings.seed));
+    csv.cell(1);
+    csv.endRow();
+  }
+  return csv.text();
+}
+
+}  // namespace
+
+Result<Output> studyPlan(const StudyPlanOptions& options) {
+  if (auto ok = requireOutput(options.out, {options.study}); !ok) return tl::unexpected(ok.error());
+  TACTUS_TRY(const auto planned, planFrom(options));
+  Output said{options.json ? jsonOf(options, planned) : textOf(planned), planned.warnings};
+  if (options.out.empty()) return said;
+  return written(options.out, csvOf(planned), std::move(said), options.json);
+}
+
+}  // namespace tactus::cli
