@@ -128,6 +128,9 @@ extern const std::string_view kTubeStartInC;
 extern const std::string_view kTubeStartInJs;
 extern const std::string_view kTubeBody;
 
+/// A script that may stand in a page: nothing in it, be it a comment or a text, ends the page's script.
+std::string forAPage(std::string script);
+
 // What the C source of one model is made of (c_source.h). Nothing outside this folder includes this.
 
 /// Writes the source of one model: what each expert needs, and from it the functions of the header.

@@ -76,10 +76,7 @@ std::string modelText(const fuzzy::ForceModel& model, const Origin& origin) {
   const std::vector<double> weights = fuzzy::normalizedWeights(model);
   for (std::size_t e = 0; e < model.experts.size(); ++e) writeExpert(json, model, e, weights[e]);
   json.endArray().endObject();
-  std::string text = json.text();
-  // A page that holds the source must not end its script here.
-  for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at)) text.replace(at, 2, "<\\/");
-  return text;
+  return json.text();
 }
 
 constexpr std::string_view kCentroid = R"(
@@ -366,6 +363,12 @@ bool hasGaussianOutput(const fuzzy::ForceModel& model) {
 
 }  // namespace
 
+std::string forAPage(std::string script) {
+  for (std::size_t at = script.find("</"); at != std::string::npos; at = script.find("</", at))
+    script.replace(at, 2, "<\\/");
+  return script;
+}
+
 std::string jsForce(const fuzzy::ForceModel& model, const Origin& origin) {
   const bool gaussian = hasGaussianOutput(model);
   std::string out = "/* " + comment(model.name) +
@@ -382,7 +385,7 @@ std::string jsForce(const fuzzy::ForceModel& model, const Origin& origin) {
               gaussian ? "  if (terms.some((term, t) => term.gaussian && strengths[t] > 0)) {\n"
                          "    return gaussianOffset(terms, strengths, largest, scales, min, max);\n  }\n"
                        : "");
-  return out + end;
+  return forAPage(out + end);
 }
 
 }  // namespace tactus::exchange

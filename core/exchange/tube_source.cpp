@@ -138,25 +138,26 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& ori
 base::Result<std::string> jsTube(const fuzzy::ForceModel& model, const Origin& origin) {
   TACTUS_TRY(const auto inputs, render::tubeInputs(model));
   const Filling filling = fillingOf(model, inputs, origin);
-  return "/* The tube of " + comment(model.name) +
-         ", written by Tactus: what a hand feels that pushes it in, stroke by stroke. Plain JavaScript,\n"
-         " * with force_model.js beside it: a module for Node, a script for a page. Lengths are mm, times s, forces "
-         "N.\n"
-         " * The numbers in parentheses are those of docs/renderer.md.\n" +
-         filling.origin + filling.conditions +
-         " *\n *   const tube = tubeStart(conditions);\n"
-         " *   const force_n = tubeStep(tube, position_mm, held, dt_s);   what else is felt: tube.depth_mm, "
-         "tube.phase, "
-         "...\n */\n"
-         "(function () {\n'use strict';\n"
-         "const forceModel = typeof module === 'object' && module.exports ? require('./force_model.js').forceModel\n"
-         "                                                                : globalThis.forceModel;\n"
-         "const TUBE_CONDITIONS = " +
-         std::to_string(inputs.conditions.size()) + ";\n" + numbersText(model, inputs, "const ") +
-         inJavaScript(filled(kTubeStartInJs, {{"@INPUTS@", filling.places}})) + inJavaScript(kTubeBody) +
-         "\nif (typeof module === 'object' && module.exports) {\n"
-         "  module.exports = { tubeStart, tubePlace, tubeChange, tubeStep };\n} else {\n"
-         "  Object.assign(globalThis, { tubeStart, tubePlace, tubeChange, tubeStep });\n}\n})();\n";
+  return forAPage(
+      "/* The tube of " + comment(model.name) +
+      ", written by Tactus: what a hand feels that pushes it in, stroke by stroke. Plain JavaScript,\n"
+      " * with force_model.js beside it: a module for Node, a script for a page. Lengths are mm, times s, forces "
+      "N.\n"
+      " * The numbers in parentheses are those of docs/renderer.md.\n" +
+      filling.origin + filling.conditions +
+      " *\n *   const tube = tubeStart(conditions);\n"
+      " *   const force_n = tubeStep(tube, position_mm, held, dt_s);   what else is felt: tube.depth_mm, "
+      "tube.phase, "
+      "...\n */\n"
+      "(function () {\n'use strict';\n"
+      "const forceModel = typeof module === 'object' && module.exports ? require('./force_model.js').forceModel\n"
+      "                                                                : globalThis.forceModel;\n"
+      "const TUBE_CONDITIONS = " +
+      std::to_string(inputs.conditions.size()) + ";\n" + numbersText(model, inputs, "const ") +
+      inJavaScript(filled(kTubeStartInJs, {{"@INPUTS@", filling.places}})) + inJavaScript(kTubeBody) +
+      "\nif (typeof module === 'object' && module.exports) {\n"
+      "  module.exports = { tubeStart, tubePlace, tubeChange, tubeStep };\n} else {\n"
+      "  Object.assign(globalThis, { tubeStart, tubePlace, tubeChange, tubeStep });\n}\n})();\n");
 }
 
 }  // namespace tactus::exchange

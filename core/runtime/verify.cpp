@@ -1,6 +1,31 @@
 // Bundles of the C interface.
+#include <string>
+
+#include "core/base/error.h"
+#include "core/contracts/contract_check.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/model_io/bundle_check.h"
 #include "core/runtime/message.h"
+
+namespace tactus::runtime {
+namespace {
+
+/// The sentence about the first contract that the model breaks; empty where there is none.
+std::string brokenContract(const fuzzy::ForceModel& model, const std::string& folder) {
+  if (model.contracts.empty()) return {};
+  const auto compiled = fuzzy::compile(model);
+  if (!compiled) return compiled.error().message();
+  for (const fuzzy::Contract& contract : model.contracts) {
+    if (contracts::checkContract(model, *compiled, contract).verdict == contracts::Verdict::kViolated) {
+      return folder + ": found a violation of " + base::quoted(contracts::sentenceOf(model, contract)) +
+             ", wanted contracts that the model keeps";
+    }
+  }
+  return {};
+}
+
+}  // namespace
+}  // namespace tactus::runtime
 
 using namespace tactus;  // NOLINT(google-build-using-namespace): the functions below are outside all namespaces
 using namespace tactus::runtime;  // NOLINT(google-build-using-namespace)
@@ -22,6 +47,9 @@ tactus_status tactus_verify(const char* bundle_folder, double* largest_error_n, 
         *largest_error_n = file.largest_error_n;
       if (!file.ok && status == TACTUS_OK) status = said.fail(TACTUS_NOT_VERIFIED, file.wrong);
     }
+    if (status != TACTUS_OK) return status;
+    const std::string broken = brokenContract(bundle->model, bundle_folder);
+    if (!broken.empty()) status = said.fail(TACTUS_NOT_VERIFIED, broken);
     return status;
   });
 }

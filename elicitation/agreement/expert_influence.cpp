@@ -226,15 +226,40 @@ base::Result<ExpertInfluences> expertInfluence(const fuzzy::ForceModel& model,
   return comparison.result();
 }
 
-std::string pointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+namespace {
+
+/// So many digits as tell places of the universe apart: a thousandth of it, or finer.
+std::string placeNumber(double value, const fuzzy::Variable& input) {
+  const double digits = std::ceil(std::log10(1000 / (input.max - input.min)));
+  const double unit = std::pow(10, std::max(0.0, digits));
+  return base::formatNumber(std::round(value * unit) / unit);
+}
+
+bool unitTells(const fuzzy::ForceModel& model, const fuzzy::Variable& input) {
+  return input.unit != "1" && std::count_if(model.inputs.begin(), model.inputs.end(),
+                                            [&](const auto& other) { return other.unit == input.unit; }) == 1;
+}
+
+std::string placeText(const fuzzy::ForceModel& model, const std::vector<double>& point, bool every_name) {
   std::vector<std::string> parts;
   for (std::size_t k = 0; k < point.size(); ++k) {
     const auto& input = model.inputs[k];
-    std::string id = input.id;
-    std::replace(id.begin(), id.end(), '_', ' ');
-    parts.push_back(id + ' ' + base::roundedNumber(point[k]) + (input.unit == "1" ? "" : ' ' + input.unit));
+    std::string name = input.id + ' ';
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!every_name && unitTells(model, input)) name.clear();
+    parts.push_back(name + placeNumber(point[k], input) + (input.unit == "1" ? "" : ' ' + input.unit));
   }
   return base::joined(parts, ", ");
+}
+
+}  // namespace
+
+std::string pointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+  return placeText(model, point, true);
+}
+
+std::string shortPointText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+  return placeText(model, point, false);
 }
 
 std::vector<std::string> influenceNotes(const fuzzy::ForceModel& model, const ExpertInfluences& influences) {

@@ -67,5 +67,8 @@ std::vector<std::string> influenceNotes(const fuzzy::ForceModel& model, const Ex
 
 /// A point of the input space as text, e.g. `lubrication 1, neck flexion 60 deg, depth 200 mm, speed 50 mm/s`.
 std::string pointText(const fuzzy::ForceModel& model, const std::vector<double>& point);
+/// The same for a cell of a table: without the names of inputs that their unit tells, e.g. `lubrication 1, 60 deg, 200
+/// mm, 50 mm/s`.
+std::string shortPointText(const fuzzy::ForceModel& model, const std::vector<double>& point);
 
 }  // namespace tactus::elicitation

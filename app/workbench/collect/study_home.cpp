@@ -347,8 +347,10 @@ void StudyHome::connectAll() {
       showHints();
     } else if (overview.protocol.version == 0) {
       emit protocolAsked();
+    } else if (!overview.has_key) {
+      emit keyAsked();
     } else {
-      overview.has_key ? emit setupAsked() : emit keyAsked();
+      wantsSetup() ? emit setupAsked() : emit answersAsked();
     }
   });
 }
@@ -435,6 +437,14 @@ void StudyHome::showSelection() {
   }
 }
 
+// Real persons are about to be asked, and nobody has checked what they will feel.
+bool StudyHome::wantsSetup() const {
+  const auto& rows = collect_.overview().rows;
+  const bool real = std::any_of(rows.begin(), rows.end(), [](const auto& row) { return !row.simulated; });
+  const bool checked = collect_.setup() != nullptr && collect_.setup()->isGood();
+  return real && !checked && !collect_.study().isReadOnly();
+}
+
 void StudyHome::showHints() {
   const StudyOverview& overview = collect_.overview();
   if (newest_ && collect_.row(*newest_) != nullptr) {
@@ -448,21 +458,20 @@ void StudyHome::showHints() {
     return;
   }
   const bool without_protocol = overview.protocol.version == 0;
-  const bool real =
-      std::any_of(overview.rows.begin(), overview.rows.end(), [](const auto& row) { return !row.simulated; });
-  const bool checked = collect_.setup() != nullptr && collect_.setup()->isGood();
   const bool open = collect_.study().isOpen() && !overview.rows.empty();
   const bool warns = open && (without_protocol || !overview.has_key);
-  const bool asks = open && real && !checked && !collect_.study().isReadOnly();
-  hint_->setVisible(warns || asks);
+  const bool asks = open && wantsSetup();
+  const bool leads_on = open && std::all_of(overview.rows.begin(), overview.rows.end(),
+                                            [](const auto& row) { return !row.next && row.trouble.isEmpty(); });
+  hint_->setVisible(warns || asks || leads_on);
   if (!hint_->isVisibleTo(this)) return;
   if (!warns) {
     hint_->setColors(theme::card(), theme::accent());
     setInk(*hint_text_, theme::ink());
-    hint_text_->setText(
-        tr("The set-up is not checked: device, force, latency, screens, sound, texts, disk. It takes 90 "
-           "seconds; sessions without it are marked."));
-    hint_act_->setText(tr("Check the set-up…"));
+    hint_text_->setText(asks ? tr("The set-up is not checked: device, force, latency, screens, sound, texts, disk. It "
+                                  "takes 90 seconds; sessions without it are marked.")
+                             : tr("Everybody has done everything. Look at what they said, then build the model."));
+    hint_act_->setText(asks ? tr("Check the set-up…") : tr("Look at the answers"));
     return;
   }
   hint_->setColors(theme::warningFill(), theme::warningFill());

@@ -54,6 +54,8 @@ class StudyHome : public QWidget {
   void keyAsked();
   void fillAsked();
   void setupAsked();
+  /// The stage in which the answers become a model.
+  void answersAsked();
   void recordAsked(const tactus::study::RecordId& person);
   void withdrawAsked(const tactus::study::RecordId& person);
 
@@ -64,6 +66,7 @@ class StudyHome : public QWidget {
   void connectAll();
   void refreshState();
   void showSelection();
+  bool wantsSetup() const;
   void showHints();
   void showAdded(const study::RecordId& person, const QString& code);
 

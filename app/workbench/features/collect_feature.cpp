@@ -59,6 +59,8 @@ void CollectFeature::connectRun(Bench& bench) {
   QObject* const context = &bench.features;
   QObject::connect(&bench.views.collect->home(), &StudyHome::startAsked, &run, &SessionRun::start);
   QObject::connect(&bench.views.collect->home(), &StudyHome::usabilityAsked, &run, &SessionRun::startUsability);
+  QObject::connect(&bench.views.collect->home(), &StudyHome::answersAsked, context,
+                   [&bench] { bench.window.enter(Stage::kBuild); });
   QObject::connect(&run, &SessionRun::changed, context,
                    [&bench] { bench.collect.setSessionRunning(bench.run.isRunning()); });
   QObject::connect(&run, &SessionRun::failed, context, [&bench](const QString& sentence) {

@@ -37,6 +37,9 @@ void keepSetup(ParticipantPlan& plan, const std::optional<session::SetupCertific
 SessionRun::SessionRun(MainWindow& window, StudyConnection& study, DeviceSession& device, QObject* parent)
     : QObject(parent), window_(window), study_(study), device_(device) {
   connect(&search_, &DeviceSearch::found, this, &SessionRun::plan);
+  connect(&study_, &StudyConnection::changed, this, [this] {
+    if (!study_.isOpening() && std::exchange(plans_again_, false)) plan();
+  });
   connect(&device_, &DeviceSession::sampled, this, [this](std::span<const haptics::Sample> samples) {
     if (monitor_) monitor_->add(samples);
   });
@@ -70,7 +73,9 @@ void SessionRun::plan() {
   const auto read = [this, gone](const store::StudyFile& file) -> StudyConnection::Deliver {
     return [this, gone, plan = participantPlan(file)] {
       if (!preparing_ || take_part_) return;
-      if (study_.path() != study_path_) {
+      if (study_.isOpening()) {
+        plans_again_ = true;  // the study is perhaps being left: what comes of it decides
+      } else if (study_.path() != study_path_) {
         gone();
       } else if (!plan) {
         fail(text(plan.error().message()));

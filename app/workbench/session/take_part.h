@@ -151,6 +151,7 @@ class SessionRun : public QObject {
   std::optional<session::SetupCertificate> setup_;
   bool setup_unchecked_ = false;  ///< of the session that runs
   bool preparing_ = false;
+  bool plans_again_ = false;            ///< once the study is no longer being opened or left
   bool quits_with_last_window_ = true;  ///< as it was before
   std::unique_ptr<TakePart> take_part_;
   std::unique_ptr<MonitorController> monitor_;  ///< ends before the session that it watches

@@ -15,6 +15,7 @@
 #include "core/analysis/check_points.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
+#include "core/contracts/contract_check.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
 #include "tactus/tactus.h"
@@ -90,6 +91,23 @@ TEST_F(BundleTest, IsVerifiedByTheProgramAndByTheLibrary) {
   double error_n = 7;
   EXPECT_EQ(library(&error_n), TACTUS_OK) << message_;
   EXPECT_EQ(error_n, 0);
+}
+
+/// The rules never ask for more force with more lubrication; the centroid gives more all the same.
+TEST_F(BundleTest, TheLibraryFindsAContractThatTheModelBreaks) {
+  for (const auto& [sentence, kept] : {std::pair{"the force is never above 1.1 N", true},
+                                       std::pair{"more lubrication never raises the force", false}}) {
+    fuzzy::ForceModel model = support::s4FiveRegions();
+    const auto contract = contracts::parseContract(model, sentence);
+    ASSERT_TRUE(contract) << contract.error().message();
+    model.contracts = {*contract};
+    model.contracts.front().id = "c1";
+    const auto made = makeBundle(model, {{}, "2026-11-22T08:00:00Z", std::string(kProgram), kCoarse});
+    ASSERT_TRUE(made) << made.error().message();
+    ASSERT_TRUE(writeBundle(*made, path_));
+    EXPECT_EQ(library(), kept ? TACTUS_OK : TACTUS_NOT_VERIFIED) << message_;
+    EXPECT_EQ(std::string(message_).find(sentence) == std::string::npos, kept) << message_;
+  }
 }
 
 TEST_F(BundleTest, ItsChecksAreManyAndExact) {

@@ -227,7 +227,7 @@ std::vector<WeightRow> weightRows(const elicitation::BuiltModel* built) {
     if (!influence.largest) continue;
     row.largest = newtons(influence.largest->newtons);
     if (influence.most_noticeable) row.noticeable = numberText(influence.most_noticeable->noticeable, 1);
-    row.where = text(elicitation::pointText(built->model, influence.largest->at));
+    row.where = text(elicitation::shortPointText(built->model, influence.largest->at));
   }
   return rows;
 }

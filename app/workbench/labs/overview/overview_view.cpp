@@ -1,11 +1,15 @@
 #include <QCoreApplication>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
+#include <QPainterPath>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <QWidget>
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -19,6 +23,8 @@
 namespace tactus::workbench {
 namespace {
 
+class RiverMap;
+
 class OverviewView : public QWidget {
   Q_DECLARE_TR_FUNCTIONS(OverviewView)
 
@@ -31,18 +37,18 @@ class OverviewView : public QWidget {
 
  private:
   void showState();
-  QWidget* makeCard(const BuildPart& part, double largest_n);
+  QWidget* makeCard(const BuildPart& part);
 
   BuildOverview& overview_;
   OverviewLeads leads_;
   QLabel* lead_;
   QScrollArea* scroll_;
+  RiverMap* river_;
   QVBoxLayout* cards_;
   QWidget* empty_;
   QLabel* why_;
 };
 
-constexpr int kRiver = 14;    // px, of the widest part
 constexpr int kWarnings = 2;  // of a card
 constexpr int kNameWidth = 12 * theme::kGrid;
 
@@ -57,23 +63,138 @@ QString nameOf(BuildPart::Kind kind) {
   return {};
 }
 
-/// The part's arm of the river: as wide as its newtons.
-class River : public QWidget {
+/// What the part is made of, where the river begins.
+QString sourceOf(BuildPart::Kind kind) {
+  switch (kind) {
+    case BuildPart::Kind::kDepth: return OverviewView::tr("Image");
+    case BuildPart::Kind::kSpeed: return OverviewView::tr("Strokes");
+    case BuildPart::Kind::kForce: return OverviewView::tr("Judgements");
+    case BuildPart::Kind::kRules: return OverviewView::tr("Answers");
+    case BuildPart::Kind::kExperts: return OverviewView::tr("Weights");
+  }
+  return {};
+}
+
+QString madeOf(BuildPart::Kind kind) {
+  switch (kind) {
+    case BuildPart::Kind::kDepth: return OverviewView::tr("depth words");
+    case BuildPart::Kind::kSpeed: return OverviewView::tr("speed words");
+    case BuildPart::Kind::kForce: return OverviewView::tr("force words");
+    case BuildPart::Kind::kRules: return OverviewView::tr("rules");
+    case BuildPart::Kind::kExperts: return OverviewView::tr("mean of the experts");
+  }
+  return {};
+}
+
+/// The way from the data to the force, drawn as one river: each arm is as wide as the newtons that hang on it. A click
+/// on an arm opens its lab.
+class RiverMap : public QWidget {
  public:
-  River(double share, QWidget* parent) : QWidget(parent), share_(share) { setFixedWidth(4 * theme::kGrid); }
+  RiverMap(std::function<void(BuildPart::Kind)> open, QWidget* parent) : QWidget(parent), open_(std::move(open)) {
+    setMouseTracking(true);
+    setCursor(Qt::PointingHandCursor);
+  }
+
+  void show(std::vector<BuildPart> parts) {
+    std::sort(parts.begin(), parts.end(), [](const auto& one, const auto& other) { return one.kind < other.kind; });
+    parts_ = std::move(parts);
+    QStringList said;
+    for (const BuildPart& part : parts_)
+      said << OverviewView::tr("%1 become %2: %3").arg(sourceOf(part.kind), madeOf(part.kind), newtonsOf(part));
+    setAccessibleName(OverviewView::tr("From the data to the force"));
+    setAccessibleDescription(said.join(QStringLiteral("; ")));
+    setFixedHeight(static_cast<int>(parts_.size()) * rowHeight() + 2 * kMargin);
+    updateGeometry();
+    update();
+  }
 
  protected:
   void paintEvent(QPaintEvent* /*event*/) override {
+    if (parts_.empty()) return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme::accent());
-    const double width = std::max(1.5, share_ * kRiver);
-    painter.drawRoundedRect(QRectF((this->width() - width) / 2, 0, width, height()), width / 2, width / 2);
+    double largest_n = 0;
+    for (const BuildPart& part : parts_) largest_n = std::max(largest_n, part.stake_n.value_or(0));
+    const QFontMetrics metrics(theme::smallFont());
+    int source_width = 0;
+    for (const BuildPart& part : parts_)
+      source_width = std::max(source_width, metrics.horizontalAdvance(sourceOf(part.kind)));
+    const QString mouth = OverviewView::tr("Force");
+    const double left = kMargin + source_width + theme::kGrid;
+    const double right = width() - kMargin - QFontMetrics(theme::headingFont()).horizontalAdvance(mouth) - theme::kGrid;
+    double all = 0;
+    for (const BuildPart& part : parts_) all += widthOf(part, largest_n);
+    double at = height() / 2.0 - all / 2;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const double arm = widthOf(parts_[i], largest_n);
+      paintArm(painter, i, {left, rowMiddle(i)}, {right, at + arm / 2}, arm);
+      at += arm;
+      painter.setFont(theme::smallFont());
+      painter.setPen(theme::mutedInk());
+      painter.drawText(QRectF(kMargin, rowMiddle(i) - rowHeight() / 2.0, source_width, rowHeight()),
+                       Qt::AlignRight | Qt::AlignVCenter, sourceOf(parts_[i].kind));
+    }
+    painter.setFont(theme::headingFont());
+    painter.setPen(theme::ink());
+    painter.drawText(QRectF(right + theme::kGrid, 0, width() - right, height()), Qt::AlignLeft | Qt::AlignVCenter,
+                     mouth);
+  }
+
+  void mouseMoveEvent(QMouseEvent* event) override {
+    const auto row = rowAt(event->position().y());
+    setToolTip(row ? harmless(parts_[*row].effect) : QString());
+  }
+  void mouseReleaseEvent(QMouseEvent* event) override {
+    if (const auto row = rowAt(event->position().y()); row && event->button() == Qt::LeftButton)
+      open_(parts_[*row].kind);
   }
 
  private:
-  double share_;
+  static constexpr int kMargin = theme::kGrid;
+  static constexpr double kWidest = 22;   // px, of the arm with the most newtons
+  static constexpr double kThinnest = 2;  // px, of one without any
+
+  static int rowHeight() { return QFontMetrics(theme::smallFont()).height() + theme::kGrid + 2; }
+  static QString newtonsOf(const BuildPart& part) {
+    return part.stake_n ? quantityText(*part.stake_n, "N", 3) : OverviewView::tr("no newtons");
+  }
+  static double widthOf(const BuildPart& part, double largest_n) {
+    return std::max(kThinnest, largest_n > 0 ? kWidest * part.stake_n.value_or(0) / largest_n : 0);
+  }
+  double rowMiddle(std::size_t row) const { return kMargin + (static_cast<double>(row) + 0.5) * rowHeight(); }
+  std::optional<std::size_t> rowAt(double y) const {
+    const double row = (y - kMargin) / rowHeight();
+    if (row < 0 || row >= static_cast<double>(parts_.size())) return std::nullopt;
+    return static_cast<std::size_t>(row);
+  }
+
+  void paintArm(QPainter& painter, std::size_t row, const QPointF& from, const QPointF& to, double arm) const {
+    const double bend = from.x() + 0.62 * (to.x() - from.x());
+    QPainterPath path(from);
+    path.lineTo(bend, from.y());
+    const double middle = (bend + to.x()) / 2;
+    path.cubicTo(middle, from.y(), middle, to.y(), to.x(), to.y());
+    QColor color = theme::accent();
+    color.setAlphaF(row % 2 == 0 ? 0.75F : 0.55F);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme::onCard(color), arm, Qt::SolidLine, Qt::FlatCap));
+    painter.drawPath(path);
+    // The words that it becomes, on the water.
+    painter.setFont(theme::smallFont());
+    const QFontMetrics metrics(theme::smallFont());
+    const QString words = madeOf(parts_[row].kind) + QStringLiteral(" · ") + newtonsOf(parts_[row]);
+    const double width = metrics.horizontalAdvance(words) + 2 * theme::kGrid;
+    const QRectF pill(from.x() + 0.2 * (to.x() - from.x()), from.y() - metrics.height() / 2.0 - 1, width,
+                      metrics.height() + 2);
+    painter.setPen(QPen(theme::border(), 1));
+    painter.setBrush(theme::card());
+    painter.drawRoundedRect(pill, pill.height() / 2, pill.height() / 2);
+    painter.setPen(theme::ink());
+    painter.drawText(pill, Qt::AlignCenter, words);
+  }
+
+  std::function<void(BuildPart::Kind)> open_;
+  std::vector<BuildPart> parts_;
 };
 
 OverviewView::OverviewView(BuildOverview& overview, OverviewLeads leads)
@@ -81,6 +202,7 @@ OverviewView::OverviewView(BuildOverview& overview, OverviewLeads leads)
       leads_(std::move(leads)),
       lead_(new QLabel(this)),
       scroll_(new QScrollArea(this)),
+      river_(nullptr),
       cards_(nullptr),
       empty_(new Card(this)),
       why_(new QLabel(empty_)) {
@@ -88,9 +210,16 @@ OverviewView::OverviewView(BuildOverview& overview, OverviewLeads leads)
   lead_->setFont(theme::titleFont());
   lead_->setWordWrap(true);
   auto* page = new QWidget(this);
-  cards_ = new QVBoxLayout(page);
-  cards_->setContentsMargins(0, 0, 0, 0);
+  auto* water = new Card(page);
+  river_ = new RiverMap([this](BuildPart::Kind kind) { leads_.lab(kind); }, water);
+  makeColumn(water, {river_}, 0, inset(theme::kGrid));
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(theme::kGrid);
+  column->addWidget(water);
+  cards_ = new QVBoxLayout;
   cards_->setSpacing(theme::kGrid);
+  column->addLayout(cards_, 1);
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
   scroll_->setWidget(page);
@@ -128,7 +257,7 @@ void OverviewView::hideEvent(QHideEvent* event) {
   overview_.setSeen(false);
 }
 
-QWidget* OverviewView::makeCard(const BuildPart& part, double largest_n) {
+QWidget* OverviewView::makeCard(const BuildPart& part) {
   auto* card = new Card(this);
   auto* name = new QLabel(nameOf(part.kind), card);
   name->setFont(theme::headingFont());
@@ -154,10 +283,8 @@ QWidget* OverviewView::makeCard(const BuildPart& part, double largest_n) {
   open->setMinimumHeight(4 * theme::kGrid);
   open->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
   connect(open, &QPushButton::clicked, this, [this, kind = part.kind] { leads_.lab(kind); });
-  const double share = largest_n > 0 ? part.stake_n.value_or(0) / largest_n : 0;
   makeRow(card,
-          {new River(share, card),
-           {name, 0, Qt::AlignTop},
+          {{name, 0, Qt::AlignTop},
            makeColumn({effect, sentence, warnings}, theme::kGrid / 2),
            {open, 0, Qt::AlignVCenter}},
           2 * theme::kGrid, inset(theme::kGrid, theme::kGrid));
@@ -170,10 +297,10 @@ void OverviewView::showState() {
     delete item;
   }
   const std::vector<BuildPart> parts = overview_.parts();
-  double largest_n = 0;
-  for (const BuildPart& part : parts) largest_n = std::max(largest_n, part.stake_n.value_or(0));
-  for (const BuildPart& part : parts) cards_->addWidget(makeCard(part, largest_n));
+  for (const BuildPart& part : parts) cards_->addWidget(makeCard(part));
   cards_->addStretch(1);
+  river_->parentWidget()->setVisible(!parts.empty());
+  if (!parts.empty()) river_->show(parts);
   const bool missing = parts.empty() && !overview_.failure().isEmpty();
   empty_->setVisible(missing);
   why_->setText(
