@@ -33,8 +33,9 @@ struct Promise {
 struct BundleFile {
   std::string path;  ///< in the folder of the bundle, with `/`
   std::string sha256;
-  std::string kind;  ///< `model`, `checks`, `fll`, `fcl`, `fcl-fuzzylite`, `fis`, `fml`, `c`, `tube-c`, `js`,
-                     ///< `tube-js`, `tube-checks`, `table`, `text`, `report`, `approvals`
+  /// `model`, `checks`, `fll`, `fcl`, `fcl-fuzzylite`, `fis`, `fml`, `c`, `tube-c`, `js`, `tube-js`, `tube-checks`,
+  /// `table`, `text`, `report`, `approvals`.
+  std::string kind;
   std::string expert;              ///< id; empty where it holds no single expert
   std::optional<Promise> promise;  ///< nothing for a file without forces
 
