@@ -247,8 +247,8 @@ TACTUS_API tactus_status tactus_tube_load(tactus_tube* tube, const void* bytes, 
 
 /* Reads a bundle (docs/bundle.md): every file must be there with its checksum, the model repeats its reference
  * evaluations, the tables of checks and of insertions are evaluated again, and the model's contracts are proved again.
- * TACTUS_NOT_VERIFIED where a file is missing, altered or beyond its tolerance, or a contract is broken, with a sentence
- * about the first of them; TACTUS_BAD_FILE where there is no bundle.
+ * TACTUS_NOT_VERIFIED where a file is missing, altered or beyond its tolerance, or a contract is broken, with a
+ * sentence about the first of them; TACTUS_BAD_FILE where there is no bundle.
  * `largest_error_n`: receives the largest error of the forces that were evaluated again; may be null.
  * Thread: any. Real-time safe: no. */
 TACTUS_API tactus_status tactus_verify(const char* bundle_folder, double* largest_error_n, char* message,
