@@ -148,10 +148,9 @@ LinkDialog::LinkDialog(LinkController& link, QWidget* parent)
   setMinimumWidth(kWidth);
   auto* what = new QLabel(this);
   what->setWordWrap(true);
-  what->setText(tr(
-      "Programs of yours on this computer get the model that is shown, and each edit of it at once. They also get "
-      "what the hand feels, while you feel the model. A simulator that says where it is appears on the force curves. "
-      "The program starts with this switched off."));
+  what->setText(
+      tr("Programs of yours on this computer get the model that is shown, each edit of it at once, and what the hand "
+         "feels. A simulator that says where it is stands on the force curves. The program starts with this off."));
   state_->setFont(theme::headingFont());
   toggle_->setDefault(true);
   connect(toggle_, &QPushButton::clicked, &link_, [this] {
