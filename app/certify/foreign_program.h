@@ -1,4 +1,4 @@
-// A program of somebody else, with which lines of text are exchanged: started here, or reached by a socket.
+// Exchanges lines of text with a program of somebody else, which this program starts or reaches by a socket.
 #pragma once
 
 #include <chrono>

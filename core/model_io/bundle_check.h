@@ -16,7 +16,7 @@ namespace tactus::model_io {
 inline constexpr std::string_view kManifestName = "manifest.json";
 /// The signature of the manifest, which therefore cannot name it.
 inline constexpr std::string_view kSignatureName = "manifest.json.sig";
-/// Who approved the model; only where somebody did.
+/// The expert's approvals of the model; a bundle without any has no such file.
 inline constexpr std::string_view kApprovalsName = "approvals.json";
 
 /// What a file of forces promises.
