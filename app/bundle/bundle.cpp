@@ -240,11 +240,12 @@ bool addSources(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& comp
   const std::optional<FeltTraces> felt = feltTraces(model);
   if (felt) collector.add("checks_tube.csv", "tube-checks", formatTubeChecks(*felt), exactPromise(model));
   const Sources sources = sourcesOf(model, origin);
+  SourceRuns runs(sources, points, felt, settings.stop);
   for (const SourceFile& file : sources.files) {
     std::optional<model_io::Promise> promise;
     if (file.gives != SourceFile::Gives::kNothing) {
       if (!collector.next()) return false;
-      promise = promiseOf(sources, file, compiled, points, felt, settings.stop);
+      promise = promiseOf(runs, file, compiled);
     }
     collector.add(file.path, file.kind, file.bytes, promise);
   }

@@ -76,7 +76,7 @@ class Verifier {
   void lookAtSource(FileCheck& check, const std::string& bytes, const SourceFile& own) {
     compare(check, bytes, own.bytes);
     if (!check.ok || !same_program_ || own.gives == SourceFile::Gives::kNothing) return;
-    const model_io::Promise now = promiseOf(sources_, own, compiled_, points_, felt_);
+    const model_io::Promise now = promiseOf(runs_, own, compiled_);
     if (now.measured) take(check, now);
   }
 
@@ -107,6 +107,7 @@ class Verifier {
   std::vector<std::vector<double>> points_;
   Sources sources_;
   std::optional<FeltTraces> felt_;
+  SourceRuns runs_{sources_, points_, felt_};
 };
 
 }  // namespace
@@ -221,13 +222,10 @@ model_io::Promise exactPromise(const fuzzy::ForceModel& model) {
   return {"exact", kRounding * (model.output.max - model.output.min), 0, {}};
 }
 
-model_io::Promise promiseOf(const Sources& sources, const SourceFile& file, const fuzzy::CompiledModel& model,
-                            const std::vector<std::vector<double>>& points, const std::optional<FeltTraces>& felt,
-                            const std::stop_token& stop) {
+model_io::Promise promiseOf(SourceRuns& runs, const SourceFile& file, const fuzzy::CompiledModel& model) {
   const double range_n = model.outputMax() - model.outputMin();
   model_io::Promise promise{"exact", kRounding * range_n, 0, {}};
-  const bool tube = file.gives == SourceFile::Gives::kTube && felt;
-  const auto forces = tube ? forcesOf(sources, file, *felt, stop) : forcesOf(sources, file, points, stop);
+  const auto forces = runs.of(file);
   if (!forces) {
     promise.largest_error_n = promise.tolerance_n;
     promise.measured = false;
@@ -242,7 +240,8 @@ model_io::Promise promiseOf(const Sources& sources, const SourceFile& file, cons
     promise.largest_error_n = error_n;
     promise.at = at();
   };
-  if (tube) {
+  if (file.gives == SourceFile::Gives::kTube) {
+    const auto& felt = runs.felt();
     for (std::size_t t = 0; t < felt->felt.size(); ++t) {
       for (std::size_t i = 0; i < felt->felt[t].size(); ++i) {
         take(felt->felt[t][i].force_n, [&] {
@@ -251,7 +250,7 @@ model_io::Promise promiseOf(const Sources& sources, const SourceFile& file, cons
       }
     }
   } else {
-    for (const auto& point : points) take(model.evaluate(point).force_n, [&] { return point; });
+    for (const auto& point : runs.points()) take(model.evaluate(point).force_n, [&] { return point; });
   }
   promise.tolerance_n = std::max(promise.tolerance_n, rounded(promise.largest_error_n));
   return promise;

@@ -1,8 +1,6 @@
 // How far the forces of a bundle's files are from the model's.
 #pragma once
 
-#include <optional>
-#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,11 +37,9 @@ model_io::Promise errorOf(const ForceTable& table, const fuzzy::CompiledModel& m
 /// A file that holds the exact forces: 1e-12 of the output's range is left for rounding.
 model_io::Promise exactPromise(const fuzzy::ForceModel& model);
 
-/// The error of a source that gives forces, compiled or run at `points`, or in the traces that are felt. If it cannot
-/// be run here: the bound that the tests of the sources prove, with `measured` false. `at` of a tube: the numbers of
-/// trace and step, from 1.
-model_io::Promise promiseOf(const Sources& sources, const SourceFile& file, const fuzzy::CompiledModel& model,
-                            const std::vector<std::vector<double>>& points, const std::optional<FeltTraces>& felt,
-                            const std::stop_token& stop = {});
+/// The error of a source that gives forces, at the points of `runs` or in its traces. If it cannot be run here: the
+/// bound that the tests of the sources prove, with `measured` false. `at` of a tube: the numbers of trace and step,
+/// from 1.
+model_io::Promise promiseOf(SourceRuns& runs, const SourceFile& file, const fuzzy::CompiledModel& model);
 
 }  // namespace tactus::bundle

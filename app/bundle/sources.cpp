@@ -24,25 +24,13 @@ using Gives = SourceFile::Gives;
 
 constexpr std::size_t kMostBytes = std::size_t{64} << 20U;
 
-/// Reads points and writes their forces, all digits of them.
-constexpr std::string_view kForceInC = R"(#include <stdio.h>
+/// Reads a number of points, these points, then steps; writes all forces, all digits of them. A step comes with its
+/// conditions, and begins with 0, with 1 as the first of a tube, or with 2 where the conditions are others.
+constexpr std::string_view kMainInC = R"(#include <stdio.h>
 #include "force_model.h"
-int main(void) {
-  double inputs[FORCE_MODEL_INPUTS];
-  for (;;) {
-    int i, fired;
-    for (i = 0; i < FORCE_MODEL_INPUTS; ++i) {
-      if (scanf("%lf", &inputs[i]) != 1) return 0;
-    }
-    printf("%.17g\n", force_model(inputs, &fired));
-  }
-}
-)";
-
-/// Reads steps, each with its conditions; the first number says 0 a step, 1 the first of a tube, 2 other conditions.
-constexpr std::string_view kTubeInC = R"(#include <stdio.h>
+#ifdef WITH_TUBE
 #include "tube.h"
-int main(void) {
+static int steps(void) {
   tube_state tube;
   double conditions[TUBE_CONDITIONS + 1], position_mm, dt_s;
   int what, held, i;
@@ -56,23 +44,39 @@ int main(void) {
   }
   return 0;
 }
+#else
+static int steps(void) { return 0; }
+#endif
+int main(void) {
+  double inputs[FORCE_MODEL_INPUTS];
+  long points, p;
+  int i, fired;
+  if (scanf("%ld", &points) != 1) return 1;
+  for (p = 0; p < points; ++p) {
+    for (i = 0; i < FORCE_MODEL_INPUTS; ++i) {
+      if (scanf("%lf", &inputs[i]) != 1) return 1;
+    }
+    printf("%.17g\n", force_model(inputs, &fired));
+  }
+  return steps();
+}
 )";
 
-constexpr std::string_view kRowsInJs = R"(const rows = require('fs').readFileSync(0, 'utf8').trim().split('\n')
+constexpr std::string_view kMainInJs = R"(const { forceModel } = require('./force_model.js');
+const rows = require('fs').readFileSync(0, 'utf8').trim().split('\n')
   .map((row) => row.trim().split(/\s+/).map(Number));
-)";
-
-constexpr std::string_view kForceInJs = R"(const { forceModel } = require('./force_model.js');
-console.log(rows.map((row) => forceModel(row).force).join('\n'));
-)";
-
-constexpr std::string_view kTubeInJs = R"(const { tubeStart, tubeChange, tubeStep } = require('./tube.js');
-let tube = null;
-console.log(rows.map(([what, position, held, dt, ...conditions]) => {
-  if (what === 1) tube = tubeStart(conditions);
-  if (what === 2) tubeChange(tube, conditions, 0.05);
-  return tubeStep(tube, position, held, dt);
-}).join('\n'));
+const [points] = rows.shift();
+const out = rows.splice(0, points).map((row) => forceModel(row).force);
+if (rows.length > 0) {
+  const { tubeStart, tubeChange, tubeStep } = require('./tube.js');
+  let tube = null;
+  for (const [what, position, held, dt, ...conditions] of rows) {
+    if (what === 1) tube = tubeStart(conditions);
+    if (what === 2) tubeChange(tube, conditions, 0.05);
+    out.push(tubeStep(tube, position, held, dt));
+  }
+}
+console.log(out.join('\n'));
 )";
 
 /// A folder for what is run, which is removed.
@@ -116,36 +120,46 @@ std::optional<std::vector<double>> numbersOf(const std::string& path, std::size_
   return out;
 }
 
-/// What `file` writes for `input`, `wanted` numbers.
-std::optional<std::vector<double>> ranOn(const Sources& sources, const SourceFile& file, const std::string& input,
+/// `c/` or `js/`.
+std::string languageOf(const SourceFile& file) { return file.path.substr(0, file.path.find('/') + 1); }
+
+/// What the sources of `language` write for `input`, `wanted` numbers.
+std::optional<std::vector<double>> ranOn(const Sources& sources, const std::string& language, const std::string& input,
                                          std::size_t wanted, const std::stop_token& stop) {
-  TACTUS_CHECK(file.gives != Gives::kNothing);
   const WorkFolder work;
   if (!work.isOpen() || !work.write("in", input)) return std::nullopt;
-  const bool tube = file.gives == Gives::kTube;
-  const std::string language = file.path.substr(0, file.path.find('/') + 1);
-  std::vector<std::string> c_files;
+  std::vector<std::string> compile = {"cc", "-std=c99", "-O1", work.file("main.c"), "-o", work.file("main")};
   for (const SourceFile& one : sources.files) {
     if (!one.path.starts_with(language)) continue;
     const std::string name = one.path.substr(language.size());
     if (!work.write(name, one.bytes)) return std::nullopt;
-    if (name.ends_with(".c")) c_files.push_back(work.file(name));
+    if (name.ends_with(".c")) compile.push_back(work.file(name));
+    if (one.gives == Gives::kTube) compile.emplace_back("-DWITH_TUBE");
   }
-  std::vector<std::string> command;
+  compile.emplace_back("-lm");
+  std::vector<std::string> command = {work.file("main")};
   if (language == "c/") {
-    if (!work.write("main.c", tube ? kTubeInC : kForceInC)) return std::nullopt;
-    std::vector<std::string> compile = {"cc", "-std=c99", "-O1", work.file("main.c")};
-    compile.insert(compile.end(), c_files.begin(), c_files.end());
-    compile.insert(compile.end(), {"-o", work.file("main"), "-lm"});
-    if (runProgram(compile, work.path(), stop) != Ran::kWell) return std::nullopt;
-    command = {work.file("main")};
+    if (!work.write("main.c", kMainInC) || runProgram(compile, work.path(), stop) != Ran::kWell) return std::nullopt;
   } else {
-    if (!work.write("main.js", std::string(kRowsInJs) + std::string(tube ? kTubeInJs : kForceInJs)))
-      return std::nullopt;
+    if (!work.write("main.js", kMainInJs)) return std::nullopt;
     command = {"node", work.file("main.js")};
   }
   if (runProgram(command, work.path(), stop) != Ran::kWell) return std::nullopt;
   return numbersOf(work.file("out"), wanted);
+}
+
+void writeSteps(const FeltTraces& felt, std::string& input) {
+  for (const render::TubeTrace& trace : felt.traces) {
+    const render::TubeStep* before = nullptr;
+    for (const render::TubeStep& step : trace.steps) {
+      const char* const what = before == nullptr ? "1 " : step.conditions != before->conditions ? "2 " : "0 ";
+      input +=
+          what + base::formatNumber(step.position_mm) + (step.held ? " 1 " : " 0 ") + base::formatNumber(step.dt_s);
+      for (const double value : step.conditions) input += ' ' + base::formatNumber(value);
+      input += '\n';
+      before = &step;
+    }
+  }
 }
 
 }  // namespace
@@ -211,34 +225,26 @@ std::string formatTubeChecks(const FeltTraces& felt) {
   return csv.text();
 }
 
-std::optional<std::vector<double>> forcesOf(const Sources& sources, const SourceFile& file,
-                                            const std::vector<std::vector<double>>& points,
-                                            const std::stop_token& stop) {
-  std::string input;
-  for (const auto& point : points) {
-    for (const double value : point) input += base::formatNumber(value) + ' ';
-    input += '\n';
-  }
-  return ranOn(sources, file, input, points.size(), stop);
-}
-
-std::optional<std::vector<double>> forcesOf(const Sources& sources, const SourceFile& file, const FeltTraces& felt,
-                                            const std::stop_token& stop) {
-  std::string input;
-  std::size_t steps = 0;
-  for (const render::TubeTrace& trace : felt.traces) {
-    const render::TubeStep* before = nullptr;
-    for (const render::TubeStep& step : trace.steps) {
-      const char* const what = before == nullptr ? "1 " : step.conditions != before->conditions ? "2 " : "0 ";
-      input +=
-          what + base::formatNumber(step.position_mm) + (step.held ? " 1 " : " 0 ") + base::formatNumber(step.dt_s);
-      for (const double value : step.conditions) input += ' ' + base::formatNumber(value);
+std::optional<std::span<const double>> SourceRuns::of(const SourceFile& file) {
+  TACTUS_CHECK(file.gives != Gives::kNothing);
+  const std::string language = languageOf(file);
+  auto known = forces_.find(language);
+  if (known == forces_.end()) {
+    std::string input = std::to_string(points_.size()) + '\n';
+    for (const auto& point : points_) {
+      for (const double value : point) input += base::formatNumber(value) + ' ';
       input += '\n';
-      before = &step;
-      ++steps;
     }
+    std::size_t wanted = points_.size();
+    if (felt_) {
+      writeSteps(*felt_, input);
+      for (const render::TubeTrace& trace : felt_->traces) wanted += trace.steps.size();
+    }
+    known = forces_.emplace(language, ranOn(sources_, language, input, wanted, stop_)).first;
   }
-  return ranOn(sources, file, input, steps, stop);
+  if (!known->second) return std::nullopt;
+  const std::span<const double> all(*known->second);
+  return file.gives == Gives::kTube ? all.subspan(points_.size()) : all.first(points_.size());
 }
 
 }  // namespace tactus::bundle

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/exchange/origin.h"
@@ -41,13 +44,28 @@ std::optional<FeltTraces> feltTraces(const fuzzy::ForceModel& model);
 /// `trace,step,position_mm,held,dt_s,` the conditions, `force_n,depth_mm,phase,stroke`.
 std::string formatTubeChecks(const FeltTraces& felt);
 
-/// The forces at `points` of a file that gives them, or step by step of all traces one after the other: by the C
-/// compiler `cc` of this computer or by Node, in a folder that is removed. Nothing if there is no such program, or the
-/// file cannot be run here.
-std::optional<std::vector<double>> forcesOf(const Sources& sources, const SourceFile& file,
-                                            const std::vector<std::vector<double>>& points,
-                                            const std::stop_token& stop = {});
-std::optional<std::vector<double>> forcesOf(const Sources& sources, const SourceFile& file, const FeltTraces& felt,
-                                            const std::stop_token& stop = {});
+/// What the sources give, by the C compiler `cc` of this computer and by Node, in a folder that is removed. All of a
+/// language run once, when one of them is first asked for. `sources`, `points` and `felt` outlive this.
+class SourceRuns {
+ public:
+  SourceRuns(const Sources& sources, const std::vector<std::vector<double>>& points,
+             const std::optional<FeltTraces>& felt, std::stop_token stop = {})
+      : sources_(sources), points_(points), felt_(felt), stop_(std::move(stop)) {}
+
+  /// The forces of a file that gives them, at the points or step by step of all traces one after the other. Nothing if
+  /// there is no such program, or the sources cannot be run here.
+  std::optional<std::span<const double>> of(const SourceFile& file);
+
+  const std::vector<std::vector<double>>& points() const { return points_; }
+  /// Something where there is a tube.
+  const std::optional<FeltTraces>& felt() const { return felt_; }
+
+ private:
+  const Sources& sources_;
+  const std::vector<std::vector<double>>& points_;
+  const std::optional<FeltTraces>& felt_;
+  std::stop_token stop_;
+  std::map<std::string, std::optional<std::vector<double>>> forces_;  ///< of each language
+};
 
 }  // namespace tactus::bundle
