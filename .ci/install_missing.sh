@@ -45,7 +45,7 @@ quietly() {
 
 # What every build needs.
 build_packages=(g++ cmake ninja-build pkgconf nlohmann-json3-dev libexpected-dev libcli11-dev libsqlitecpp-dev
-                libhidapi-dev libcrypt-dev libzip-dev libboost-dev)
+                libhidapi-dev libcrypt-dev libsodium-dev libzip-dev libboost-dev)
 # What the workbench needs on top.
 workbench_packages=(qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools libqcustomplot-dev fonts-dejavu-core
                     fonts-noto-cjk)

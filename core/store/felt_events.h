@@ -22,6 +22,12 @@ inline constexpr base::NumberRange kPositive{0, std::numeric_limits<double>::max
 inline constexpr base::NumberRange kCount{0, std::numeric_limits<int>::max()};
 inline constexpr base::NumberRange kFromOne{1, std::numeric_limits<int>::max()};
 
+// Kinds of the events of a sealed reference (sealed_references.h). No withdrawal changes their detail.
+inline constexpr std::string_view kSealedKind = "reference_sealed";
+inline constexpr std::string_view kOpenedKind = "reference_opened";
+/// The condition of SQL for them.
+inline constexpr const char* kIsOfSeal = "kind IN ('reference_sealed', 'reference_opened')";
+
 /// The event whose detail is the complete object `json`.
 study::EventRecord eventWith(const study::Entry& entry, std::string_view kind, const base::JsonWriter& json);
 /// Reads the detail of `event` with `read(JsonMembers&, std::optional<Error>&)`. Ignores members of a newer program.

@@ -16,6 +16,7 @@
 #include "core/store/conflicts.h"
 #include "core/store/connection.h"
 #include "core/store/entries.h"
+#include "core/store/felt_events.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/withdrawal.h"
@@ -172,13 +173,19 @@ class TableMerge {
       return;
     }
     for (const FreeText& place : freeTexts()) {
-      if (place.table != table_.name) continue;
+      if (place.table != table_.name || isOfSeal()) continue;
       const int number = position(std::string(place.column));
       const std::string before = rows_.getColumn(number - 1).getString();
       std::string after = before;
       for (const auto& one : cleanings_) after = one.cleaning.cleaned(after);
       if (after != before) texts_[number] = std::move(after);
     }
+  }
+  /// A change would break the seal.
+  bool isOfSeal() {
+    if (table_.name != "event") return false;
+    const std::string kind = rows_.getColumn(position("kind") - 1).getString();
+    return kind == kSealedKind || kind == kOpenedKind;
   }
   void cleanModel() {
     const auto text = [this](const char* column) { return rows_.getColumn(position(column) - 1).getString(); };

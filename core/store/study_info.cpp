@@ -10,6 +10,7 @@
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
+#include "core/store/sealed_references.h"
 #include "core/store/study_records.h"
 #include "core/store/withdrawn_codes.h"
 
@@ -145,6 +146,9 @@ Result<std::vector<std::string>> checkStudy(const StudyFile& file) {
     auto compared = checkDuelRecords(file);
     if (!compared) throw Refusal{std::move(compared.error())};
     for (auto& finding : *compared) findings.push_back(std::move(finding));
+    auto sealed = checkSealedReferences(file);
+    if (!sealed) throw Refusal{std::move(sealed.error())};
+    for (auto& finding : *sealed) findings.push_back(std::move(finding));
     return findings;
   });
 }

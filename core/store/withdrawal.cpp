@@ -18,6 +18,7 @@
 #include "core/store/copies.h"
 #include "core/store/entries.h"
 #include "core/store/feel_records.h"
+#include "core/store/felt_events.h"
 #include "core/store/opening.h"
 #include "core/store/person_codes.h"
 #include "core/store/query.h"
@@ -200,6 +201,16 @@ std::string is(std::string_view column, std::string_view word) {
   return "r." + std::string(column) + " = '" + std::string(word) + "'";
 }
 
+/// No participant is behind the code of a seal (sealed_references.h), and all that happened to it stays.
+void requireNoSeal(Connection& connection, const RecordId& person) {
+  Query query(connection, std::string("SELECT 1 FROM event JOIN session ON session.id = session_id WHERE person_id = ? "
+                                      "AND event.") +
+                              kIsOfSeal + " LIMIT 1");
+  if (!query.put(person).next()) return;
+  refuse(base::ErrorCode::kValue, {}, "the code that keeps the sealed reference of the study",
+         "a participant; a seal and its openings stay in the study");
+}
+
 /// Reads each model once, as the withdrawal does.
 void countModels(Connection& connection, const NameCleaning& cleaning, WithdrawalPreview& preview) {
   Query query(connection, "SELECT author, label, text FROM model_version ORDER BY place");
@@ -221,6 +232,7 @@ base::Result<WithdrawalPreview> previewWithdrawal(const StudyFile& file, const R
     if (codes.empty()) {
       refuse(base::ErrorCode::kReference, {}, "no person " + study::toText(person), "a person of the study");
     }
+    requireNoSeal(connection, person);
     WithdrawalPreview preview;
     Query sessions(connection, "SELECT count(*) FROM session WHERE person_id = ?");
     sessions.put(person).next();
@@ -341,6 +353,7 @@ Result<Withdrawal> withdraw(StudyFile& file, const RecordId& person, std::int64_
     if (codes.empty()) {
       refuse(ErrorCode::kReference, {}, "no person " + study::toText(person), "a person of the study");
     }
+    requireNoSeal(connection, person);
     const auto own = codesOfNobodyElse(connection, person, codes);
     std::copy_if(codes.begin(), codes.end(), std::back_inserter(withdrawal.shared_codes),
                  [&](const std::string& code) { return std::find(own.begin(), own.end(), code) == own.end(); });

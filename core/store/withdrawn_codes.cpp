@@ -10,6 +10,7 @@
 #include "core/base/json/json_writer.h"
 #include "core/model_io/expert_removal.h"
 #include "core/store/entries.h"
+#include "core/store/felt_events.h"
 #include "core/store/person_codes.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
@@ -40,7 +41,8 @@ std::string cleanedLabel(const std::string& label, const std::vector<std::string
   return (base::holdsName(kind, names) ? std::string() : kind) + std::string(base::kRemovedName);
 }
 
-/// The rows of one column in which one of the names stands, in whatever form.
+/// The rows of one column in which one of the names stands, in whatever form. Without those of a seal, which a change
+/// would break.
 std::vector<std::pair<RecordId, std::string>> rowsNaming(Connection& connection, const FreeText& place,
                                                          const std::vector<std::string>& names) {
   std::string condition;
@@ -48,8 +50,9 @@ std::vector<std::pair<RecordId, std::string>> rowsNaming(Connection& connection,
     condition.append(i == 1 ? "" : " OR ").append("instr(").append(place.column).append(", ?");
     condition.append(std::to_string(i)).append(") > 0");
   }
-  Query query(connection,
-              "SELECT id, " + std::string(place.column) + " FROM " + std::string(place.table) + " WHERE " + condition);
+  const std::string but_seals = place.table == "event" ? std::string(" AND NOT ") + kIsOfSeal : std::string();
+  Query query(connection, "SELECT id, " + std::string(place.column) + " FROM " + std::string(place.table) + " WHERE (" +
+                              condition + ")" + but_seals);
   for (const auto& name : names) query.put(name);
   std::vector<std::pair<RecordId, std::string>> rows;
   while (query.next()) {

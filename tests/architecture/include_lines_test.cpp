@@ -116,7 +116,7 @@ const std::map<std::string, Permission>& permissions() {
         {"boost/"}}},
       {"core/haptics/hid", {{"core/base", "core/base/files", "core/haptics/device"}, {"hidapi/", "linux/"}}},
       {"core/haptics/openhaptics", {{"core/base", "core/base/files", "core/haptics/device"}, {}}},
-      {"core/store", {joined({"core/model_io", "core/study"}, {base}), {kJson, "SQLiteCpp/", "sqlite3.h"}}},
+      {"core/store", {joined({"core/model_io", "core/study"}, {base}), {kJson, "SQLiteCpp/", "sqlite3.h", "sodium.h"}}},
       {"core/model_io",
        {{"core/base", "core/base/json", "core/base/files", "core/base/tables", "core/fuzzy", "core/render"}, {}}},
       {"core/exchange", {{"core/base", "core/base/json", "core/fuzzy", "core/render"}, {}}},
