@@ -53,6 +53,7 @@ base::Result<Output> writeReport(const ReportOptions& options) {
   for (auto& note : acceptedNotes(made.data, made.accepted)) made.built.notes.push_back(std::move(note));
   if (!made.in_order) return tl::unexpected(made.in_order.error());
   TACTUS_TRY(auto duels, session::readDuels(options.study));
+  TACTUS_TRY(auto sealed, session::readSealedCurves(options.study));
   const report::StudyReportInputs inputs{.study = made.tables.study,
                                          .built = made.built,
                                          .build_settings = made.settings,
@@ -63,8 +64,10 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                                       {"Created (UTC)", made.settings.created_utc}},
                                          .replicates = options.replicates,
                                          .usability = made.usability,
+                                         .usability_simulated = made.usability_simulated,
                                          .in_order = std::move(*made.in_order),
-                                         .duels = std::move(duels)};
+                                         .duels = std::move(duels),
+                                         .sealed = std::move(sealed)};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
   const auto experts = made.built.model.experts.size();

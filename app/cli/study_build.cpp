@@ -148,6 +148,7 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   settings.force_end_n = options.force_end_n;
   if (aside) {
     out.usability = std::move(aside->usability);
+    out.usability_simulated = aside->usability_simulated;
     settings.measured_depths = std::move(aside->measured_depths);
   } else if (options.depths == elicitation::DepthsFrom::kMeasured) {
     return tl::unexpected(aside.error());

@@ -38,6 +38,7 @@ struct StudyBuild {
   std::vector<study::DataFinding::Kind> accepted;
   std::vector<std::string> notices;                     ///< about the file, with its name
   std::vector<questionnaires::ScaleSummary> usability;  ///< of a study file; empty without answers to the scale
+  bool usability_simulated = false;                     ///< a simulated person gave one of these answers
   /// What each participant of a study file did in its order.
   base::Result<std::vector<experiments::DoneInOrder>> in_order;
   elicitation::BuildSettings settings;

@@ -99,6 +99,9 @@ void addReadings(HtmlPage& page, const ReportContext& context);
 void addFeel(HtmlPage& page, const ReportContext& context);
 /// The blind comparisons of models by hand, each with its verdict; nothing without any.
 void addDuels(HtmlPage& page, const ReportContext& context);
+// sections_evidence.cpp
+/// Content, face, construct and concurrent evidence: done, with its numbers, or not done yet, with what it needs.
+void addEvidence(HtmlPage& page, const ReportContext& context);
 // sections_agreement.cpp
 void addAgreement(HtmlPage& page, const ReportContext& context);
 // sections_influence.cpp

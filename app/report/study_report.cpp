@@ -163,6 +163,7 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
   }
   addUsability(page, context);
   addDuels(page, context);
+  addEvidence(page, context);
   addEnd(page, context);
   return page.html();
 }

@@ -10,6 +10,7 @@
 #include "core/fuzzy/force_model.h"
 #include "core/study/data_finding.h"
 #include "core/study/records.h"
+#include "elicitation/model/evidence.h"
 #include "elicitation/model/model_builder.h"
 #include "elicitation/model/speed_bootstrap.h"
 #include "experiments/duel_run.h"
@@ -58,8 +59,10 @@ struct StudyReportInputs {
   std::vector<std::pair<std::string, std::string>> settings;   ///< further names and values: file, versions
   std::size_t replicates = elicitation::kBootstrapReplicates;  ///< draws of strokes for intervals; 0: no intervals
   std::vector<questionnaires::ScaleSummary> usability = {};    ///< of the usability scale; empty without answers
+  bool usability_simulated = false;                            ///< a simulated person gave one of these answers
   std::vector<experiments::DoneInOrder> in_order = {};         ///< for catch trials and effects of the order
   std::vector<experiments::JudgedDuel> duels = {};             ///< blind comparisons of models by hand
+  std::vector<elicitation::SealedCurve> sealed = {};           ///< references that are or were under seal
 };
 
 /// The page as HTML: self-contained, numbered tables and figures, for screen and paper. Each picture with data of a

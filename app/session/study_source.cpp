@@ -1,6 +1,7 @@
 #include "app/session/study_source.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -8,9 +9,13 @@
 
 #include "app/session/study_view.h"
 #include "app/session/table_words.h"
+#include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/model_io/model_file.h"
 #include "core/store/duel_records.h"
 #include "core/store/entries.h"
+#include "core/store/sealed_references.h"
+#include "core/store/sessions.h"
 #include "core/store/study_file.h"
 #include "core/store/study_records.h"
 #include "elicitation/variables/ngt_variables.h"
@@ -30,6 +35,13 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file) {
   TACTUS_TRY(const auto answers, store::answers(file));
   auto rows = questionnaires::summarize(questionnaires::usabilityForm(), answers);
   if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.n > 0; })) out.usability = std::move(rows);
+  TACTUS_TRY(const auto sessions, store::sessionList(file));
+  const std::string form = questionnaires::usabilityForm().id;
+  out.usability_simulated = std::any_of(answers.begin(), answers.end(), [&](const study::AnswerRecord& answer) {
+    return answer.form == form && std::any_of(sessions.begin(), sessions.end(), [&](const auto& one) {
+             return one.simulated && one.session.id == answer.entry.session;
+           });
+  });
   return out;
 }
 
@@ -94,6 +106,49 @@ base::Result<std::vector<experiments::JudgedDuel>> readDuels(const std::string& 
   if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<experiments::JudgedDuel>{};
   TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
   return judgedDuels(file);
+}
+
+namespace {
+
+std::string utcOf(std::int64_t utc_ms) {
+  return base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(utc_ms)));
+}
+
+}  // namespace
+
+base::Result<std::vector<elicitation::SealedCurve>> sealedCurves(const store::StudyFile& file) {
+  TACTUS_TRY(auto trials, store::sealedTrials(file));
+  std::vector<elicitation::SealedCurve> out;
+  for (auto& trial : trials) {
+    auto& reference = trial.reference;
+    elicitation::SealedCurve one{.sealed_utc = utcOf(reference.entry.when.utc_ms),
+                                 .sha256 = std::move(reference.sha256),
+                                 .note = std::move(reference.note),
+                                 .conditions = std::move(reference.conditions),
+                                 .late = reference.late,
+                                 .records_after = trial.records_after};
+    for (const auto& opening : trial.openings)
+      one.openings.push_back({utcOf(opening.entry.when.utc_ms), opening.early});
+    for (const auto& version : trial.changed_after) {
+      one.changes.push_back({utcOf(version.utc_ms), version.author, version.label});
+    }
+    if (!trial.openings.empty()) {
+      TACTUS_TRY(one.points, elicitation::readReferenceCurve(trial.openings.front().content, file.path()));
+    }
+    if (trial.signed_off) {
+      TACTUS_TRY(auto read, model_io::parseModel(trial.signed_off->text, file.path()));
+      one.signed_model = std::move(read.model);
+    }
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+base::Result<std::vector<elicitation::SealedCurve>> readSealedCurves(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<elicitation::SealedCurve>{};
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return sealedCurves(file);
 }
 
 std::vector<study::Form> knownForms() {

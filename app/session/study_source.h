@@ -11,6 +11,7 @@
 #include "core/study/csv_tables.h"
 #include "core/study/records.h"
 #include "elicitation/depth/depth_measurement.h"
+#include "elicitation/model/evidence.h"
 #include "experiments/duel_run.h"
 #include "experiments/order_effects.h"
 #include "questionnaires/scale_summary.h"
@@ -22,6 +23,7 @@ namespace tactus::session {
 struct StudyAside {
   std::optional<elicitation::DepthMeasurement> measured_depths;  ///< the latest; nothing: none was made
   std::vector<questionnaires::ScaleSummary> usability;           ///< one row per statement; empty without any answer
+  bool usability_simulated = false;                              ///< a simulated person gave one of these answers
 };
 
 base::Result<StudyAside> asideOf(const store::StudyFile& file);
@@ -34,6 +36,11 @@ base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::Stu
 base::Result<std::vector<experiments::JudgedDuel>> judgedDuels(const store::StudyFile& file);
 /// The same of the study at `path`; nothing of a folder of tables. The file is not changed. Errors name the file.
 base::Result<std::vector<experiments::JudgedDuel>> readDuels(const std::string& path);
+
+/// The references that are or were under seal, from the oldest to the newest.
+base::Result<std::vector<elicitation::SealedCurve>> sealedCurves(const store::StudyFile& file);
+/// The same of the study at `path`, as readDuels.
+base::Result<std::vector<elicitation::SealedCurve>> readSealedCurves(const std::string& path);
 
 // The forms to which answers and given rules of a study can refer.
 

@@ -37,6 +37,7 @@ struct Beside {
   session::StudyAside aside;
   std::vector<experiments::DoneInOrder> in_order;
   std::vector<experiments::JudgedDuel> duels;
+  std::vector<elicitation::SealedCurve> sealed;
 };
 
 base::Result<Beside> besideOf(const store::StudyFile& file, const session::StudyView& view) {
@@ -44,6 +45,7 @@ base::Result<Beside> besideOf(const store::StudyFile& file, const session::Study
   TACTUS_TRY(out.aside, session::asideOf(file));
   TACTUS_TRY(out.in_order, session::doneInOrder(file, view));
   TACTUS_TRY(out.duels, session::judgedDuels(file));
+  TACTUS_TRY(out.sealed, session::sealedCurves(file));
   return out;
 }
 
@@ -67,8 +69,10 @@ base::Result<void> writeStudyReport(const session::StudyView& view, const Beside
                                                                 {"Program", std::string(kGenerator)},
                                                                 {"Created (UTC)", settings.created_utc}},
                                                    .usability = beside.aside.usability,
+                                                   .usability_simulated = beside.aside.usability_simulated,
                                                    .in_order = beside.in_order,
-                                                   .duels = beside.duels}));
+                                                   .duels = beside.duels,
+                                                   .sealed = beside.sealed}));
   return base::writeFileAtomically(path, page);
 }
 
