@@ -3,6 +3,7 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
+#include "app/cli/study_seal.h"
 #include "app/planning/study_plan.h"
 #include "app/session/simulated_study.h"
 
@@ -205,6 +206,36 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                    command.add_option("--from", o.from, "File whose first line is the key; else the standard input")
                        ->check(notEmpty());
                command.add_flag("--remove", o.remove, "Take the key away")->excludes(from);
+             });
+  addCommand(
+      study, chosen, "seal", "Put a reference curve under seal before the elicitation", studySeal,
+      [](CLI::App& command, StudySealOptions& o) {
+        addFile(command, o.file);
+        command.add_option("REFERENCE", o.reference, "CSV file with the columns depth_mm and force_n")
+            ->required()
+            ->check(notEmpty());
+        command.add_option("--note", o.note, "Where the curve comes from; everyone can read it");
+        command
+            .add_option("--passphrase-file", o.passphrase_file,
+                        "File whose first line is the passphrase; else it is asked for")
+            ->check(notEmpty());
+        command.add_option("--at", o.at, "INPUT=VALUE of the curve; default: lubrication=1, neck_flexion=60, speed=50")
+            ->type_name("INPUT=VALUE")
+            ->expected(1)
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        command.add_flag("--late", o.late, "Also after the elicitation began; the seal is marked as late");
+        addJson(command, o.json);
+      });
+  addCommand(study, chosen, "open", "Open the sealed reference curve after the sign-off", studyOpen,
+             [](CLI::App& command, StudyOpenOptions& o) {
+               addFile(command, o.file);
+               command
+                   .add_option("--passphrase-file", o.passphrase_file,
+                               "File whose first line is the passphrase; else it is asked for")
+                   ->check(notEmpty());
+               command.add_option("--out", o.out, "File for the curve; no default")->check(notEmpty());
+               command.add_flag("--early", o.early, "Also before a sign-off; the opening is marked as early");
+               addJson(command, o.json);
              });
   addCommand(study, chosen, "erase", "Finish an erasure that was interrupted", studyErase,
              [](CLI::App& command, StudyEraseOptions& o) {

@@ -256,14 +256,14 @@ Result<StudyOverview> readOverview(const store::StudyFile& file) {
   out.has_key = has_key && *has_key;
   TACTUS_TRY(auto setup, session::latestSetup(file));
   out.setup = std::move(setup);
-  // Researchers who feel models have a code too, and take part in nothing.
+  // Researchers who feel models have a code too, as has a seal, and take part in nothing.
   TACTUS_TRY(const auto people, readPeople(file));
-  std::set<study::RecordId> researchers;
+  std::set<study::RecordId> participants;
   for (const StudyPerson& one : people) {
-    if (one.researcher) researchers.insert(one.id);
+    if (!one.researcher) participants.insert(one.id);
   }
   for (const study::Person& person : persons) {
-    if (researchers.contains(person.id)) continue;
+    if (!participants.contains(person.id)) continue;
     TACTUS_TRY(auto row, RowReader(file, person, visits[person.id]).read());
     out.rows.push_back(std::move(row));
   }

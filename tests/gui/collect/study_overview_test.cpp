@@ -3,7 +3,10 @@
 #include <QTemporaryDir>
 #include <gtest/gtest.h>
 
+#include "app/workbench/study/connection/study_contents.h"
+#include "core/store/entries.h"
 #include "core/store/persons.h"
+#include "core/store/sealed_references.h"
 #include "core/store/sessions.h"
 
 #include "tests/gui/sample_study.h"
@@ -110,6 +113,34 @@ TEST_F(ReadOverview, SomebodyWhoHasOnlyACode) {
   EXPECT_EQ(row.at(CollectStep::kUsability).word, Word::kNotPart);
   EXPECT_EQ(overview.protocol.version, 0);
   EXPECT_FALSE(overview.has_key);
+}
+
+TEST_F(ReadOverview, ResearchersAndSealsAreNoParticipants) {
+  tests::makeStudyFile(path, [](store::StudyFile& file, study::RecordIds& ids) {
+    const std::pair<const char*, const char*> people[] = {
+        {"calm-fox", kResearcherCategory}, {"quiet-sea", store::kSealCategory}, {"velvet-otter", "expert"}};
+    for (const auto& [code, category] : people) {
+      const study::Person person{ids.next(), code, false};
+      study::SessionRecord session;
+      session.id = ids.next();
+      session.person = person.id;
+      session.kind = study::SessionKind::kUsability;
+      study::ProfileRecord profile;
+      profile.entry = {ids.next(), session.id, {}, study::EnteredBy::kResearcher, std::nullopt, {}};
+      profile.category = category;
+      ASSERT_TRUE(store::append(file, person));
+      ASSERT_TRUE(store::append(file, session));
+      ASSERT_TRUE(store::append(file, profile));
+    }
+  });
+  const StudyOverview overview = read();
+  ASSERT_EQ(overview.rows.size(), 1U);
+  EXPECT_EQ(overview.rows.front().code, QStringLiteral("velvet-otter"));
+  // Nobody feels a model under the code of a seal.
+  const auto people = readPeople(tests::lookInto(path));
+  ASSERT_TRUE(people);
+  ASSERT_EQ(people->size(), 2U);
+  EXPECT_TRUE(people->front().researcher);
 }
 
 TEST_F(ReadOverview, ASessionIsCountedAndItsLanguageAndTimeAreShown) {

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
+#include "core/store/sealed_references.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"
 #include "core/store/withdrawal.h"
@@ -78,14 +79,17 @@ Result<std::vector<StudyPerson>> readPeople(const store::StudyFile& file) {
   TACTUS_TRY(const auto sessions, store::sessions(file));
   TACTUS_TRY(const auto profiles, store::profiles(file));
   std::set<study::RecordId> researchers;
+  std::set<study::RecordId> seals;
   for (const study::ProfileRecord& profile : profiles) {
-    if (profile.category != kResearcherCategory) continue;
+    if (profile.category != kResearcherCategory && profile.category != store::kSealCategory) continue;
     for (const study::SessionRecord& session : sessions) {
-      if (session.id == profile.entry.session) researchers.insert(session.person);
+      if (session.id != profile.entry.session) continue;
+      (profile.category == kResearcherCategory ? researchers : seals).insert(session.person);
     }
   }
   std::vector<StudyPerson> out;
   for (const study::Person& person : persons) {
+    if (seals.contains(person.id)) continue;
     out.push_back({person.id, text(person.code), person.simulated, researchers.contains(person.id)});
   }
   return out;
