@@ -196,16 +196,10 @@ void addBound(const ForceModel& first, const ForceModel& second, const Search& s
 }  // namespace
 
 base::Result<StrokeInputs> strokeInputs(const ForceModel& model) {
-  const auto place = [&](std::string_view id) -> std::optional<std::size_t> {
-    for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-      if (model.inputs[i].id == id) return i;
-    }
-    return std::nullopt;
-  };
-  const auto depth = place("depth");
+  const auto depth = fuzzy::wayOf(model.inputs);
   if (!depth)
-    return base::fail(base::ErrorCode::kReference, "/inputs", "no input 'depth'", "one that a stroke moves along");
-  return StrokeInputs{*depth, place("speed")};
+    return base::fail(base::ErrorCode::kReference, "/inputs", "no way of a tip", "one that a stroke moves along");
+  return StrokeInputs{*depth, fuzzy::rateOf(model.inputs)};
 }
 
 StrokeFeel feelOf(const CompiledModel& first, const CompiledModel& second, const StrokeInputs& inputs,

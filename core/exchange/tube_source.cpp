@@ -97,7 +97,7 @@ Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inpu
     place(inputs.conditions[c], "t->conditions[" + std::to_string(c) + "]");
   }
   place(inputs.depth, "depth_mm");
-  place(inputs.speed, "speed_mm_s");
+  if (inputs.speed) place(*inputs.speed, "speed_mm_s");
   out.origin = origin.model_sha256.empty() ? std::string() : " * " + comment(originText(origin)) + "\n";
   out.conditions =
       out.conditions.empty() ? " * There are no conditions.\n" : " * Conditions, in this order:\n" + out.conditions;
@@ -131,7 +131,7 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& ori
                "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"fp-contract=off\")\n"
                "#elif defined(__clang__)\n#pragma STDC FP_CONTRACT OFF\n#endif\n\n" +
                numbersText(model, inputs, "static const double ") +
-               filled(kTubeStartInC, {{"@INPUTS@", filling.places}}) + std::string(kTubeBody);
+               filled(kTubeStartInC, {{"@INPUTS@", filling.places + (inputs.speed ? "" : "\n  (void)speed_mm_s;")}}) + std::string(kTubeBody);
   return out;
 }
 

@@ -15,6 +15,16 @@ std::string_view name(Shape shape) noexcept {
   return "";
 }
 
+std::string_view name(Role role) noexcept {
+  switch (role) {
+    case Role::kCondition: return "condition";
+    case Role::kWay: return "way";
+    case Role::kRate: return "rate";
+    case Role::kUnsaid: break;
+  }
+  return "";
+}
+
 std::string_view name(Implication implication) noexcept { return implication == Implication::kClip ? "clip" : "scale"; }
 
 std::string_view name(Contract::Kind kind) noexcept {
@@ -38,6 +48,25 @@ std::size_t pointCount(Shape shape) noexcept {
   }
   return 0;
 }
+
+Role roleOf(const Variable& input) noexcept {
+  if (input.role != Role::kUnsaid) return input.role;
+  return input.id == "depth" ? Role::kWay : input.id == "speed" ? Role::kRate : Role::kCondition;
+}
+
+namespace {
+
+std::optional<std::size_t> inputOf(std::span<const Variable> inputs, Role role) noexcept {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (roleOf(inputs[i]) == role) return i;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::size_t> wayOf(std::span<const Variable> inputs) noexcept { return inputOf(inputs, Role::kWay); }
+std::optional<std::size_t> rateOf(std::span<const Variable> inputs) noexcept { return inputOf(inputs, Role::kRate); }
 
 const Term* findTerm(const std::vector<Term>& terms, std::string_view id) noexcept {
   const auto it = std::find_if(terms.begin(), terms.end(), [id](const Term& term) { return term.id == id; });

@@ -40,6 +40,12 @@ struct Term {
   bool operator==(const Term&) const = default;
 };
 
+/// What an input is to a tube: how deep its tip is, how fast it moves, or a condition. Unsaid: by the id, `depth` is
+/// the way and `speed` the rate.
+enum class Role { kUnsaid, kCondition, kWay, kRate };
+
+inline constexpr Role kRoles[] = {Role::kCondition, Role::kWay, Role::kRate};  ///< that can be said
+
 /// A linguistic variable: its universe [min, max] in `unit`, and its terms.
 struct Variable {
   std::string id;
@@ -48,6 +54,7 @@ struct Variable {
   double min = 0;
   double max = 1;
   std::vector<Term> terms;
+  Role role = Role::kUnsaid;  ///< of an input
 
   bool operator==(const Variable&) const = default;
 };
@@ -171,12 +178,21 @@ struct ForceModel {
 
 /// `trapezoid`, `triangle`, `gaussian`.
 std::string_view name(Shape shape) noexcept;
+/// `condition`, `way`, `rate`.
+std::string_view name(Role role) noexcept;
 /// `clip`, `scale`.
 std::string_view name(Implication implication) noexcept;
 /// `never_raises`, `never_lowers`, `never_harder`, `no_step`, `never_above`, `never_below`, `never_silent`.
 std::string_view name(Contract::Kind kind) noexcept;
 /// The number of points of a shape: 4, 3, 2.
 std::size_t pointCount(Shape shape) noexcept;
+
+/// The role of `input`, said or by its id; never kUnsaid.
+Role roleOf(const Variable& input) noexcept;
+/// The index of the input along which the tip moves, mm; nothing if there is none.
+std::optional<std::size_t> wayOf(std::span<const Variable> inputs) noexcept;
+/// The index of the input that is the speed of the tip, mm/s; nothing if there is none.
+std::optional<std::size_t> rateOf(std::span<const Variable> inputs) noexcept;
 
 /// The term with the id `id`, or null.
 const Term* findTerm(const std::vector<Term>& terms, std::string_view id) noexcept;

@@ -1,6 +1,7 @@
 #include "core/fuzzy/validate.h"
 
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,6 +33,14 @@ Problem checkVariables(const ForceModel& model, ModelNames& names) {
     if (auto wrong = checkUnique(names.variables, model.inputs[i].id, place["id"])) return wrong;
     if (auto wrong = checkUniverse(model.inputs[i], place)) return wrong;
     if (auto wrong = checkTerms(model.inputs[i].terms, nullptr, place["terms"], names.terms[i])) return wrong;
+  }
+  for (const auto of : {&wayOf, &rateOf}) {
+    const auto first = of(model.inputs);
+    if (!first) continue;
+    const auto more = of(std::span(model.inputs).subspan(*first + 1));
+    if (!more) continue;
+    return problem(ErrorCode::kValue, inputs[*first + 1 + *more]["role"], "a second way or rate",
+                   "at most one input that is the way of the tip, and one that is its speed");
   }
   if (auto wrong = checkUnique(names.variables, model.output.id, output["id"])) return wrong;
   if (auto wrong = checkUniverse(model.output, output)) return wrong;

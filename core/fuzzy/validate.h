@@ -10,6 +10,7 @@ namespace tactus::fuzzy {
 /// file, e.g. `/experts/0/rules/3/then`. Checks:
 /// - the limits of force_model.h;
 /// - ids: present, unique in their list, at most 64 bytes;
+/// - roles: at most one way and one rate among the inputs;
 /// - universes and points: finite, at most 1e150 in size, in order;
 /// - output terms: overlap the universe in positive width;
 /// - rules: known inputs and terms, each input once, weight in [0, 1], no rule twice in one expert;

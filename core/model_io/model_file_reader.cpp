@@ -120,6 +120,7 @@ class ModelReader {
     members.textOrEmpty(required("unit"), out.unit);
     members.number(required("min"), out.min);
     members.number(required("max"), out.max);
+    if (members.has("role")) out.role = oneOf(members, "role", fuzzy::kRoles);
     out.terms = terms(members, required("terms"));
     warnOfOthers(members);
     return out;

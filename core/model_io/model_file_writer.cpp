@@ -32,6 +32,7 @@ void append(JsonWriter& json, const std::vector<fuzzy::Term>& terms) {
 void append(JsonWriter& json, const fuzzy::Variable& variable) {
   json.beginObject().key("id").value(variable.id).key("label").value(variable.label).key("unit").value(variable.unit);
   json.key("min").value(variable.min).key("max").value(variable.max);
+  if (variable.role != fuzzy::Role::kUnsaid) json.key("role").value(name(variable.role));
   append(json.key("terms"), variable.terms);
   json.endObject();
 }

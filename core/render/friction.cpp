@@ -61,7 +61,7 @@ class Friction {
     return sign(direction) * parameters_.stiffness_n_mm * stretch_mm;
   }
 
-  /// Whether the tube cannot go further in that direction: at its end inwards, out of the nostril outwards.
+  /// Whether the tube cannot go further in that direction: at its end inwards, out of the body outwards.
   bool blocked(Phase direction) const noexcept {
     return direction == Phase::kSlidingIn ? state_.depth_mm >= deepest_mm_ : state_.depth_mm <= 0;
   }
@@ -96,7 +96,7 @@ class Friction {
     }
   }
 
-  /// A tube that cannot go further gives way uncounted: at its end at the friction there, at the nostril without any.
+  /// A tube that cannot go further gives way uncounted: at its end at the friction there, at the entry without any.
   void hold(Phase direction, double before_n) noexcept {
     const bool out = direction == Phase::kSlidingOut;
     const double rest_n = out ? 0 : limit(direction, state_.stiction);

@@ -16,7 +16,7 @@ inline constexpr double kDampingFadeInS = 0.02;
 inline constexpr double kDampingFadeOutS = 0.01;
 /// Largest share of F_d for the damping. It must not carry the force, because it is computed from quantized positions.
 inline constexpr double kLargestDampingShare = 0.2;
-/// Time constant with which the resistance against withdrawal vanishes at the nostril, where the tube is out.
+/// Time constant with which the resistance against withdrawal vanishes at the entry, where the tube is out.
 inline constexpr double kTubeOutS = 0.01;
 /// A position that is further from 0 than this, or not finite, is a fault. So is a tick outside these lengths.
 inline constexpr double kFarthestMm = 1e6;

@@ -45,7 +45,7 @@ struct StrokeSpan {
   bool operator==(const StrokeSpan&) const = default;
 };
 
-/// Plain data: copy it, compare it, start with a default one. To start at another depth than the nostril, set
+/// Plain data: copy it, compare it, start with a default one. To start at another depth than the entry, set
 /// `depth_mm`.
 struct RendererState {
   Phase phase = Phase::kReleased;

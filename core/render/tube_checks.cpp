@@ -89,29 +89,18 @@ TubeTrace randomHand(const fuzzy::ForceModel& model, const TubeInputs& inputs, i
 }  // namespace
 
 base::Result<TubeInputs> tubeInputs(const fuzzy::ForceModel& model) {
-  TubeInputs out;
-  const fuzzy::Variable* depth = nullptr;
-  const fuzzy::Variable* speed = nullptr;
+  const auto depth = fuzzy::wayOf(model.inputs);
+  if (!depth) {
+    return base::fail(base::ErrorCode::kValue, "inputs", "none that is the way of the tip",
+                      "an input of the role 'way', or called 'depth'");
+  }
+  TubeInputs out{*depth, fuzzy::rateOf(model.inputs), {}};
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    const fuzzy::Variable& input = model.inputs[i];
-    if (input.id == "depth") {
-      depth = &input;
-      out.depth = i;
-    } else if (input.id == "speed") {
-      speed = &input;
-      out.speed = i;
-    } else {
-      out.conditions.push_back(i);
-    }
+    if (i != out.depth && i != out.speed) out.conditions.push_back(i);
   }
-  if (depth == nullptr || speed == nullptr) {
-    return base::fail(base::ErrorCode::kValue, "inputs",
-                      depth != nullptr   ? "no 'speed'"
-                      : speed != nullptr ? "no 'depth'"
-                                         : "no 'depth' and no 'speed'",
-                      "both, because a tube is felt by its depth and its speed");
-  }
-  if (auto units = checkTubeUnits(depth, speed, model.output); !units) return tl::unexpected(std::move(units).error());
+  const fuzzy::Variable* const speed = out.speed ? &model.inputs[*out.speed] : nullptr;
+  if (auto units = checkTubeUnits(&model.inputs[*depth], speed, model.output); !units)
+    return tl::unexpected(std::move(units).error());
   return out;
 }
 
@@ -136,7 +125,7 @@ std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInpu
                     .done());
   out.push_back(Script("slow_push_and_slow_stop", wet).hold(true).move(4, 0.8, 0.002).rest(0.2, 0.002).done());
   out.push_back(
-      Script("withdrawal_to_the_nostril", dry).hold(true).move(40, 0.4).move(-70, 0.5).rest(0.05).move(8, 0.1).done());
+      Script("withdrawal_to_the_entry", dry).hold(true).move(40, 0.4).move(-70, 0.5).rest(0.05).move(8, 0.1).done());
   Script end("to_the_end_of_the_depth", wet);
   end.hold(true).add(0, 0.001);
   // A hand may go as far as it likes within a step.
@@ -188,9 +177,9 @@ TubeRun::TubeRun(const fuzzy::ForceModel& model, TubeInputs inputs, fuzzy::Compi
     : state_(std::make_unique<State>()) {
   state_->settings.renderer = model.renderer.value_or(fuzzy::RendererParameters());
   state_->settings.depth_end_mm = model.inputs[inputs.depth].max;
-  // Places among the two free inputs.
-  state_->settings.depth = inputs.depth < inputs.speed ? 0 : 1;
-  state_->settings.speed = inputs.depth < inputs.speed ? 1 : 0;
+  // Places among the free inputs.
+  state_->settings.depth = inputs.speed && *inputs.speed < inputs.depth ? 1 : 0;
+  if (inputs.speed) state_->settings.speed = inputs.depth < *inputs.speed ? 1 : 0;
   state_->inputs = std::move(inputs);
   state_->compiled = std::move(compiled);
   state_->count = model.inputs.size();

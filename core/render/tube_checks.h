@@ -12,14 +12,14 @@
 
 namespace tactus::render {
 
-/// The inputs of a model that is felt with depth and speed free.
+/// The inputs of a model that is felt with the way and the rate of the tip free.
 struct TubeInputs {
-  std::size_t depth = 0;
-  std::size_t speed = 0;
+  std::size_t depth = 0;             ///< the way
+  std::optional<std::size_t> speed;  ///< the rate; nothing: the force does not depend on it
   std::vector<std::size_t> conditions;  ///< all others, in the order of the model
 };
 
-/// Refused, with the reason: a model without the inputs `depth` and `speed`, or with other units than mm, mm/s and N.
+/// Refused, with the reason: a model without a way, or with other units than mm, mm/s and N.
 base::Result<TubeInputs> tubeInputs(const fuzzy::ForceModel& model);
 
 /// What the hand does in one step.
@@ -50,7 +50,7 @@ inline constexpr double kTraceFadeS = 0.05;
 /// A tube slips at this force at the latest.
 inline constexpr double kTubeCapN = 2;
 
-/// Insertions in which each rule of the renderer shows: strokes with stops, fast and slow, withdrawal, the nostril and
+/// Insertions in which each rule of the renderer shows: strokes with stops, fast and slow, withdrawal, the entry and
 /// the end of the depth, a trembling hand, changes of the conditions in the hand, steps of other and of impossible
 /// lengths, and a random hand. Deterministic. `inputs`: of `model`.
 std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInputs& inputs);

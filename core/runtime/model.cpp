@@ -134,6 +134,11 @@ double tactus_model_input_max(const tactus_model* model, size_t input) {
   return variable != nullptr ? variable->max : 0;
 }
 
+const char* tactus_model_input_role(const tactus_model* model, size_t input) {
+  const fuzzy::Variable* const variable = inputOf(model, input);
+  return variable != nullptr ? fuzzy::name(fuzzy::roleOf(*variable)).data() : nullptr;
+}
+
 size_t tactus_model_input_terms(const tactus_model* model, size_t input) {
   const fuzzy::Variable* const variable = inputOf(model, input);
   return variable != nullptr ? variable->terms.size() : 0;

@@ -77,19 +77,25 @@ void addTube(const LoadedModel& model, const Fixed& fixed, tactus_scene& scene) 
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (fixed[i]) continue;
     const fuzzy::Variable& input = model.inputs[i];
-    if (input.id == "depth") {
+    const fuzzy::Role role = fuzzy::roleOf(input);
+    if (role == fuzzy::Role::kWay) {
       depth = &input;
       settings.depth = ids.size();
       settings.depth_end_mm = input.max;
-    } else if (input.id == "speed") {
+    } else if (role == fuzzy::Role::kRate) {
       speed = &input;
       settings.speed = ids.size();
     }
     ids.push_back(base::quoted(input.id));
   }
-  if (depth == nullptr || speed == nullptr || ids.size() != 2) {
-    scene.no_tube = "inputs of the scene: found " + (ids.empty() ? "none" : base::joined(ids, ", ")) +
-                    ", wanted 'depth' and 'speed' and no other";
+  const auto rate = fuzzy::rateOf(model.inputs);
+  const bool rate_is_free = speed != nullptr || !rate;
+  if (depth == nullptr || !rate_is_free || ids.size() != (rate ? 2U : 1U)) {
+    const auto way = fuzzy::wayOf(model.inputs);
+    std::string wanted = way ? base::quoted(model.inputs[*way].id) : "an input that is the way of the tip";
+    if (rate) wanted += " and " + base::quoted(model.inputs[*rate].id);
+    scene.no_tube = "inputs of the scene: found " + (ids.empty() ? "none" : base::joined(ids, ", ")) + ", wanted " +
+                    wanted + " and no other";
   } else if (const auto units = render::checkTubeUnits(depth, speed, model.output); !units) {
     scene.no_tube = units.error().message();
   } else {

@@ -51,10 +51,7 @@ ForceModel modelOf(const ForceModel& model, std::optional<std::size_t> expert) {
 
 std::size_t curveInput(const ForceModel& model, std::optional<std::size_t> asked) {
   if (asked) return *asked;
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (model.inputs[i].id == "depth") return i;
-  }
-  return model.inputs.size() - 1;
+  return fuzzy::wayOf(model.inputs).value_or(model.inputs.size() - 1);
 }
 
 PullKind kindOf(const ForceModel& model, const PullEdit& edit, std::size_t curve_input) {

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tactus/tactus.hpp>
 #include <thread>
 #include <vector>
@@ -30,7 +31,7 @@ struct OnPath {
   Vector inwards;
 };
 
-// The straight pieces between the corners of the path, in m of the host, from the nostril on.
+// The straight pieces between the corners of the path, in m of the host, from the entry on.
 OnPath project(const std::vector<Vector>& path, Vector tool) {
   OnPath best;
   double best_m = HUGE_VAL;
@@ -72,7 +73,7 @@ int main(int argc, char** argv) try {
   std::map<std::string, double> conditions;
   for (std::size_t i = 0; i < model.inputs(); ++i) {
     const std::string id = model.inputId(i);
-    if (id != "depth" && id != "speed") conditions[id] = (model.inputMin(i) + model.inputMax(i)) / 2;
+    if (std::string_view(model.inputRole(i)) == "condition") conditions[id] = (model.inputMin(i) + model.inputMax(i)) / 2;
   }
   tactus::Tube tube(model.scene(conditions));
   // The path of this host: 94 mm straight in, then down the throat.

@@ -79,6 +79,8 @@ namespace Tactus
         [DllImport(Library, CallingConvention = C)]
         internal static extern IntPtr tactus_model_input_label(IntPtr model, UIntPtr input);
         [DllImport(Library, CallingConvention = C)]
+        internal static extern IntPtr tactus_model_input_role(IntPtr model, UIntPtr input);
+        [DllImport(Library, CallingConvention = C)]
         internal static extern UIntPtr tactus_model_input_terms(IntPtr model, UIntPtr input);
         [DllImport(Library, CallingConvention = C)]
         internal static extern IntPtr tactus_model_term_id(IntPtr model, UIntPtr input, UIntPtr term);
@@ -249,7 +251,7 @@ namespace Tactus
         public readonly string Warning;
         public readonly string Name, Sha256;
         public readonly int Inputs;
-        public readonly string[] InputIds, InputLabels, InputUnits, ExpertIds, ExpertLabels;
+        public readonly string[] InputIds, InputLabels, InputUnits, InputRoles, ExpertIds, ExpertLabels;
         /// The words of each input, such as the regions of the depth.
         public readonly string[][] TermIds, TermLabels;
         public readonly double[] InputMin, InputMax, ExpertWeights;
@@ -266,6 +268,7 @@ namespace Tactus
             TermIds = new string[Inputs][];
             TermLabels = new string[Inputs][];
             InputUnits = new string[Inputs];
+            InputRoles = new string[Inputs];
             InputMin = new double[Inputs];
             InputMax = new double[Inputs];
             for (int i = 0; i < Inputs; ++i)
@@ -280,6 +283,7 @@ namespace Tactus
                     terms[t] = Native.Text(Native.tactus_model_term_id(handle, (UIntPtr)i, (UIntPtr)t));
                     TermLabels[i][t] = Native.Text(Native.tactus_model_term_label(handle, (UIntPtr)i, (UIntPtr)t));
                 }
+                InputRoles[i] = Native.Text(Native.tactus_model_input_role(handle, (UIntPtr)i));
                 InputUnits[i] = Native.Text(Native.tactus_model_input_unit(handle, (UIntPtr)i));
                 InputMin[i] = Native.tactus_model_input_min(handle, (UIntPtr)i);
                 InputMax[i] = Native.tactus_model_input_max(handle, (UIntPtr)i);

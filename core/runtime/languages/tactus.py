@@ -131,6 +131,7 @@ def _declare(library):
         "tactus_model_sha256": (text, [handle]),
         "tactus_model_input_label": (text, [handle, size]),
         "tactus_model_input_unit": (text, [handle, size]),
+        "tactus_model_input_role": (text, [handle, size]),
         "tactus_model_input_terms": (size, [handle, size]),
         "tactus_model_term_id": (text, [handle, size, size]),
         "tactus_model_term_label": (text, [handle, size, size]),
@@ -335,6 +336,7 @@ class Model(_Evaluator):
         self.input_ids = [_lib.tactus_model_input_id(handle, i).decode() for i in every]
         self.input_labels = [_lib.tactus_model_input_label(handle, i).decode() for i in every]
         self.input_units = [_lib.tactus_model_input_unit(handle, i).decode() for i in every]
+        self.input_roles = [_lib.tactus_model_input_role(handle, i).decode() for i in every]
         self.input_ranges = [(_lib.tactus_model_input_min(handle, i), _lib.tactus_model_input_max(handle, i))
                              for i in every]
         terms = [range(_lib.tactus_model_input_terms(handle, i)) for i in every]

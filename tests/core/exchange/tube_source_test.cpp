@@ -219,16 +219,9 @@ TEST(TubeSource, IsPlacedAnewAsTheRendererIs) {
 
 TEST(TubeSource, IsRefusedWhereAModelHasNoTube) {
   auto model = support::s4FiveRegions();
-  model.inputs[3].id = "pace";
-  for (auto& expert : model.experts) {
-    for (auto& rule : expert.rules) {
-      for (auto& condition : rule.conditions) {
-        if (condition.input == "speed") condition.input = "pace";
-      }
-    }
-  }
+  model.inputs[2].role = fuzzy::Role::kCondition;
   EXPECT_EQ(cTube(model).error().message(),
-            "inputs: found no 'speed', wanted both, because a tube is felt by its depth and its speed");
+            "inputs: found none that is the way of the tip, wanted an input of the role 'way', or called 'depth'");
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ TEST(RuntimeArguments, NullIsNoCrash) {
   EXPECT_EQ(tactus_model_term_id(nullptr, 0, 0), nullptr);
   EXPECT_EQ(tactus_model_term_label(nullptr, 0, 0), nullptr);
   EXPECT_EQ(tactus_model_expert_label(nullptr, 0), nullptr);
+  EXPECT_EQ(tactus_model_input_role(nullptr, 0), nullptr);
   EXPECT_EQ(tactus_model_input_terms(nullptr, 0), 0U);
   EXPECT_EQ(tactus_model_membership(nullptr, 0, 0, 0, 1), 0);
   tactus_renderer renderer = {};

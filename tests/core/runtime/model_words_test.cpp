@@ -53,6 +53,19 @@ TEST(RuntimeWords, OfInputsTermsAndExperts) {
   EXPECT_EQ(tactus_model_input_terms(handle.get(), SIZE_MAX), 0U);
 }
 
+TEST(RuntimeWords, TheRoleIsThatOfTheModelFileOrOfTheId) {
+  auto model = support::s4Shifted();
+  const char* roles[] = {"condition", "condition", "way", "rate"};
+  const auto usual = support::handleOf(model);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_STREQ(tactus_model_input_role(usual.get(), i), roles[i]);
+  EXPECT_EQ(tactus_model_input_role(usual.get(), 4), nullptr);
+  model.inputs[0].role = fuzzy::Role::kRate;
+  model.inputs[3].role = fuzzy::Role::kCondition;
+  const auto said = support::handleOf(model);
+  EXPECT_STREQ(tactus_model_input_role(said.get(), 0), "rate");
+  EXPECT_STREQ(tactus_model_input_role(said.get(), 3), "condition");
+}
+
 TEST(RuntimeWords, MembershipsAreThoseOfTheExpert) {
   auto model = support::ngtVariables();
   auto& depth = model.inputs[2];

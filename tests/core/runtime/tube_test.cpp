@@ -1,4 +1,5 @@
 // The tube is the servo's insertion before its limits, sample by sample.
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -96,13 +97,21 @@ TEST(RuntimeTube, FeelsWhatTheServoRendersBeforeItsLimits) {
 TEST(RuntimeTube, LivesWithoutItsScene) {
   const auto handle = support::handleOf(haptics::constantModel(0.5));
   tactus_scene* scene = nullptr;
-  // The model of the test has no speed: the tube of the interface wants both.
+  // The model of the test has no rate: its force depends on the way alone.
   ASSERT_EQ(tactus_scene_make(handle.get(), nullptr, nullptr, 0, &scene, nullptr, 0), TACTUS_OK);
   tactus_tube* tube = nullptr;
-  EXPECT_EQ(tactus_tube_make(scene, &tube, nullptr, 0), TACTUS_BAD_ARGUMENT);
+  EXPECT_EQ(tactus_tube_make(scene, &tube, nullptr, 0), TACTUS_OK);
+  tactus_tube_free(tube);
   tactus_scene_free(scene);
 
   auto ngt = support::handleOf(support::s4Shifted());
+  const size_t fixed[] = {0, 1, 3};
+  const double values[] = {1, 10, 50};
+  ASSERT_EQ(tactus_scene_make(ngt.get(), fixed, values, 3, &scene, nullptr, 0), TACTUS_OK);
+  std::array<char, 200> message{};
+  EXPECT_EQ(tactus_tube_make(scene, &tube, message.data(), message.size()), TACTUS_BAD_ARGUMENT);
+  EXPECT_STREQ(message.data(), "inputs of the scene: found 'depth', wanted 'depth' and 'speed' and no other");
+  tactus_scene_free(scene);
   auto first = support::ngtSceneHandle(ngt.get(), 1, 10);
   const auto felt = support::tubeOf(first.get());
   ngt.reset();

@@ -11,6 +11,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <tactus/tactus.hpp>
 #include <thread>
 #include <vector>
@@ -86,7 +87,7 @@ std::unique_ptr<Scenes> scenesOf(const tactus::Model& model, const Options& opti
   std::map<std::string, double> swallowing;
   for (std::size_t i = 0; i < model.inputs(); ++i) {
     const std::string id = model.inputId(i);
-    if (id == "depth" || id == "speed") continue;
+    if (std::string_view(model.inputRole(i)) != "condition") continue;
     const auto set = options.conditions.find(id);
     const double middle = (model.inputMin(i) + model.inputMax(i)) / 2;
     rest[id] = set != options.conditions.end() ? set->second : id == "swallow" ? model.inputMin(i) : middle;
@@ -97,9 +98,9 @@ std::unique_ptr<Scenes> scenesOf(const tactus::Model& model, const Options& opti
 
 double depthOf(const tactus::Model& model, bool end) {
   for (std::size_t i = 0; i < model.inputs(); ++i) {
-    if (model.inputId(i) == "depth") return end ? model.inputMax(i) : model.inputMin(i);
+    if (std::string_view(model.inputRole(i)) == "way") return end ? model.inputMax(i) : model.inputMin(i);
   }
-  throw tactus::Error(TACTUS_BAD_ARGUMENT, "found a model without an input 'depth', wanted one with it");
+  throw tactus::Error(TACTUS_BAD_ARGUMENT, "found a model without a way of the tip, wanted one with it");
 }
 
 // The servo loop: nothing in it allocates, waits for another thread or writes a file.

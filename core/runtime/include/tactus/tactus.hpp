@@ -153,6 +153,8 @@ class Model {
   std::string inputUnit(std::size_t input) const { return text(tactus_model_input_unit(get(), input)); }
   double inputMin(std::size_t input) const noexcept { return tactus_model_input_min(get(), input); }
   double inputMax(std::size_t input) const noexcept { return tactus_model_input_max(get(), input); }
+  /// `way`, `rate` or `condition`.
+  const char* inputRole(std::size_t input) const noexcept { return tactus_model_input_role(get(), input); }
   std::size_t inputTerms(std::size_t input) const noexcept { return tactus_model_input_terms(get(), input); }
   std::string termId(std::size_t input, std::size_t term) const {
     return text(tactus_model_term_id(get(), input, term));

@@ -6,6 +6,7 @@
 #include <sofa/component/haptics/ForceFeedback.h>
 #include <sofa/core/ObjectFactory.h>
 #include <string>
+#include <string_view>
 #include <tactus/tactus.hpp>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ class TactusForceFeedback : public sofa::component::haptics::ForceFeedback {
       std::vector<std::pair<std::string, double>> fixed;
       for (std::size_t i = 0, next = 0; i < model.inputs(); ++i) {
         const std::string id = model.inputId(i);
-        if (id != "depth" && id != "speed") fixed.emplace_back(id, d_conditions.getValue().at(next++));
+        if (std::string_view(model.inputRole(i)) == "condition") fixed.emplace_back(id, d_conditions.getValue().at(next++));
       }
       tube_ = std::make_unique<tactus::Tube>(model.scene(fixed));
     } catch (const std::exception& wrong) {
