@@ -1,11 +1,16 @@
 // The plain records of a study that files exchange: participants, their strokes, judgements, answers and rules.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "core/study/table_line.h"
+
+namespace tactus::procedure {
+struct Procedure;
+}
 
 namespace tactus::study {
 
@@ -93,7 +98,7 @@ struct GivenRule {
 /// One item of a form: its wording and its condition.
 struct FormItem {
   int number = 0;
-  std::string text;  ///< verbatim
+  std::string text;  ///< verbatim; empty: composed by the wording
   std::vector<ItemCondition> conditions;
 
   bool operator==(const FormItem&) const = default;
@@ -113,8 +118,7 @@ struct Form {
   int version = 1;
   std::string title;
   std::string source;  ///< origin of the wording
-  std::string
-      depth_terms;  ///< name of the set of depth terms that the form knows (elicitation/variables/ngt_variables.h)
+  std::string depth_terms;          ///< id of the set of terms of the way that the form knows
   std::vector<AnswerWord> answers;  ///< from the smallest force to the largest
   std::vector<FormItem> items;
 
@@ -129,6 +133,8 @@ struct Study {
   std::vector<ForceJudgement> judgements;
   std::vector<Answer> answers;
   std::vector<GivenRule> rules;
+  /// What the study is about (core/procedure/procedure.h); null: nasogastric tube insertion.
+  std::shared_ptr<const procedure::Procedure> procedure = {};
 
   bool operator==(const Study&) const = default;
 };

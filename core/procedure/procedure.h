@@ -1,0 +1,180 @@
+// A procedure as data: what is inserted, along which way, in which words experts speak of it. A procedure is read from a
+// pack, a folder of files (docs/procedure-packs.md). The code outside the packs knows no particular procedure.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+#include "core/study/records.h"
+
+namespace tactus::procedure {
+
+/// A text by language (BCP 47: `en`, `zh-Hant`).
+using Texts = std::map<std::string, std::string>;
+
+/// The files of a pack by their path in it, `/` between folders.
+using PackFiles = std::map<std::string, std::string>;
+
+/// A named list of terms of the way. It has no term for a region that its form does not ask about.
+struct TermSet {
+  std::string id;
+  std::string label;
+  std::vector<fuzzy::Term> terms;
+
+  bool operator==(const TermSet&) const = default;
+};
+
+/// The declared direction of the force for a growing input. No law: an expert's rules may say the opposite.
+enum class Direction { kNone, kFalls, kRises };
+
+/// How the levels of a condition are drawn beside its words.
+enum class LevelPicture {
+  kBars,    ///< `bars`: as many as the level
+  kDrops,   ///< `drops`: of a lubricant
+  kArrows,  ///< `arrows`: of a speed
+  kPose,    ///< `pose`: the body, one picture for each level
+};
+inline constexpr LevelPicture kLevelPictures[] = {LevelPicture::kBars, LevelPicture::kDrops, LevelPicture::kArrows,
+                                                  LevelPicture::kPose};
+
+/// What a pack says of one input beside its variable.
+struct InputNotes {
+  Direction direction = Direction::kNone;
+  double usual = 0;                                        ///< where curves along another input are shown
+  LevelPicture picture = LevelPicture::kBars;
+};
+
+/// A step of the procedure, as the bench shows it.
+struct Step {
+  Texts title;
+  Texts text;
+  std::optional<double> from_mm;  ///< the step begins at this place of the tip; nothing: before the way
+};
+
+/// A structure along the way.
+struct Landmark {
+  Texts name;
+  Texts what;
+  double from_mm = 0;
+  double to_mm = 0;
+  std::string source;
+};
+
+struct Point {
+  double x = 0;
+  double y = 0;
+};
+
+/// A picture of the body with the way of the tip in it, from an SVG file. Coordinates are those of its view box.
+struct Picture {
+  std::string file;                ///< path in the pack
+  study::ItemCondition pose = {};  ///< the condition that it shows; empty: the usual one
+  double left = 0, top = 0, width = 0, height = 0;
+  std::vector<Point> way;           ///< close points, from where the tip enters to the end of the universe
+  std::vector<double> way_mm;       ///< the place of each point, rising
+  std::map<std::string, std::string> regions;  ///< `d` of the outline of each region, by its id
+  std::string svg;                             ///< the whole picture
+};
+
+/// Where the tip is at `place_mm`; clamped to the way.
+Point placeAt(const Picture& picture, double place_mm);
+
+/// Reads the picture in `svg`, whose way lies between `from_mm` and `to_mm` and which has the regions `regions`; `file`
+/// is its name in errors. Refused: what docs/procedure-packs.md does not allow.
+base::Result<Picture> readPicture(std::string_view svg, const std::string& file, double from_mm, double to_mm,
+                                  const std::vector<std::string>& regions);
+
+struct Procedure {
+  std::string id;
+  int version = 1;  ///< of the pack
+  std::string sha256;
+  Texts title;
+  std::vector<std::string> languages;   ///< first the one in which everything is worded
+  std::vector<std::string> unreviewed;  ///< languages whose words no native expert has read
+  std::string about;                    ///< what the procedure models, and what it does not
+  std::vector<std::string> sources;
+
+  std::vector<fuzzy::Variable> inputs;  ///< the way has the terms of its first set
+  std::vector<InputNotes> input_notes;  ///< one per input
+  fuzzy::Variable output;
+  std::vector<TermSet> way_terms;  ///< at least one
+  std::vector<study::Form> forms;  ///< at least one, the first is that of a new study
+  std::vector<std::string> wordings;  ///< paths of the wordings of the forms (questionnaires/questionnaire.h)
+  std::map<std::string, Texts> words;  ///< of the participant's screens: id of the text, then by language
+  std::vector<Picture> pictures;       ///< none: a bar of regions stands for the body
+  std::vector<Step> steps;
+  std::vector<Landmark> landmarks;
+  std::string protocol;  ///< JSON of the settings of a session; empty: the usual ones
+
+  PackFiles files;
+
+  std::size_t way() const;                  ///< index of the input of the role `way`
+  std::optional<std::size_t> rate() const;  ///< index of the input of the role `rate`
+  const fuzzy::Variable& wayInput() const { return inputs[way()]; }
+  const fuzzy::Variable* rateInput() const;
+  std::vector<std::string> inputIds() const;  ///< the input columns of rules.csv
+  const TermSet* wayTerms(std::string_view set) const;
+  const study::Form* form(std::string_view form_id) const;
+  std::string titleIn(std::string_view language) const;
+};
+
+/// The pictures of the procedure; of one without pictures a plain bar of its regions.
+std::vector<Picture> picturesOf(const Procedure& procedure);
+
+/// The regions about which `form` asks, in the order of the way.
+std::vector<std::string> regionsOf(const Procedure& procedure, const study::Form& form);
+
+/// The text in `language`, otherwise in English, otherwise in the first language there is; empty without any.
+std::string textIn(const Texts& texts, std::string_view language);
+
+/// Reads a procedure from the files of a pack; `name` is the pack's name in errors. Refused, each with one sentence:
+/// what docs/procedure-packs.md does not allow.
+base::Result<Procedure> readProcedure(PackFiles files, const std::string& name);
+
+/// The same for the pack in the folder `path`. Refused as well: a link that leads out of the folder, a file above
+/// kMostFileBytes, a pack above kMostPackBytes.
+base::Result<Procedure> readPackFolder(const std::string& path);
+
+inline constexpr std::size_t kMostFileBytes = std::size_t{4} << 20U;
+inline constexpr std::size_t kMostPackBytes = std::size_t{16} << 20U;
+
+/// The SHA-256 of the sorted list of paths and of the SHA-256 of each file.
+std::string packSha256(const PackFiles& files);
+
+// The packs that the program carries.
+
+/// Their ids, first that of a study that names none.
+std::vector<std::string> builtInIds();
+/// Null for an unknown id. The procedure is kept as long as the program runs.
+std::shared_ptr<const Procedure> builtIn(std::string_view id);
+/// The procedure of a study that names none: nasogastric tube insertion.
+const std::shared_ptr<const Procedure>& defaultProcedure();
+
+/// The procedure itself, or that of a study that names none.
+inline const Procedure& orDefault(const std::shared_ptr<const Procedure>& procedure) {
+  return procedure != nullptr ? *procedure : *defaultProcedure();
+}
+/// The procedure of `study`.
+inline const Procedure& of(const study::Study& study) { return orDefault(study.procedure); }
+
+// What a model says of its procedure.
+
+/// What the provenance of a model built under `procedure` says of it. A model of the default procedure says nothing.
+fuzzy::NamedJson modelSetting(const Procedure& procedure);
+
+struct ModelProcedure {
+  std::string id;                              ///< empty if it cannot be read
+  std::map<std::string, Direction> directions;  ///< declared ones, by input
+};
+
+/// The procedure that the provenance of `model` names; the default one if it names none.
+ModelProcedure procedureOf(const fuzzy::ForceModel& model);
+
+}  // namespace tactus::procedure
