@@ -6,11 +6,6 @@
 namespace tactus::questionnaires {
 
 std::string_view aliasesJson();                             ///< forms/aliases.json
-std::string_view ngtForceFormJson();                        ///< forms/ngt_force_v1.json
-std::string_view ngtForcePlainWordingJson();                ///< forms/ngt_force_v1.en.json
-std::string_view ngtForceGermanWordingJson();               ///< forms/ngt_force_v1.de.json
-std::string_view ngtForceTraditionalChineseWordingJson();   ///< forms/ngt_force_v1.zh-Hant.json
-std::string_view ngtForceSimplifiedChineseWordingJson();    ///< forms/ngt_force_v1.zh-Hans.json
 std::string_view usabilityFormJson();                       ///< forms/usability_v1.json
 std::string_view usabilityGermanWordingJson();              ///< forms/usability_v1.de.json
 std::string_view usabilityTraditionalChineseWordingJson();  ///< forms/usability_v1.zh-Hant.json

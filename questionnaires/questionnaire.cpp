@@ -107,27 +107,18 @@ using base::fail;
 using base::Result;
 
 constexpr std::string_view kPrinted = "en";
-constexpr std::string_view kPlain = "plain";
-constexpr std::string_view kForceForm = "ngt-force-v1";
-constexpr std::string_view kWay = "depth";
 constexpr std::string_view kUsabilityForm = "usability-v1";
 
-/// Words that the program carries, besides those of the paper in English, which are the form itself.
+/// Words of the usability form that the program carries, besides the form itself, which is in English.
 struct CarriedWording {
-  std::string_view form;
-  std::string_view wording;
   std::string_view language;
   std::string_view (*text)();
 };
 
 constexpr std::array kCarried = {
-    CarriedWording{kForceForm, kPlain, "en", &ngtForcePlainWordingJson},
-    CarriedWording{kForceForm, kPlain, "de", &ngtForceGermanWordingJson},
-    CarriedWording{kForceForm, kPlain, "zh-Hant", &ngtForceTraditionalChineseWordingJson},
-    CarriedWording{kForceForm, kPlain, "zh-Hans", &ngtForceSimplifiedChineseWordingJson},
-    CarriedWording{kUsabilityForm, kPublishedWording, "de", &usabilityGermanWordingJson},
-    CarriedWording{kUsabilityForm, kPublishedWording, "zh-Hant", &usabilityTraditionalChineseWordingJson},
-    CarriedWording{kUsabilityForm, kPublishedWording, "zh-Hans", &usabilitySimplifiedChineseWordingJson},
+    CarriedWording{"de", &usabilityGermanWordingJson},
+    CarriedWording{"zh-Hant", &usabilityTraditionalChineseWordingJson},
+    CarriedWording{"zh-Hans", &usabilitySimplifiedChineseWordingJson},
 };
 
 Wording parsed(const CarriedWording& carried) {
@@ -161,15 +152,15 @@ std::vector<Choice> scaleChoices(const ScaleForm& form, const std::string& low, 
 }
 
 /// Question::block of each item.
-std::vector<int> blocksOf(const std::vector<study::FormItem>& items) {
-  const auto besidesDepth = [](const study::FormItem& item) {
+std::vector<int> blocksOf(const std::vector<study::FormItem>& items, std::string_view way) {
+  const auto besidesTheWay = [way](const study::FormItem& item) {
     auto conditions = item.conditions;
-    std::erase_if(conditions, [](const study::ItemCondition& condition) { return condition.input == kWay; });
+    std::erase_if(conditions, [way](const study::ItemCondition& condition) { return condition.input == way; });
     return conditions;
   };
   std::vector<int> blocks;
   for (std::size_t i = 0; i < items.size(); ++i) {
-    const bool same = i > 0 && besidesDepth(items[i]) == besidesDepth(items[i - 1]);
+    const bool same = i > 0 && besidesTheWay(items[i]) == besidesTheWay(items[i - 1]);
     blocks.push_back(i == 0 ? 1 : same ? blocks.back() : blocks.back() + 1);
   }
   return blocks;
@@ -182,11 +173,11 @@ const Choice* Questionnaire::choice(std::string_view value) const {
   return it == choices.end() ? nullptr : &*it;
 }
 
-Questionnaire asPrinted(const study::Form& form) {
+Questionnaire asPrinted(const study::Form& form, std::string_view way, std::string_view language) {
   Questionnaire printed{
-      form.id, form.version, std::string(kPublishedWording), std::string(kPrinted), form.title, {}, {}, {}, {}};
+      form.id, form.version, std::string(kPublishedWording), std::string(language), form.title, {}, {}, {}, {}};
   for (const auto& answer : form.answers) printed.choices.push_back({answer.term, answer.word});
-  const auto blocks = blocksOf(form.items);
+  const auto blocks = blocksOf(form.items, way);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     printed.questions.push_back({form.items[i].number, form.items[i].text, blocks[i]});
   }
@@ -201,7 +192,7 @@ Questionnaire asPrinted(const ScaleForm& form) {
   return printed;
 }
 
-Result<Questionnaire> inWords(const study::Form& form, const Wording& wording) {
+Result<Questionnaire> inWords(const study::Form& form, const Wording& wording, std::string_view way) {
   auto worded = framed(form.id, form.version, wording);
   if (!worded) return worded;
   for (const auto& answer : form.answers) {
@@ -209,7 +200,7 @@ Result<Questionnaire> inWords(const study::Form& form, const Wording& wording) {
     if (label == nullptr) return noWords(wording, "the answer " + base::quoted(answer.term));
     worded->choices.push_back({answer.term, *label});
   }
-  const auto blocks = blocksOf(form.items);
+  const auto blocks = blocksOf(form.items, way);
   for (std::size_t i = 0; i < blocks.size(); ++i) {
     const auto& item = form.items[i];
     const std::string* const whole = wording.item(item.number);
@@ -235,54 +226,147 @@ Result<Questionnaire> inWords(const ScaleForm& form, const Wording& wording) {
   return worded;
 }
 
-std::vector<std::string> questionnaireIds() { return {std::string(kForceForm), std::string(kUsabilityForm)}; }
+std::vector<std::string> questionnaireIds(const procedure::Procedure& procedure) {
+  std::vector<std::string> out;
+  for (const auto& form : procedure.forms) out.push_back(form.id);
+  out.emplace_back(kUsabilityForm);
+  return out;
+}
 
-std::vector<std::string> wordingsOf(std::string_view form) {
-  if (form == kForceForm) return {std::string(kPlain), std::string(kPublishedWording)};
-  if (form == kUsabilityForm) return {std::string(kPublishedWording)};
+namespace {
+
+/// The wordings of the procedure's forms; checkWordings has read them before.
+std::vector<Wording> wordingsIn(const procedure::Procedure& procedure) {
+  std::vector<Wording> out;
+  for (const std::string& path : procedure.wordings) {
+    auto read = parseWording(procedure.files.at(path), path);
+    TACTUS_CHECK(read.has_value());
+    out.push_back(*std::move(read));
+  }
+  return out;
+}
+
+/// Whether each item stands in the form itself, word by word.
+bool isPrinted(const study::Form& form) {
+  return std::none_of(form.items.begin(), form.items.end(), [](const auto& item) { return item.text.empty(); });
+}
+
+}  // namespace
+
+base::Result<void> checkWordings(const procedure::Procedure& procedure) {
+  const std::string& first = procedure.languages.front();
+  std::vector<std::string> worded;  // forms in the first language
+  for (const std::string& path : procedure.wordings) {
+    const std::string file = procedure.id + "/" + path;
+    TACTUS_TRY(const auto wording, parseWording(procedure.files.at(path), file));
+    const study::Form* const form = procedure.form(wording.form);
+    if (form == nullptr) {
+      return base::inFile({ErrorCode::kReference, {}, "/form", base::quoted(wording.form), "a form of the pack"}, file);
+    }
+    const auto& languages = procedure.languages;
+    if (std::find(languages.begin(), languages.end(), wording.language) == languages.end()) {
+      return base::inFile({ErrorCode::kReference, {}, "/language", base::quoted(wording.language),
+                           "one of " + base::joined(languages, ", ")},
+                          file);
+    }
+    for (const auto& item : form->items) {
+      for (const auto& condition : item.conditions) {
+        const bool said = wording.item(item.number) != nullptr ||
+                          std::any_of(wording.phrases.begin(), wording.phrases.end(),
+                                      [&](const auto& phrase) { return phrase.condition == condition; });
+        if (said) continue;
+        return base::inFile({ErrorCode::kReference, {}, "/phrases",
+                             "no phrase for " + base::quoted(condition.input + " " + condition.term) + " of item " +
+                                 std::to_string(item.number),
+                             "a phrase for each condition"},
+                            file);
+      }
+    }
+    if (auto ok = inWords(*form, wording, procedure.wayInput().id); !ok)
+      return base::inFile(std::move(ok).error(), file);
+    if (wording.language == first) worded.push_back(form->id);
+  }
+  for (const auto& form : procedure.forms) {
+    if (isPrinted(form) || std::find(worded.begin(), worded.end(), form.id) != worded.end()) continue;
+    return base::inFile({ErrorCode::kReference, {}, "wordings",
+                         "no wording of " + base::quoted(form.id) + " in " + base::quoted(first), "one"},
+                        procedure.id + "/procedure.json");
+  }
   return {};
 }
 
-std::vector<std::string> languagesOf(std::string_view form, std::string_view wording) {
-  const auto wordings = wordingsOf(form);
+std::vector<std::string> wordingsOf(const procedure::Procedure& procedure, std::string_view form) {
+  if (form == kUsabilityForm) return {std::string(kPublishedWording)};
+  const study::Form* const known = procedure.form(form);
+  if (known == nullptr) return {};
+  std::vector<std::string> out;
+  for (const Wording& wording : wordingsIn(procedure)) {
+    if (wording.form == form && std::find(out.begin(), out.end(), wording.wording) == out.end())
+      out.push_back(wording.wording);
+  }
+  if (isPrinted(*known)) out.emplace_back(kPublishedWording);
+  return out;
+}
+
+std::vector<std::string> languagesOf(const procedure::Procedure& procedure, std::string_view form,
+                                     std::string_view wording) {
+  const auto wordings = wordingsOf(procedure, form);
   if (wordings.empty()) return {};
   if (wording.empty()) wording = wordings.front();
   std::vector<std::string> languages;
-  if (wording == kPublishedWording) languages.emplace_back(kPrinted);
-  for (const auto& carried : kCarried) {
-    if (carried.form == form && carried.wording == wording) languages.emplace_back(carried.language);
+  if (form == kUsabilityForm) {
+    if (wording != kPublishedWording) return {};
+    languages.emplace_back(kPrinted);
+    for (const auto& carried : kCarried) languages.emplace_back(carried.language);
+    return languages;
+  }
+  if (wording == kPublishedWording && isPrinted(*procedure.form(form))) languages.push_back(procedure.languages.front());
+  for (const Wording& one : wordingsIn(procedure)) {
+    if (one.form == form && one.wording == wording) languages.push_back(one.language);
   }
   return languages;
 }
 
-Result<Questionnaire> questionnaire(std::string_view form, std::string_view language, std::string_view wording) {
-  const auto wordings = wordingsOf(form);
+Result<Questionnaire> questionnaire(const procedure::Procedure& procedure, std::string_view form,
+                                    std::string_view language, std::string_view wording) {
+  const auto wordings = wordingsOf(procedure, form);
   if (wordings.empty()) {
-    return fail(ErrorCode::kReference, "form", base::quoted(form), "one of " + base::joined(questionnaireIds(), ", "));
+    return fail(ErrorCode::kReference, "form", base::quoted(form),
+                "one of " + base::joined(questionnaireIds(procedure), ", "));
   }
   if (wording.empty()) wording = wordings.front();
   if (std::find(wordings.begin(), wordings.end(), wording) == wordings.end()) {
     return fail(ErrorCode::kReference, "wording of " + base::quoted(form), base::quoted(wording),
                 "one of " + base::joined(wordings, ", "));
   }
-  const bool is_force = form == kForceForm;
-  for (const auto& carried : kCarried) {
-    if (carried.form != form || carried.wording != wording || carried.language != language) continue;
-    return is_force ? inWords(ngtForceForm(), parsed(carried)) : inWords(usabilityForm(), parsed(carried));
-  }
-  if (wording == kPublishedWording && language == kPrinted) {
-    return is_force ? asPrinted(ngtForceForm()) : asPrinted(usabilityForm());
+  if (form == kUsabilityForm) {
+    for (const auto& carried : kCarried) {
+      if (carried.language == language) return inWords(usabilityForm(), parsed(carried));
+    }
+    if (language == kPrinted) return asPrinted(usabilityForm());
+  } else {
+    const std::string& way = procedure.wayInput().id;
+    const study::Form& known = *procedure.form(form);
+    for (const Wording& one : wordingsIn(procedure)) {
+      if (one.form == form && one.wording == wording && one.language == language) return inWords(known, one, way);
+    }
+    if (wording == kPublishedWording && isPrinted(known) && language == procedure.languages.front())
+      return asPrinted(known, way, language);
   }
   return fail(ErrorCode::kReference, "language of " + base::quoted(form) + " in the wording " + base::quoted(wording),
-              base::quoted(language), "one of " + base::joined(languagesOf(form, wording), ", "));
+              base::quoted(language), "one of " + base::joined(languagesOf(procedure, form, wording), ", "));
 }
 
-Result<Wording> plainForceWording(std::string_view language) {
-  for (const auto& carried : kCarried) {
-    if (carried.form == kForceForm && carried.wording == kPlain && carried.language == language) return parsed(carried);
+Result<Wording> composedWording(const procedure::Procedure& procedure, std::string_view form,
+                                std::string_view language) {
+  std::vector<std::string> known;
+  for (Wording& one : wordingsIn(procedure)) {
+    if (one.form != form || one.phrases.empty()) continue;
+    if (one.language == language) return std::move(one);
+    known.push_back(one.language);
   }
-  return fail(ErrorCode::kReference, "language of " + base::quoted(kForceForm), base::quoted(language),
-              "one of " + base::joined(languagesOf(kForceForm, kPlain), ", "));
+  return fail(ErrorCode::kReference, "language of " + base::quoted(form), base::quoted(language),
+              "one of " + base::joined(known, ", "));
 }
 
 }  // namespace tactus::questionnaires

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/procedure/procedure.h"
 #include "core/study/records.h"
 #include "questionnaires/form_file.h"
 
@@ -52,7 +53,7 @@ struct Wording {
   const std::string* answer(std::string_view value) const;
 };
 
-/// Reads a wording (JSON, see forms/ngt_force_v1.de.json) from `text`; `file` is its name in errors. Returns an error
+/// Reads a wording (JSON, docs/procedure-packs.md) from `text`; `file` is its name in errors. Returns an error
 /// for a missing key, or a duplicate phrase, item or answer.
 base::Result<Wording> parseWording(std::string_view text, const std::string& file);
 
@@ -92,32 +93,39 @@ struct Questionnaire {
 /// Id of the paper's own words.
 inline constexpr std::string_view kPublishedWording = "published";
 
-/// `form` in the paper's words, in the language `en`.
-Questionnaire asPrinted(const study::Form& form);
+/// `form` in the words of its items, in the language `language`. `way`: the input of the regions (Question::block).
+Questionnaire asPrinted(const study::Form& form, std::string_view way, std::string_view language);
 Questionnaire asPrinted(const ScaleForm& form);
 
 /// `form` in the words of `wording`. Returns an error for a wording of another form or version, or a condition or
 /// answer without words.
-base::Result<Questionnaire> inWords(const study::Form& form, const Wording& wording);
+base::Result<Questionnaire> inWords(const study::Form& form, const Wording& wording, std::string_view way);
 base::Result<Questionnaire> inWords(const ScaleForm& form, const Wording& wording);
 
-/// The ids of the forms to fill in: `ngt-force-v1` (Table A1), `usability-v1` (paper, Section 5.4).
-std::vector<std::string> questionnaireIds();
+/// The ids of the forms to fill in: those of the procedure, and `usability-v1` (paper, Section 5.4).
+std::vector<std::string> questionnaireIds(const procedure::Procedure& procedure);
 
-/// The ids of the embedded wordings of a form, first the one in which it is asked where nobody says otherwise: `plain`,
+/// Refuses, with one sentence, a procedure whose wordings cannot be read, are of no form of it, or lack words; and a
+/// form without a wording in the procedure's first language.
+base::Result<void> checkWordings(const procedure::Procedure& procedure);
+
+/// The ids of the wordings of a form, first the one in which it is asked where nobody says otherwise: `plain`,
 /// `published`. Empty for an unknown form.
-std::vector<std::string> wordingsOf(std::string_view form);
+std::vector<std::string> wordingsOf(const procedure::Procedure& procedure, std::string_view form);
 
-/// The languages of one of a form's wordings; an empty `wording` is the form's first. `en` comes first.
-std::vector<std::string> languagesOf(std::string_view form, std::string_view wording = {});
+/// The languages of one of a form's wordings; an empty `wording` is the form's first.
+std::vector<std::string> languagesOf(const procedure::Procedure& procedure, std::string_view form,
+                                     std::string_view wording = {});
 
-/// An embedded form in one of its wordings and languages; an empty `wording` is the form's first. So the screens, paper
-/// and each survey system ask the same. For an unknown form, wording or language returns an error with the list of
-/// known ones.
-base::Result<Questionnaire> questionnaire(std::string_view form, std::string_view language,
-                                          std::string_view wording = {});
+/// A form of the procedure in one of its wordings and languages; an empty `wording` is the form's first. So the
+/// screens, paper and each survey system ask the same. For an unknown form, wording or language returns an error with
+/// the list of known ones.
+base::Result<Questionnaire> questionnaire(const procedure::Procedure& procedure, std::string_view form,
+                                          std::string_view language, std::string_view wording = {});
 
-/// The plain words of `ngt-force-v1` in `language`, for screens that show condition, region and question apart.
-base::Result<Wording> plainForceWording(std::string_view language);
+/// The composed words of `form` in `language`, for screens that show condition, region and question apart. Refused as
+/// in `questionnaire`.
+base::Result<Wording> composedWording(const procedure::Procedure& procedure, std::string_view form,
+                                      std::string_view language);
 
 }  // namespace tactus::questionnaires

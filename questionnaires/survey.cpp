@@ -255,14 +255,14 @@ std::string numbered(std::string_view letter, std::size_t number) {
 }
 
 /// `ngt_force` for `ngt-force-v1`; another wording than the usual one is named, so that two are never taken for one.
-std::string nameOf(std::string_view form, const std::string& wording) {
+std::string nameOf(const procedure::Procedure& procedure, std::string_view form, const std::string& wording) {
   std::string name(form.substr(0, form.rfind("-v")));
   std::replace(name.begin(), name.end(), '-', '_');
-  return wording == wordingsOf(form).front() ? name : name + '_' + wording;
+  return wording == wordingsOf(procedure, form).front() ? name : name + '_' + wording;
 }
 
 /// Terms count from the smallest force; points of a scale are codes already.
-std::vector<SurveyChoice> choicesOf(const Questionnaire& words, bool scale) {
+std::vector<SurveyChoice> choicesOf(const procedure::Procedure& procedure, const Questionnaire& words, bool scale) {
   std::vector<SurveyChoice> out;
   for (const Choice& choice : words.choices) {
     const std::string code = scale ? choice.value : std::to_string(out.size() + 1);
@@ -270,24 +270,32 @@ std::vector<SurveyChoice> choicesOf(const Questionnaire& words, bool scale) {
     if (scale) label = label.empty() ? choice.value : choice.value + " " + label;
     out.push_back({code, choice.value, "answered", std::move(label)});
   }
-  if (!scale) out.push_back({"9", "", "cant_tell", std::string(wordsIn(words.language).cannot_tell)});
+  if (!scale) {
+    const auto own = procedure.words.find("w.cant_tell");
+    const bool said = own != procedure.words.end() && own->second.contains(words.language);
+    out.push_back({"9", "", "cant_tell",
+                   said ? own->second.at(words.language) : std::string(wordsIn(words.language).cannot_tell)});
+  }
   return out;
 }
 
 }  // namespace
 
-base::Result<Survey> survey(std::string_view form, std::string_view language, std::string_view wording) {
-  TACTUS_TRY(const auto words, questionnaire(form, language, wording));
-  const study::Form rules = ngtForceForm();
-  const bool scale = rules.id != form;
+base::Result<Survey> survey(const procedure::Procedure& procedure, std::string_view form, std::string_view language,
+                            std::string_view wording) {
+  TACTUS_TRY(const auto words, questionnaire(procedure, form, language, wording));
+  const study::Form* const rules = procedure.form(form);
+  const bool scale = rules == nullptr;
   Survey out{
-      words.form,  words.version,      nameOf(form, words.wording),         words.wording,           words.language,
-      words.title, words.instructions, std::string(wordsIn(language).code), choicesOf(words, scale), {}};
+      words.form,  words.version,      nameOf(procedure, form, words.wording),         words.wording,           words.language,
+      words.title, words.instructions, std::string(wordsIn(language).code), choicesOf(procedure, words, scale), {}};
   std::vector<study::ItemCondition> common;  // to all fields of the last matrix
   for (const Question& question : words.questions) {
     SurveyField field{numbered("q", static_cast<std::size_t>(question.number)), question.number, question.text, {}};
-    for (const study::FormItem& item : rules.items) {
-      if (!scale && item.number == question.number) field.conditions = item.conditions;
+    if (rules != nullptr) {
+      const auto item = std::find_if(rules->items.begin(), rules->items.end(),
+                                     [&](const auto& one) { return one.number == question.number; });
+      if (item != rules->items.end()) field.conditions = item->conditions;
     }
     std::vector<study::ItemCondition> shared;
     for (const auto& condition : common) {

@@ -10,8 +10,8 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -46,12 +46,12 @@ Result<Rated> readCounts(const base::CsvTable& table, const std::vector<std::str
 
 Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& options) {
   std::vector<std::string> terms;
-  for (const auto& term : elicitation::ngtOutput().terms) terms.push_back(term.id);
+  for (const auto& term : procedure::defaultProcedure()->output.terms) terms.push_back(term.id);
   if (elicitation::isVoteTable(table, terms)) return readCounts(table, terms);
   std::vector<std::string> notes;
   if (table.find("item")) {
     TACTUS_TRY(const auto answers, session::readAnswerTable(table, notes));
-    return rated(elicitation::agreementData(answers, options.form, session::knownForms(), terms), "answers",
+    return rated(elicitation::agreementData(answers, options.form, session::knownForms(*procedure::defaultProcedure()), terms), "answers",
                  options.file, std::move(notes));
   }
   if (table.find("series") || table.find("term")) {

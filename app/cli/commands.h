@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/simulated_study.h"
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
 #include "elicitation/depth/depth_measurement.h"
@@ -341,6 +342,7 @@ base::Result<Output> calibrateDevice(const DeviceCalibrateOptions& options);
 struct StudyNewOptions {
   std::string file;
   std::string name;  ///< empty: the file's name
+  std::string pack;  ///< folder of a pack, or a procedure that the program carries; empty: the default one
   bool json = false;
 };
 /// Creates a study file without participants.
@@ -368,6 +370,15 @@ struct StudyMergeOptions {
 };
 /// Adds the records of other files, one file after another.
 base::Result<Output> studyMerge(const StudyMergeOptions& options);
+
+struct StudySimulateOptions {
+  std::string file;
+  session::SimulatedGroup group;
+  bool json = false;
+};
+/// Adds simulated experts to a study, each with a whole session under its protocol, to try the study before anybody is
+/// asked. They are marked as simulated everywhere.
+base::Result<Output> studySimulate(const StudySimulateOptions& options);
 
 struct StudyImportOptions {
   std::string file;  ///< created if it does not exist
@@ -406,11 +417,6 @@ struct StudyFormOptions {
 /// Writes the form that the study's participants answer, in the languages of its protocol, for people who answer it
 /// elsewhere; or with `responses` reads their answers.
 base::Result<Output> studyForm(const StudyFormOptions& options);
-
-/// The responses of `studyForm` as the tables of a study, in the folder `out`. `form`: the study's; `notices` of its
-/// opening.
-base::Result<Output> studyResponses(const StudyFormOptions& options, const std::string& form,
-                                    std::vector<std::string> notices);
 
 struct StudyRecodeOptions {
   std::string file;
@@ -490,5 +496,23 @@ struct StudyPlanOptions {
 /// The error of the averaged force against nurses and questions, by simulated studies (app/planning), and the cheapest
 /// design.
 base::Result<Output> studyPlan(const StudyPlanOptions& options);
+
+// Procedures as data (docs/procedure-packs.md).
+
+struct PackOptions {
+  std::string pack;     ///< folder, or the id of a pack that the program carries; empty: all that it carries
+  std::string out;      ///< of `preview`: the folder to write
+  bool texts = false;   ///< of `show`: the ids of the participant's screens with their words
+  bool json = false;
+};
+
+/// Writes a small complete pack into the new folder `pack`.
+base::Result<Output> packNew(const PackOptions& options);
+/// What is wrong with a pack, or what it holds.
+base::Result<Output> packCheck(const PackOptions& options);
+/// Inputs, words, regions and items of a pack.
+base::Result<Output> packShow(const PackOptions& options);
+/// Each form as a page on paper, and the picture with each region lit.
+base::Result<Output> packPreview(const PackOptions& options);
 
 }  // namespace tactus::cli

@@ -13,7 +13,7 @@ namespace tactus::cli {
 namespace {
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kGroups = {{
-    {"Study", " demo build report vote cluster agreement study duel "},
+    {"Study", " demo build report vote cluster agreement study pack duel "},
     {"Model", " eval check why pull replay simulate bench diff tell rebase import "},
     {"Deliver", " bundle verify convert certify serve "},
     {"Device", " devices emulate "},

@@ -16,12 +16,50 @@ void addFile(CLI::App& command, std::string& file) {
 
 }  // namespace
 
+namespace {
+
+void addPackCommands(CLI::App& app, Chosen& chosen) {
+  CLI::App& pack = *app.add_subcommand("pack", "Procedures as data: make, check, show, preview");
+  pack.require_subcommand(1);
+  const auto addPack = [](CLI::App& command, PackOptions& o, const char* what) {
+    return command.add_option("PACK", o.pack, what)->check(notEmpty());
+  };
+  constexpr const char* kAny = "Folder with procedure.json, or a procedure that the program carries";
+  addCommand(pack, chosen, "new", "A small complete pack to begin with", packNew,
+             [addPack](CLI::App& command, PackOptions& o) {
+               addPack(command, o, "Folder to make")->required();
+               addJson(command, o.json);
+             });
+  addCommand(pack, chosen, "check", "What is wrong with a pack, or what it holds", packCheck,
+             [addPack](CLI::App& command, PackOptions& o) {
+               addPack(command, o, kAny)->required();
+               addJson(command, o.json);
+             });
+  addCommand(pack, chosen, "show", "Inputs, words, regions and items of a pack; alone: the procedures of the program",
+             packShow, [addPack](CLI::App& command, PackOptions& o) {
+               addPack(command, o, kAny);
+               command.add_flag("--texts", o.texts, "The ids of the participant's screens with their words, as a table");
+               addJson(command, o.json);
+             });
+  addCommand(pack, chosen, "preview", "Its forms as pages and on paper, its pictures with each region lit", packPreview,
+             [addPack](CLI::App& command, PackOptions& o) {
+               addPack(command, o, kAny)->required();
+               command.add_option("--out", o.out, "Folder for the files")->required()->check(notEmpty());
+               addJson(command, o.json);
+             });
+}
+
+}  // namespace
+
 void addStudyCommands(CLI::App& app, Chosen& chosen) {
+  addPackCommands(app, chosen);
   CLI::App& study = *app.add_subcommand("study", "Study files: make, look into, check, merge, import, export");
   study.require_subcommand(1);
   addCommand(study, chosen, "new", "Make a study file", studyNew, [](CLI::App& command, StudyNewOptions& o) {
     addFile(command, o.file);
     command.add_option("--name", o.name, "Name of the study; by default the file's")->check(notEmpty());
+    command.add_option("--pack", o.pack, "What it is about: a folder with a pack, or a procedure that `tactus pack show` lists; default: the first of these")
+        ->check(notEmpty());
     addJson(command, o.json);
   });
   addCommand(study, chosen, "info", "What a study file holds", studyInfo, [](CLI::App& command, StudyInfoOptions& o) {
@@ -38,6 +76,15 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
              [](CLI::App& command, StudyMergeOptions& o) {
                addFile(command, o.file);
                command.add_option("OTHER", o.others, "Study files to read from")->required()->check(notEmpty());
+               addJson(command, o.json);
+             });
+  addCommand(study, chosen, "simulate", "Add simulated experts, to try a study before anybody is asked", studySimulate,
+             [](CLI::App& command, StudySimulateOptions& o) {
+               addFile(command, o.file);
+               command.add_option("--nurses", o.group.count, "How many, 1 to 50")->check(CLI::Range(1, 50));
+               command.add_option("--alike", o.group.alike, "How alike they are, 0 to 1")->check(CLI::Range(0.0, 1.0));
+               command.add_option("--seed", o.group.seed, "Seed, a whole number from 1 on")
+                   ->check(wholeNumberUpTo(session::kLargestSeed));
                addJson(command, o.json);
              });
   addCommand(study, chosen, "import", "Add the CSV tables of a folder, a full export, or answer files", studyImport,

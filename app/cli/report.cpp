@@ -57,7 +57,7 @@ base::Result<Output> writeReport(const ReportOptions& options) {
   const report::StudyReportInputs inputs{.study = made.tables.study,
                                          .built = made.built,
                                          .build_settings = made.settings,
-                                         .forms = session::knownForms(),
+                                         .forms = session::knownForms(procedure::of(made.tables.study)),
                                          .data = made.data,
                                          .settings = {{"Study", options.study},
                                                       {"Program", std::string(kGenerator)},

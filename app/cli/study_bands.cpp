@@ -15,10 +15,10 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/word_intervals.h"
 #include "elicitation/uncertainty/force_bands.h"
 #include "elicitation/uncertainty/own_words.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -45,11 +45,10 @@ struct Found {
 };
 
 /// The inputs of the curve: those of Fig. 11 of Choi et al., and what was asked for.
-Result<std::vector<double>> settingOf(const StudyBandsOptions& options, const fuzzy::ForceModel& model,
-                                      std::size_t depth) {
+Result<std::vector<double>> settingOf(const StudyBandsOptions& options, const procedure::Procedure& about,
+                                      const fuzzy::ForceModel& model, std::size_t depth) {
   std::vector<double> at;
-  for (const auto& input : model.inputs)
-    at.push_back(input.id == "lubrication" ? 1 : input.id == "neck_flexion" ? 60 : 50);
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) at.push_back(about.input_notes[i].usual);
   for (const auto& text : options.at) {
     TACTUS_TRY(const auto given, inputOption(model, "--at", text));
     if (given.first == depth) {
@@ -65,8 +64,8 @@ Result<Found> findBands(const StudyBandsOptions& options, const StudyBuild& made
   const auto& model = made.built.model;
   const auto& study = made.tables.study;
   Found out;
-  while (model.inputs[out.depth].id != elicitation::ngtRegionInput()) ++out.depth;
-  TACTUS_TRY(const auto at, settingOf(options, model, out.depth));
+  out.depth = made.built.about().way();
+  TACTUS_TRY(const auto at, settingOf(options, made.built.about(), model, out.depth));
   out.points = analysis::linePoints(model, at, out.depth, kDepths);
   const bool draws = options.replicates > 0;
   TACTUS_TRY(auto bands, elicitation::ForceBands::of(study, made.built, made.settings,
@@ -81,7 +80,8 @@ Result<Found> findBands(const StudyBandsOptions& options, const StudyBuild& made
   out.words = bands.ownWords();
   out.under_words = bands.underOwnWords();
   TACTUS_TRY(out.disagreement, elicitation::wordsAndRules(study, made.built, made.settings));
-  out.intervals = elicitation::wordIntervals(study.judgements, made.settings.series, elicitation::ngtOutput().terms);
+  out.intervals = elicitation::wordIntervals(study.judgements, made.settings.series,
+                                             made.built.about().output.terms);
   return out;
 }
 
@@ -234,7 +234,7 @@ std::string bandsJson(const StudyBandsOptions& options, const StudyBuild& made, 
   }
   json.endArray();
   writeDisagreement(json, found.disagreement);
-  const auto words = elicitation::ngtOutput().terms;
+  const auto& words = made.built.about().output.terms;
   json.key("word_intervals").beginArray();
   for (const auto& one : found.intervals) {
     json.beginObject(JsonWriter::Layout::kInline).key("person").value(one.participant);

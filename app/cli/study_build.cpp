@@ -15,9 +15,9 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "core/study/table_line.h"
 #include "elicitation/model/published_settings.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -130,7 +130,7 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   if (auto ok = requireOutput(options.out, {options.study, options.weights}); !ok) return tl::unexpected(ok.error());
   TACTUS_TRY(auto weights, weightSettings(options.weights));
   TACTUS_TRY(auto accepted, acceptedKinds(options.accept));
-  TACTUS_TRY(auto whole, session::readWholeStudy(options.study, elicitation::ngtInputIds()));
+  TACTUS_TRY(auto whole, session::readWholeStudy(options.study));
   auto& [tables, aside, in_order] = whole;
   StudyBuild out;
   for (const auto& notice : tables.notices) out.notices.push_back(options.study + ": " + notice);
@@ -162,11 +162,12 @@ Result<StudyBuild> buildStudy(const BuildOptions& options, RulesNeeded rules) {
   const std::string weights_file = weights.table_file;
   settings.weights = std::move(weights);
   settings.terms = options.own_terms ? elicitation::SpeedTermsOf::kOwn : elicitation::SpeedTermsOf::kAveraged;
+  const auto forms = session::knownForms(procedure::of(tables.study));
   const bool terms_only = rules == RulesNeeded::kNo && !elicitation::hasRules(tables.study);
   auto built = terms_only ? elicitation::buildTerms(tables.study, settings)
-                          : elicitation::buildModel(tables.study, session::knownForms(), settings);
+                          : elicitation::buildModel(tables.study, forms, settings);
   if (!built) return explainedError(built.error(), options, weights_file);
-  elicitation::noteUnlikePublished(*built, tables.study, session::knownForms(), settings);
+  elicitation::noteUnlikePublished(*built, tables.study, forms, settings);
   out.built = std::move(*built);
   out.tables = std::move(tables);
   out.accepted = std::move(accepted);

@@ -81,7 +81,7 @@ std::string compareJson(const StudyCompareOptions& options, const StudyBuild& ma
 
 base::Result<Output> studyCompare(const StudyCompareOptions& options) {
   TACTUS_TRY(const auto made, buildStudy(options));
-  const auto forms = session::knownForms();
+  const auto forms = session::knownForms(procedure::of(made.tables.study));
   const auto study = elicitation::methodStudy(made.tables.study, forms, made.settings, made.built);
   if (!study) return inFile(study.error(), options.study);
   return Output{options.json ? compareJson(options, made, *study) : compareText(*study, made.built.model),

@@ -21,7 +21,6 @@
 #include "core/store/study_info.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -34,6 +33,14 @@ struct Imported {
   std::vector<std::string> notices = {};   ///< of the opening of the study
   std::vector<std::string> warnings = {};  ///< of its end
 };
+
+/// The procedure of the study at `path`; null if there is none yet, or if it is the default one.
+Result<session::ProcedurePtr> procedureAt(const std::string& path) {
+  std::error_code ignored;
+  if (path.empty() || !std::filesystem::exists(path, ignored)) return session::ProcedurePtr{};
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return session::procedureIn(file);
+}
 
 Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
   std::error_code ignored;
@@ -53,7 +60,8 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   const std::string& folder = options.sources.front();
   TACTUS_TRY(const auto accepted, acceptedKinds(options.accept));
   // Everything that can be wrong with the tables is found before a file is made.
-  TACTUS_TRY(const auto tables, session::readTables(folder, elicitation::ngtInputIds()));
+  TACTUS_TRY(auto procedure, procedureAt(options.file));
+  TACTUS_TRY(const auto tables, session::readTables(folder, std::move(procedure)));
   const auto data = session::dataFindings(tables.study);
   if (auto ok = study::refuseData(data, accepted); !ok) return study::inStudyFolder(ok.error(), folder);
   TACTUS_TRY(const auto source, session::tablesSource(folder, tables.study.name, utcNowMs()));
@@ -138,7 +146,7 @@ std::uint64_t secretSeed() {
 }
 
 base::Result<Output> dataSet(const StudyExportOptions& options) {
-  TACTUS_TRY(auto tables, session::readStudy(options.file, elicitation::ngtInputIds()));
+  TACTUS_TRY(auto tables, session::readStudy(options.file));
   const auto layout = options.layout == "bids" ? dataset::Layout::kBids : dataset::Layout::kPsychDs;
   TACTUS_TRY(auto trials, session::trialsAt(options.file));
   TACTUS_TRY(const auto done,

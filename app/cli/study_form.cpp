@@ -19,9 +19,9 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/survey.h"
 #include "questionnaires/survey_responses.h"
 
@@ -30,6 +30,13 @@ namespace {
 
 using base::Result;
 using questionnaires::SurveyResponses;
+
+struct AskedForm {
+  session::StudyProtocol protocol;
+  std::string form;
+  std::vector<std::string> languages;
+  std::vector<std::string> notices;
+};
 
 /// `record,participant`, one row for each record id.
 Result<std::map<std::string, std::string>> participantsOf(const std::string& path) {
@@ -48,19 +55,20 @@ Result<std::map<std::string, std::string>> participantsOf(const std::string& pat
   return out;
 }
 
-Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const std::string& form) {
+Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const AskedForm& asked) {
+  const std::string& form = asked.form;
+  const procedure::Procedure& about = asked.protocol.settings.about();
   questionnaires::ResponseSettings settings;
   TACTUS_TRY(auto participants, participantsOf(options.participants));
   settings.participants = std::move(participants);
   settings.missing = options.missing;
-  session::StudyProtocol every;
-  every.settings.form = form;
-  every.languages.assign(session::kScreenLanguages.begin(), session::kScreenLanguages.end());
+  session::StudyProtocol every = asked.protocol;
+  every.languages = about.languages;
   std::vector<questionnaires::Survey> languages;
-  for (const std::string& wording : questionnaires::wordingsOf(form)) {
+  for (const std::string& wording : questionnaires::wordingsOf(about, form)) {
     if (!options.wording.empty() && wording != options.wording) continue;
-    for (const std::string& language : questionnaires::languagesOf(form, wording)) {
-      TACTUS_TRY(auto one, questionnaires::survey(form, language, wording));
+    for (const std::string& language : questionnaires::languagesOf(about, form, wording)) {
+      TACTUS_TRY(auto one, questionnaires::survey(about, form, language, wording));
       const auto content = webform::formContent({}, {}, every, wording);
       const auto* const words = content ? content->language(language) : nullptr;
       if (words != nullptr) one.opening = webform::openingOf(*content, *words);
@@ -69,13 +77,13 @@ Result<SurveyResponses> responsesOf(const StudyFormOptions& options, const std::
   }
   if (languages.empty()) {
     return base::fail(base::ErrorCode::kReference, "--wording", base::quoted(options.wording),
-                      "one of " + base::joined(questionnaires::wordingsOf(form), ", "));
+                      "one of " + base::joined(questionnaires::wordingsOf(about, form), ", "));
   }
   TACTUS_TRY(const auto table, base::CsvTable::read(options.responses));
   auto out = questionnaires::surveyResponses(table, languages, settings);
   if (!out) return out;
   for (study::Answer& answer : out->answers) answer.wording = options.wording;
-  if (options.wording.empty() && questionnaires::wordingsOf(form).size() > 1)
+  if (options.wording.empty() && questionnaires::wordingsOf(about, form).size() > 1)
     out->notes.push_back("in which words the items were asked is not known; --wording plain or published says it");
   if (table.note()) out->notes.insert(out->notes.begin(), *table.note());
   return out;
@@ -114,27 +122,27 @@ Result<void> requireNoTables(const std::string& folder) {
   return {};
 }
 
-}  // namespace
-
-Result<Output> studyResponses(const StudyFormOptions& options, const std::string& form,
-                              std::vector<std::string> notices) {
+/// The responses as the tables of a study, in the folder `out`.
+Result<Output> studyResponses(const StudyFormOptions& options, const AskedForm& asked) {
+  const std::string& form = asked.form;
   if (auto ok = requireNoTables(options.out); !ok) return tl::unexpected(ok.error());
   std::vector<study::Participant> known;
   std::error_code ignored;
   const auto has_participants = std::filesystem::path(options.study) / study::kParticipantsTable;
   if (!std::filesystem::is_directory(options.study) || std::filesystem::exists(has_participants, ignored)) {
-    TACTUS_TRY(auto study, session::readStudy(options.study, elicitation::ngtInputIds()));
+    TACTUS_TRY(auto study, session::readStudy(options.study));
     known = std::move(study.study.participants);
   }
-  TACTUS_TRY(auto responses, responsesOf(options, form));
-  std::vector<std::string> warnings = std::move(notices);
+  TACTUS_TRY(auto responses, responsesOf(options, asked));
+  std::vector<std::string> warnings = asked.notices;
   warnings.insert(warnings.end(), responses.notes.begin(), responses.notes.end());
-  const study::Study tables = tablesOf(std::move(responses), known);
+  study::Study tables = tablesOf(std::move(responses), known);
+  tables.procedure = asked.protocol.settings.procedure;
   if (tables.participants.empty()) {
     return tl::unexpected(
         base::Error{base::ErrorCode::kData, options.responses, {}, "no row with an answer", "at least one"});
   }
-  if (auto ok = study::writeStudyFolder(tables, elicitation::ngtInputIds(), options.out); !ok)
+  if (auto ok = session::writeTables(tables, options.out); !ok)
     return tl::unexpected(ok.error());
   const auto is_answered = [](const study::Answer& one) { return one.status == study::Answer::Status::kAnswered; };
   const auto answered = std::count_if(tables.answers.begin(), tables.answers.end(), is_answered);
@@ -152,16 +160,7 @@ Result<Output> studyResponses(const StudyFormOptions& options, const std::string
   return Output{json.endObject().text(), std::move(warnings)};
 }
 
-namespace {
-
 using questionnaires::Survey;
-
-struct AskedForm {
-  session::StudyProtocol protocol;
-  std::string form;
-  std::vector<std::string> languages;
-  std::vector<std::string> notices;
-};
 
 /// The form and the languages of the study's protocol; the defaults for a file without one and for tables.
 base::Result<AskedForm> askedForm(const std::string& path) {
@@ -179,7 +178,7 @@ base::Result<AskedForm> askedForm(const std::string& path) {
 
 /// The form in the languages of the study in which it has these words. Says which it has not.
 base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string& wording) {
-  const auto known = questionnaires::languagesOf(asked.form, wording);
+  const auto known = questionnaires::languagesOf(asked.protocol.settings.about(), asked.form, wording);
   std::vector<Survey> out;
   std::vector<std::string> without;
   for (const std::string& language : asked.languages) {
@@ -187,7 +186,7 @@ base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string&
       without.push_back(language);
       continue;
     }
-    TACTUS_TRY(auto one, questionnaires::survey(asked.form, language, wording));
+    TACTUS_TRY(auto one, questionnaires::survey(asked.protocol.settings.about(), asked.form, language, wording));
     out.push_back(std::move(one));
   }
   if (out.empty()) {
@@ -211,14 +210,14 @@ base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string&
 
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// The head from the side with the five regions of the tip.
-std::string regionsPicture() {
-  return webform::pictureFile(
-      webform::pictures().front(),
-      {{"nasal_cavity", "1"}, {"nasopharynx", "2"}, {"oropharynx", "3"}, {"laryngopharynx", "4"}, {"esophagus", "5"}});
+/// The usual picture with the regions that the form asks about; with those of the first form for one without conditions.
+std::string regionsPicture(const AskedForm& asked) {
+  const procedure::Procedure& about = asked.protocol.settings.about();
+  const study::Form* const form = about.form(asked.form);
+  return webform::regionsPicture(about, form == nullptr ? about.forms.front() : *form);
 }
 
-NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
+NamedFiles filesFor(const std::string& to, const AskedForm& asked, const std::vector<Survey>& surveys) {
   NamedFiles out;
   const std::string& name = surveys.front().name;
   if (to == "limesurvey") {
@@ -227,7 +226,7 @@ NamedFiles filesFor(const std::string& to, const std::vector<Survey>& surveys) {
     for (const Survey& survey : surveys) {
       const std::string file = name + "." + survey.language;
       if (to == "redcap") out.emplace_back(file + ".csv", questionnaires::redcapDictionary(survey));
-      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey, regionsPicture()));
+      if (to == "print") out.emplace_back(file + ".html", report::printedForm(survey, regionsPicture(asked)));
     }
   }
   if (to != "print") {
@@ -289,14 +288,14 @@ Result<Output> webForm(const StudyFormOptions& options) {
 base::Result<Output> studyForm(const StudyFormOptions& options) {
   if (options.to == "web") return webForm(options);
   TACTUS_TRY(auto asked, askedForm(options.study));
-  if (!options.responses.empty()) return studyResponses(options, asked.form, std::move(asked.notices));
+  if (!options.responses.empty()) return studyResponses(options, asked);
   const auto surveys = surveysOf(asked, options.wording);
   if (!surveys) return base::inFile(surveys.error(), options.study);
-  const NamedFiles files = filesFor(options.to, *surveys);
+  const NamedFiles files = filesFor(options.to, asked, *surveys);
   TACTUS_TRY(const auto paths, written(options, files));
   std::vector<std::string> pictures;
   if (options.to != "print") {
-    TACTUS_TRY(pictures, written(options, {{surveys->front().name + ".picture.svg", regionsPicture()}}));
+    TACTUS_TRY(pictures, written(options, {{surveys->front().name + ".picture.svg", regionsPicture(asked)}}));
   }
   std::vector<std::string> warnings = std::move(asked.notices);
   if (options.to == "limesurvey") {

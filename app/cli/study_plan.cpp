@@ -97,7 +97,7 @@ Result<Planned> planFrom(const StudyPlanOptions& options) {
   if (!options.minutes.empty())
     settings.minutes = {options.minutes[0], options.minutes[1], options.minutes[2], options.minutes[3]};
   if (options.study.empty()) {
-    out.questions = planning::ngtQuestions();
+    out.questions = planning::defaultQuestions();
     out.family = planning::defaultFamily(out.questions);
   } else if (auto ok = takeStudy(options, out); !ok) {
     return tl::unexpected(ok.error());

@@ -28,14 +28,16 @@ constexpr std::size_t kMostBytes = std::size_t{1} << 20U;
 /// The longest line that is read as a key; a longer one is refused by the store.
 constexpr std::size_t kLongestKey = 600;
 
-Result<StudyProtocol> startOf(const StudyProtocolOptions& options, const store::ProtocolState& state) {
+Result<StudyProtocol> startOf(const StudyProtocolOptions& options, const store::StudyFile& file,
+                              const store::ProtocolState& state) {
   if (!options.from.empty()) {
     TACTUS_TRY(const auto text, base::readFile(options.from, kMostBytes));
     auto read = session::parseStudyProtocol(text);
     if (!read) return base::inFile(read.error(), options.from);
+    TACTUS_TRY(read->settings.procedure, session::procedureIn(file));
     return read;
   }
-  return state.current ? session::parseStudyProtocol(state.current->text) : StudyProtocol();
+  return state.current ? session::protocolOf(file, *state.current) : StudyProtocol();
 }
 
 Result<StudyProtocol> changed(StudyProtocol protocol, const StudyProtocolOptions& options) {
@@ -141,7 +143,7 @@ Result<Output> studyProtocol(const StudyProtocolOptions& options) {
                                 : store::StudyFile::open(options.file, {store::Access::kReadOnly, {}}));
   if (!changes) return shown(file, options);
   TACTUS_TRY(const auto state, store::protocolState(file));
-  auto protocol = startOf(options, state);
+  auto protocol = startOf(options, file, state);
   if (!protocol) return tl::unexpected(protocol.error());
   protocol = changed(std::move(*protocol), options);
   if (!protocol) return tl::unexpected(protocol.error());

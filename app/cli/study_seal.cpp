@@ -14,6 +14,7 @@
 #include "app/cli/model_arguments.h"
 #include "app/cli/output_file.h"
 #include "app/cli/study_text.h"
+#include "app/session/study_procedure.h"
 #include "app/version.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
@@ -26,7 +27,6 @@
 #include "core/store/sealed_references.h"
 #include "core/store/sessions.h"
 #include "elicitation/model/evidence.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -126,13 +126,14 @@ Result<study::Entry> newEntry(store::StudyFile& file) {
   return study::Entry{ids.next(), session.id, momentNow(), study::EnteredBy::kResearcher, std::nullopt, {}};
 }
 
-Result<std::map<std::string, double>> curveConditions(const std::vector<std::string>& at) {
+Result<std::map<std::string, double>> curveConditions(const procedure::Procedure& about,
+                                                      const std::vector<std::string>& at) {
   fuzzy::ForceModel model;
-  model.inputs = elicitation::ngtInputs();
+  model.inputs = about.inputs;
   std::map<std::string, double> out;
-  const auto usual = elicitation::referenceInputs(model, {}, 0);
+  const auto usual = elicitation::referenceInputs(about, {}, 0);
   for (std::size_t k = 0; k < model.inputs.size(); ++k) {
-    if (model.inputs[k].id != elicitation::ngtRegionInput()) out[model.inputs[k].id] = usual[k];
+    if (k != about.way()) out[model.inputs[k].id] = usual[k];
   }
   for (const auto& text : at) {
     TACTUS_TRY(const auto given, inputOption(model, "--at", text));
@@ -153,10 +154,12 @@ std::string timesText(std::size_t times) {
 
 Result<Output> studySeal(const StudySealOptions& options) {
   TACTUS_TRY(const auto content, base::readFile(options.reference, store::kMostSealedBytes));
-  TACTUS_TRY(const auto points, elicitation::readReferenceCurve(content, options.reference));
-  TACTUS_TRY(const auto conditions, curveConditions(options.at));
   std::vector<std::string> warnings;
   TACTUS_TRY(auto file, openToWrite(options.file, warnings));
+  TACTUS_TRY(const auto procedure, session::procedureIn(file));
+  const procedure::Procedure& about = procedure::orDefault(procedure);
+  TACTUS_TRY(const auto points, elicitation::readReferenceCurve(content, options.reference, about));
+  TACTUS_TRY(const auto conditions, curveConditions(about, options.at));
   TACTUS_TRY(const auto earlier, store::sealedTrials(file));
   if (!earlier.empty()) {
     return base::inFile({ErrorCode::kValue,
@@ -245,7 +248,9 @@ Result<Output> studyOpen(const StudyOpenOptions& options) {
   TACTUS_TRY(record.entry, newEntry(file));
   if (auto ok = store::append(file, record); !ok) return tl::unexpected(ok.error());
   if (auto ok = batch.commit(); !ok) return tl::unexpected(ok.error());
-  TACTUS_TRY(const auto points, elicitation::readReferenceCurve(record.content, options.file));
+  TACTUS_TRY(const auto procedure, session::procedureIn(file));
+  TACTUS_TRY(const auto points,
+             elicitation::readReferenceCurve(record.content, options.file, procedure::orDefault(procedure)));
   for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
   for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
   const std::size_t times = opened->openings.size() + 1;

@@ -10,11 +10,11 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_frequency.h"
 #include "elicitation/force/force_terms.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/force_voting.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::cli {
 namespace {
@@ -50,9 +50,16 @@ bool isStudy(const std::string& path) {
   return std::filesystem::is_directory(path, ignored) || isDatabase(path);
 }
 
+/// The force of the study's procedure; of a table, that of the default one.
+Result<fuzzy::Variable> outputOf(const std::string& path) {
+  if (!isStudy(path)) return procedure::defaultProcedure()->output;
+  TACTUS_TRY(const auto study, session::readStudy(path));
+  return procedure::of(study.study).output;
+}
+
 Result<Count> countFile(const VoteOptions& options, const std::vector<std::string>& terms) {
   if (isStudy(options.judgements)) {
-    TACTUS_TRY(auto study, session::readStudy(options.judgements, elicitation::ngtInputIds()));
+    TACTUS_TRY(auto study, session::readStudy(options.judgements));
     Count count;
     for (const auto& notice : study.notices) count.warnings.push_back(options.judgements + ": " + notice);
     return counted(options, terms, std::move(count), std::move(study.study.judgements));
@@ -190,7 +197,7 @@ std::string asJson(const VoteOptions& options, const std::vector<VoteStep>& step
 }  // namespace
 
 Result<Output> vote(const VoteOptions& options) {
-  const auto output = elicitation::ngtOutput();
+  TACTUS_TRY(const auto output, outputOf(options.judgements));
   std::vector<std::string> ids;
   for (const auto& term : output.terms) ids.push_back(term.id);
   TACTUS_TRY(auto count, countFile(options, ids));

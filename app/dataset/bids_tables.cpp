@@ -9,7 +9,6 @@
 #include "app/dataset/tsv.h"
 #include "core/base/text.h"
 #include "core/study/csv_tables.h"
-#include "questionnaires/form_file.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::dataset {
@@ -103,9 +102,9 @@ std::vector<std::string> writeMotion(const PublishedStudy& published, FileSet& f
 namespace {
 
 /// The words of the force, and what stands in the place of one.
-Levels forceLevels() {
+Levels forceLevels(const procedure::Procedure& about) {
   Levels levels;
-  for (const auto& answer : questionnaires::ngtForceForm().answers) levels.emplace_back(answer.term, answer.word);
+  for (const auto& answer : about.forms.front().answers) levels.emplace_back(answer.term, answer.word);
   return levels;
 }
 
@@ -140,7 +139,7 @@ void writeJudgements(const PublishedStudy& published, const study::Participant& 
   sidecar.column("step", "Place in the series, from 1");
   sidecar.column("force_n", "The force that was commanded", "N");
   sidecar.column("term", "The word for the force; n/a: no answer",
-                 joined(forceLevels(),
+                 joined(forceLevels(procedure::of(published.study())),
                         {{"not_felt", "no force was felt"}, {"beyond_practice", "larger than in real placements"}}));
   const std::string path = pathOf(participant.code, "judgement");
   files.add(path + ".tsv", table.text());
@@ -172,7 +171,7 @@ void writeRules(const PublishedStudy& published, const study::Participant& parti
   for (const auto& input : published.inputs) {
     sidecar.column(input, "Term of this input in the rule's conditions; n/a: no condition");
   }
-  sidecar.column("then", "The word for the force", forceLevels());
+  sidecar.column("then", "The word for the force", forceLevels(procedure::of(published.study())));
   sidecar.column("weight", "Weight of the rule, 0 to 1", "1");
   const std::string path = pathOf(participant.code, "rules");
   files.add(path + ".tsv", table.text());
@@ -181,8 +180,8 @@ void writeRules(const PublishedStudy& published, const study::Participant& parti
 
 /// The name of a form's table, other than the `taken` ones, to which it is added. The answers that become the rules of
 /// the force model are `force_rules`.
-std::string tableName(const std::string& form, std::set<std::string>& taken) {
-  std::string name = form == questionnaires::ngtForceForm().id ? "force_rules" : form;
+std::string tableName(const procedure::Procedure& about, const std::string& form, std::set<std::string>& taken) {
+  std::string name = form == about.forms.front().id ? "force_rules" : form;
   for (char& c : name) {
     const bool is_plain = (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
     if (!is_plain) c = '_';
@@ -197,8 +196,9 @@ std::string itemColumn(int item) { return (item < 10 ? "q0" : "q") + std::to_str
 /// Of one form: the value of each participant's item.
 using FormAnswers = std::map<std::string, std::map<int, std::string>>;
 
-std::string formSidecar(const std::string& form, const std::vector<int>& items, bool worded) {
-  const auto words = questionnaires::questionnaire(form, "en");
+std::string formSidecar(const procedure::Procedure& about, const std::string& form, const std::vector<int>& items,
+                        bool worded) {
+  const auto words = questionnaires::questionnaire(about, form, about.languages.front());
   Levels levels;
   if (words) {
     for (const auto& choice : words->choices)
@@ -298,9 +298,9 @@ void writePhenotype(const PublishedStudy& published, FileSet& files) {
       if (worded) cells.push_back(wordings.at(form)[participant.code]);
       table.row(cells);
     }
-    const std::string path = "phenotype/" + tableName(form, taken);
+    const std::string path = "phenotype/" + tableName(procedure::of(published.study()), form, taken);
     files.add(path + ".tsv", table.text());
-    files.add(path + ".json", formSidecar(form, items, worded));
+    files.add(path + ".json", formSidecar(procedure::of(published.study()), form, items, worded));
   }
 }
 

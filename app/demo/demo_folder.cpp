@@ -16,10 +16,10 @@
 #include "core/base/files/file.h"
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
+#include "core/procedure/procedure.h"
 #include "core/store/fresh_file.h"
 #include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/published_rules.h"
 
 namespace tactus::demo {
@@ -40,7 +40,7 @@ elicitation::BuildSettings settingsNow(std::uint64_t seed) {
 Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, study::Study study, std::uint64_t seed) {
   TACTUS_TRY(auto rules, questionnaires::s4Rules(reading.id));
   study.rules = std::move(rules);
-  TACTUS_TRY(const auto built, elicitation::buildModel(study, session::knownForms(), settingsNow(seed)));
+  TACTUS_TRY(const auto built, elicitation::buildModel(study, session::knownForms(procedure::of(study)), settingsNow(seed)));
   TACTUS_TRY(auto model, elicitation::expertModel(built.model, "S4"));
   return report::S4Reading{reading.title, reading.assumes, std::move(model)};
 }
@@ -56,7 +56,7 @@ Result<std::string> demoReport(const study::Study& study, const BuiltModel& buil
                                         .built = built,
                                         .build_settings = settingsNow(seed),
                                         .readings = std::move(readings),
-                                        .forms = session::knownForms(),
+                                        .forms = session::knownForms(procedure::of(study)),
                                         .settings = {{"Program", std::string(kGenerator)},
                                                      {"Created (UTC)", built.model.created_utc},
                                                      {"Seed of the simulated data", std::to_string(seed)},
@@ -65,7 +65,8 @@ Result<std::string> demoReport(const study::Study& study, const BuiltModel& buil
 }
 
 std::string checksAsCsv(const fuzzy::ForceModel& model) {
-  auto columns = elicitation::ngtInputIds();
+  std::vector<std::string> columns;
+  for (const auto& input : model.inputs) columns.push_back(input.id);
   columns.insert(columns.end(), {"expected_force", "expected_fired"});
   base::CsvWriter csv(columns);
   for (const auto& check : model.checks) {
@@ -202,12 +203,12 @@ Result<DemoFolder> writeDemo(const DemoSettings& settings, const std::function<v
   const auto study = runStudy(folder, seed, reading);
   if (!study) return tl::unexpected(study.error());
   begin(DemoPart::kModel);
-  TACTUS_TRY(const auto built, elicitation::buildModel(*study, session::knownForms(), settingsNow(seed)));
+  TACTUS_TRY(const auto built, elicitation::buildModel(*study, session::knownForms(procedure::of(*study)), settingsNow(seed)));
   begin(DemoPart::kReport);
   TACTUS_TRY(const auto page, demoReport(*study, built, reading, seed));
 
   begin(DemoPart::kFiles);
-  if (auto ok = study::writeStudyFolder(*study, elicitation::ngtInputIds(), folder + "/study"); !ok)
+  if (auto ok = session::writeTables(*study, folder + "/study"); !ok)
     return tl::unexpected(ok.error());
   TACTUS_TRY(auto models, writeModels(built, folder));
   TACTUS_TRY(const auto scenarios, writeScenarios(folder));

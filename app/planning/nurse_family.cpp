@@ -9,9 +9,8 @@
 #include "app/session/simulated_study.h"
 #include "core/base/check.h"
 #include "core/base/statistics.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 #include "experiments/published_tables.h"
-#include "questionnaires/form_file.h"
 
 namespace tactus::planning {
 namespace {
@@ -45,15 +44,12 @@ std::vector<double> typicalLevels(const study::Form& form) {
 
 }  // namespace
 
-Questions ngtQuestions() {
-  const auto form = questionnaires::ngtForceForm();
+Questions defaultQuestions() {
+  const procedure::Procedure& about = *procedure::defaultProcedure();
+  const study::Form& form = about.forms.front();
   Questions out;
-  out.inputs = elicitation::ngtInputs();
-  const auto depths = elicitation::findDepthTerms(form.depth_terms);
-  TACTUS_CHECK(depths.has_value());
-  for (auto& input : out.inputs) {
-    if (input.id == elicitation::ngtRegionInput()) input.terms = depths->terms;
-  }
+  out.inputs = about.inputs;
+  out.inputs[about.way()].terms = about.wayTerms(form.depth_terms)->terms;
   for (const auto& item : form.items) {
     auto& conditions = out.items.emplace_back();
     for (const auto& one : item.conditions) conditions.push_back({one.input, one.term});
@@ -65,7 +61,7 @@ Questions ngtQuestions() {
 std::vector<std::size_t> regionsOf(const Questions& questions) {
   std::map<std::string, std::size_t> seen;
   std::vector<std::size_t> out;
-  const auto depth = elicitation::ngtRegionInput();
+  const std::string& depth = questions.inputs[fuzzy::wayOf(questions.inputs).value()].id;
   for (const auto& item : questions.items) {
     std::string region;
     for (const auto& condition : item) {
@@ -164,7 +160,7 @@ NurseFamily defaultFamily(const Questions& questions) {
   out.speed_mm_s = exponentials(moved.column_mean);
   out.speed_log = moved.row;
   out.speed_own_log = moved.cell;
-  out.level = typicalLevels(questionnaires::ngtForceForm());
+  out.level = typicalLevels(procedure::defaultProcedure()->forms.front());
   TACTUS_CHECK(out.level.size() == questions.items.size());
   out.region = regionsOf(questions);
   out.level_words = 0.5;

@@ -23,7 +23,7 @@ struct Questions {
 };
 
 /// The form `ngt-force-v1`: 45 questions.
-Questions ngtQuestions();
+Questions defaultQuestions();
 
 /// The region of each question as a number from 0, in the order of first appearance.
 std::vector<std::size_t> regionsOf(const Questions& questions);

@@ -7,9 +7,9 @@
 
 #include "app/session/simulated_nurse.h"
 #include "core/base/statistics.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/clustering/fcm.h"
 #include "elicitation/force/force_voting.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "experiments/published_tables.h"
 
 namespace tactus::planning {
@@ -59,7 +59,7 @@ std::size_t wordAt(double level, std::size_t words) {
 
 std::vector<std::string> wordIds() {
   std::vector<std::string> out;
-  for (const auto& term : elicitation::ngtOutput().terms) out.push_back(term.id);
+  for (const auto& term : procedure::defaultProcedure()->output.terms) out.push_back(term.id);
   return out;
 }
 
@@ -111,7 +111,7 @@ Result<fuzzy::Variable> outputOf(std::span<const NurseData> people, elicitation:
   for (const auto& one : people) all.insert(all.end(), one.judged.begin(), one.judged.end());
   TACTUS_TRY(const auto counts, elicitation::countVotes(all, kSeries, wordIds()));
   const auto votes = elicitation::vote(counts, static_cast<int>(people.size()));
-  TACTUS_TRY(auto terms, elicitation::forceTermsFrom(way, elicitation::ngtOutput(), all, kSeries, votes));
+  TACTUS_TRY(auto terms, elicitation::forceTermsFrom(way, procedure::defaultProcedure()->output, all, kSeries, votes));
   return std::move(terms.output);
 }
 
@@ -124,7 +124,7 @@ fuzzy::ForceModel modelOf(const Questions& questions, std::span<const NurseData>
   for (const auto& one : people) ramps.push_back(one.ramps);
   const auto averaged = elicitation::averageRamps(ramps, {}, elicitation::Averaging::kMean);
   for (auto& input : out.inputs) {
-    if (input.id != "speed") continue;
+    if (fuzzy::roleOf(input) != fuzzy::Role::kRate) continue;
     double end = input.max;
     for (const auto& one : people)
       end = std::max(end, elicitation::speedUniverseMax(input.max, one.largest_centre_mm_s, one.ramps));

@@ -7,9 +7,9 @@
 #include "app/planning/nurse_family.h"
 #include "app/planning/simulated_people.h"
 #include "core/base/statistics.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_thresholds.h"
 #include "elicitation/force/force_voting.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::planning {
 namespace {
@@ -33,7 +33,7 @@ std::map<std::string, std::vector<double>> thresholdsOf(const std::vector<study:
   const auto counts = elicitation::countVotes(judgements, series, wordIds());
   if (!counts) return out;
   const auto votes = elicitation::vote(*counts);
-  const auto terms = elicitation::thresholdTerms(elicitation::ngtOutput(), judgements, series, votes);
+  const auto terms = elicitation::thresholdTerms(procedure::defaultProcedure()->output, judgements, series, votes);
   if (!terms) return out;
   for (const auto& one : terms->participants) {
     auto& row = out[one.participant];
@@ -213,16 +213,18 @@ void takeSpeeds(const elicitation::BuiltModel& built, StudyFamily& out) {
 
 Result<StudyFamily> familyOf(const study::Study& study, const elicitation::BuiltModel& built,
                              const elicitation::BuildSettings& settings) {
+  if (&built.about() != procedure::defaultProcedure().get()) {
+    return fail(ErrorCode::kValue, "procedure", base::quoted(built.about().id),
+                base::quoted(procedure::defaultProcedure()->id) + ", of which plans are made");
+  }
   StudyFamily out;
   out.nurses = built.model.experts.size();
   if (out.nurses < 2)
     return fail(ErrorCode::kData, "study", std::to_string(out.nurses) + " nurse with rules",
                 "at least two, to see how they differ");
-  out.family = defaultFamily(ngtQuestions());
-  out.questions.inputs = elicitation::ngtInputs();
-  for (std::size_t i = 0; i < out.questions.inputs.size(); ++i) {
-    if (out.questions.inputs[i].id == elicitation::ngtRegionInput()) out.questions.inputs[i] = built.model.inputs[i];
-  }
+  out.family = defaultFamily(defaultQuestions());
+  out.questions.inputs = built.about().inputs;
+  out.questions.inputs[built.about().way()] = built.model.inputs[built.about().way()];
   takeItems(built.model, out);
   if (out.questions.items.empty())
     return fail(ErrorCode::kData, "study", "no rules about regions that most nurses were asked about", "some");

@@ -12,7 +12,6 @@
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/membership.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::planning {
 namespace {
@@ -233,8 +232,7 @@ const DesignError* StudyPlan::find(const Design& design) const {
 Result<std::vector<std::vector<double>>> planPoints(const Questions& questions, const std::string& region,
                                                     std::size_t count) {
   const auto& inputs = questions.inputs;
-  std::size_t depth = 0;
-  while (inputs[depth].id != elicitation::ngtRegionInput()) ++depth;
+  const std::size_t depth = fuzzy::wayOf(inputs).value();
   std::vector<fuzzy::MembershipFunction> wanted;
   std::vector<std::string> known;
   for (const auto& term : inputs[depth].terms) {
@@ -252,7 +250,7 @@ Result<std::vector<std::vector<double>>> planPoints(const Questions& questions, 
   for (std::size_t i = 1; out.size() < count; ++i) {
     std::vector<double> point;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-      const double high = inputs[k].id == "speed" ? std::min(kFastestMmS, inputs[k].max) : inputs[k].max;
+      const double high = fuzzy::roleOf(inputs[k]) == fuzzy::Role::kRate ? std::min(kFastestMmS, inputs[k].max) : inputs[k].max;
       point.push_back(inputs[k].min + (high - inputs[k].min) * halton(i, kBases[k]));
     }
     const bool inside =

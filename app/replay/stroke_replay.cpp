@@ -49,15 +49,15 @@ bool sameInputs(const fuzzy::ForceModel& one, const fuzzy::ForceModel& other) {
 /// The region of `changed` in which the conditions of a stroke hold.
 Region regionOf(const fuzzy::ForceModel& model, const std::vector<analysis::InputRange>& changed,
                 const Conditions& conditions) {
-  const haptics::MovedInputs moved;
   Region out;
   out.empty = changed.empty();
   for (std::size_t i = 0; i < changed.size(); ++i) {
     const fuzzy::Variable& input = model.inputs[i];
     const Range range{changed[i].low, changed[i].high, input.min, input.max};
-    if (input.id == moved.depth) {
+    const fuzzy::Role role = fuzzy::roleOf(input);
+    if (role == fuzzy::Role::kWay) {
       out.depth = range;
-    } else if (input.id == moved.speed) {
+    } else if (role == fuzzy::Role::kRate) {
       out.speed = range;
     } else {
       out.empty = out.empty || !range.holds(conditions.at(input.id));
@@ -68,10 +68,9 @@ Region regionOf(const fuzzy::ForceModel& model, const std::vector<analysis::Inpu
 
 /// The value of each input that the renderer does not move: of the stroke, else of `otherwise`.
 Conditions conditionsOf(const RecordedStroke& stroke, const fuzzy::ForceModel& model, const Conditions& otherwise) {
-  const haptics::MovedInputs moved;
   Conditions out;
   for (const fuzzy::Variable& input : model.inputs) {
-    if (input.id == moved.depth || input.id == moved.speed) continue;
+    if (fuzzy::roleOf(input) != fuzzy::Role::kCondition) continue;
     for (const Conditions* from : {&stroke.conditions, &otherwise}) {
       const auto found = from->find(input.id);
       if (found == from->end()) continue;

@@ -152,7 +152,7 @@ Finding sealedFound(const ReportContext& context, const SealedCurve& curve) {
                       curve.sealed_utc + ". ";
   if (curve.openings.empty()) return {false, state + "Not opened.", "A sign-off, and then `tactus study open`."};
   const auto& model = curve.signed_model ? *curve.signed_model : context.in.built.model;
-  const auto error = elicitation::referenceError(model, curve);
+  const auto error = elicitation::referenceError(context.in.built.about(), model, curve);
   if (!error || error->points == 0) return {false, state, "A model that gives a force along the reference."};
   state += std::string(curve.signed_model ? "The signed-off model" : "The model of these data (none was signed off)") +
            " is " + formatFixed(error->rms_n, 3) + " N (" + formatFixed(error->rms_jnd, 2) +
@@ -171,8 +171,9 @@ std::vector<Cell> rowOf(const Markup& kind, const Finding& found) {
           {.text = found.needs.empty() ? Markup("–") : Markup(found.needs)}};
 }
 
-std::vector<Cell> errorRow(const Markup& what, const fuzzy::ForceModel& model, const SealedCurve& curve) {
-  const auto error = elicitation::referenceError(model, curve);
+std::vector<Cell> errorRow(const procedure::Procedure& about, const Markup& what, const fuzzy::ForceModel& model,
+                           const SealedCurve& curve) {
+  const auto error = elicitation::referenceError(about, model, curve);
   if (!error || error->points == 0)
     return {headingCell(what), {.text = muted("no force along the reference"), .columns = 7}};
   return {
@@ -201,9 +202,9 @@ void addErrors(HtmlPage& page, const ReportContext& context, const SealedCurve& 
               .body = {},
               .note = "JND: just-noticeable difference around the force of the reference."};
   if (curve.signed_model) {
-    table.body.push_back(errorRow("Signed off before the opening", *curve.signed_model, curve));
+    table.body.push_back(errorRow(context.in.built.about(), "Signed off before the opening", *curve.signed_model, curve));
   }
-  table.body.push_back(errorRow("Built from the data of this report", context.in.built.model, curve));
+  table.body.push_back(errorRow(context.in.built.about(), "Built from the data of this report", context.in.built.model, curve));
   page.table(table);
 }
 
@@ -224,7 +225,7 @@ std::string insideText(const SealedCurve& curve, const ForceBand& band, double f
 void addCoverage(HtmlPage& page, const ReportContext& context, const SealedCurve& curve) {
   std::vector<std::vector<double>> points;
   for (const auto& one : curve.points) {
-    points.push_back(elicitation::referenceInputs(context.in.built.model, curve.conditions, one.depth_mm));
+    points.push_back(elicitation::referenceInputs(context.in.built.about(), curve.conditions, one.depth_mm));
   }
   const auto most = context.in.study.participants.size() > kMany ? kReplicatesOfMany : kMostReplicates;
   const bool draws = context.in.replicates > 0;

@@ -6,7 +6,6 @@
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/force/force_frequency.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::report {
 
@@ -28,7 +27,7 @@ constexpr double kDotStepN = 0.016;
 /// The shares as dots and `terms` as lines, a color for each term of the model's output.
 std::string curvePlot(const ReportContext& context, const elicitation::FrequencyTerms& frequency,
                       const std::vector<fuzzy::Term>& terms, const std::string& title) {
-  const fuzzy::Variable force = elicitation::ngtOutput();  // the shares are of all its terms
+  const fuzzy::Variable force = context.in.built.about().output;  // the shares are of all its terms
   const double end_n = context.in.built.model.output.max;
   SvgPlot plot({.title = title,
                 .description = "Dots: share of the answers for each term. Lines: the term's membership function.",
@@ -67,7 +66,7 @@ std::string_view modelTermsFrom(const ReportContext& context) {
 
 void addFrequency(HtmlPage& page, const ReportContext& context) {
   if (!context.in.built.force_terms) return;
-  const auto frequency = elicitation::frequencyTerms(elicitation::ngtOutput(), context.in.built.votes);
+  const auto frequency = elicitation::frequencyTerms(context.in.built.about().output, context.in.built.votes);
   if (!frequency) return;
   page.subsection("Every answer counts: the frequency curve");
   page.paragraph(

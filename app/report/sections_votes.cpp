@@ -4,7 +4,6 @@
 
 #include "app/report/report_sections.h"
 #include "core/base/text.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::report {
 
@@ -135,7 +134,7 @@ void addVotes(HtmlPage& page, const ReportContext& context) {
   }
   if (!origin.empty()) page.paragraph(origin);
   if (context.in.build_settings.force_terms == elicitation::ForceTermsFrom::kVote) {
-    const auto unsaid = elicitation::unsaidNotes(elicitation::ngtOutput(), context.in.built.votes,
+    const auto unsaid = elicitation::unsaidNotes(context.in.built.about().output, context.in.built.votes,
                                                  context.in.build_settings.force_end_n);
     page.list({unsaid.begin(), unsaid.end()});
   }

@@ -15,12 +15,12 @@
 #include "app/session/study_source.h"
 #include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "core/store/person_codes.h"
 #include "core/study/csv_tables.h"
 #include "core/study/data_finding.h"
 #include "core/study/record_id.h"
 #include "core/study/records.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "experiments/force_series.h"
 #include "experiments/stroke_units.h"
 #include "experiments/table_findings.h"
@@ -329,18 +329,16 @@ std::vector<std::string> termIds(const std::vector<fuzzy::Term>& terms) {
   return ids;
 }
 
-std::vector<std::string> speedLevels() {
-  for (const auto& input : elicitation::ngtInputs()) {
-    if (input.id == "speed") return termIds(input.terms);
-  }
-  return {};
+std::vector<std::string> speedLevels(const study::Study& study) {
+  const fuzzy::Variable* const rate = procedure::of(study).rateInput();
+  return rate == nullptr ? std::vector<std::string>{} : termIds(rate->terms);
 }
 
 Findings strokeFindings(const study::Study& study) {
   const auto strokes = experiments::tableStrokes(study.speeds);
   const auto participants = experiments::byParticipant(strokes);
   const std::size_t usual = experiments::usualStrokes(strokes);
-  const auto levels = speedLevels();
+  const auto levels = speedLevels(study);
   Findings out;
   for (const auto& of_one : participants) {
     append(out, experiments::levelFindings(of_one, levels, usual));
@@ -368,8 +366,8 @@ Findings strokeFindings(const study::Study& study) {
 Findings dataFindings(const study::Study& study) {
   Findings findings = participantFindings(study);
   append(findings, strokeFindings(study));
-  append(findings, experiments::judgementFindings(study.judgements, termIds(elicitation::ngtOutput().terms)));
-  append(findings, questionnaires::answerFindings(study.answers, knownForms()));
+  append(findings, experiments::judgementFindings(study.judgements, termIds(procedure::of(study).output.terms)));
+  append(findings, questionnaires::answerFindings(study.answers, knownForms(procedure::of(study))));
   append(findings, givenRuleFindings(study.rules));
 
   std::unordered_map<std::string, std::size_t> place;

@@ -107,10 +107,17 @@ std::optional<Json> read(ValueKind kind, const std::string& text) {
   return fits ? std::optional(std::move(value)) : std::nullopt;
 }
 
+/// The procedure is no value: it stays that with which the study was made.
+Json valuesOf(const StudyProtocol& protocol) {
+  Json json = Json::parse(toJson(protocol));
+  json.erase("procedure");
+  return json;
+}
+
 }  // namespace
 
 std::vector<ProtocolValue> protocolValues(const StudyProtocol& protocol) {
-  Json json = Json::parse(toJson(protocol));
+  Json json = valuesOf(protocol);
   std::vector<ProtocolValue> values;
   walk(json, {}, [&](const std::string& name, const Json& value) { values.push_back({name, textOf(value)}); });
   return values;
@@ -129,7 +136,7 @@ Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::stri
     if (!value.empty()) out.statements[language] = std::string(value);
     return out;
   }
-  Json json = Json::parse(toJson(protocol));
+  Json json = valuesOf(protocol);
   std::vector<std::string> known;
   std::optional<base::Error> refused;
   bool found = false;
@@ -149,7 +156,9 @@ Result<StudyProtocol> withProtocolValue(const StudyProtocol& protocol, std::stri
     return fail(ErrorCode::kReference, "protocol", base::quoted(name) + base::suggestion(name, known),
                 "the name of a value, as 'tactus study protocol FILE' lists them");
   }
-  return parseStudyProtocol(json.dump());
+  TACTUS_TRY(auto out, parseStudyProtocol(json.dump()));
+  out.settings.procedure = protocol.settings.procedure;
+  return out;
 }
 
 const std::vector<ProtocolPreset>& protocolPresets() {
@@ -217,7 +226,7 @@ ProtocolLoad loadOf(const StudyProtocol& protocol) {
   for (const Block block : settings.blocks) {
     if (block == Block::kSpeed) load.strokes = static_cast<int>(settings.speed.levels.size()) * settings.speed.strokes;
     if (block == Block::kForm) {
-      if (const auto form = questionnaires::questionnaire(settings.form, "en"))
+      if (const auto form = questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front()))
         load.questions = static_cast<int>(form->questions.size());
     }
     if (block != Block::kForce) continue;

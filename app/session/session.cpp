@@ -1,5 +1,7 @@
 #include "app/session/session.h"
 
+#include "app/session/study_procedure.h"
+
 #include <algorithm>
 #include <chrono>
 #include <utility>
@@ -129,7 +131,7 @@ Result<Session> Session::resume(store::StudyFile& file, const study::RecordId& s
     return fail(ErrorCode::kReference, "session", toText(session), "a session of this study");
   }
   TACTUS_TRY(const auto persons, store::persons(file));
-  TACTUS_TRY(auto settings, parseSessionSettings(record->settings));
+  TACTUS_TRY(auto settings, settingsOf(file, *record));
 
   auto state = std::make_unique<SessionState>(file, std::move(tools), *record);
   state->settings = std::move(settings);

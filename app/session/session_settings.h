@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/procedure/procedure.h"
 #include "experiments/force_series.h"
 #include "experiments/speed_protocol.h"
 #include "questionnaires/questionnaire_run.h"
@@ -47,6 +49,10 @@ struct SessionSettings {
   /// False in a session of a real person on a device that gives no force: no judgement is scored, and strokes are what
   /// `virtual_strokes` says. Set when a session begins, no value of a protocol.
   bool felt = true;
+  /// What the study is about; null: the default procedure. Set by who reads the settings, no value of a protocol.
+  std::shared_ptr<const procedure::Procedure> procedure = {};
+
+  const procedure::Procedure& about() const { return procedure::orDefault(procedure); }
 };
 
 /// The session of a clinical teacher who tried the simulator: only the usability form (paper, Section 5.4).

@@ -1,5 +1,7 @@
 #include "app/session/session_state.h"
 
+#include "app/session/study_procedure.h"
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -106,7 +108,7 @@ void countReplies(const questionnaires::Progress& progress, SessionProgress& out
 }  // namespace
 
 Result<SessionProgress> sessionProgress(const store::StudyFile& file, const study::SessionRecord& session) {
-  TACTUS_TRY(auto settings, parseSessionSettings(session.settings));
+  TACTUS_TRY(auto settings, settingsOf(file, session));
   TACTUS_TRY(const auto events, store::events(file, {{}, session.id, true}));
   SessionRecords records(session);
   records.settings = std::move(settings);
@@ -232,7 +234,7 @@ Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {
 
 Result<void> SessionRecords::makeForm(const store::StudyFile& file, std::uint64_t seed,
                                       const store::Selection& history) {
-  TACTUS_TRY(auto worded, questionnaires::questionnaire(settings.form, record.language));
+  TACTUS_TRY(auto worded, questionnaires::questionnaire(settings.about(), settings.form, record.language));
   form.emplace(std::move(worded), settings.item_order, seed);
   TACTUS_TRY(const auto answers, store::answers(file, history));
   for (const auto& answer : answers) {

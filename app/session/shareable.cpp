@@ -11,7 +11,7 @@
 
 #include "core/base/random.h"
 #include "core/base/text.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 #include "questionnaires/questionnaire.h"
 
 namespace tactus::session {
@@ -82,7 +82,7 @@ std::string experienceBand(std::optional<double> years) {
 }
 
 std::vector<std::string> inputsOf(const study::Study& study) {
-  std::vector<std::string> inputs = elicitation::ngtInputIds();
+  std::vector<std::string> inputs = procedure::of(study).inputIds();
   for (const auto& rule : study.rules) {
     for (const auto& condition : rule.conditions) {
       if (std::find(inputs.begin(), inputs.end(), condition.input) == inputs.end()) inputs.push_back(condition.input);
@@ -132,10 +132,11 @@ ShareableStudy shareable(const study::Study& study, std::uint64_t seed) {
   out.study.judgements = renamer.renamed(study.judgements);
   out.study.answers = renamer.renamed(study.answers);
   for (auto& answer : out.study.answers) {
-    const auto known = questionnaires::wordingsOf(answer.form);
+    const auto known = questionnaires::wordingsOf(procedure::of(study), answer.form);
     if (std::find(known.begin(), known.end(), answer.wording) == known.end()) answer.wording.clear();
   }
   out.study.rules = renamer.renamed(study.rules);
+  out.study.procedure = study.procedure;
   return out;
 }
 

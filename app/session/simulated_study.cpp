@@ -14,7 +14,7 @@
 #include "app/session/session.h"
 #include "app/session/simulated_nurse.h"
 #include "app/session/simulated_strokes.h"
-#include "app/session/study_protocol.h"
+#include "app/session/study_procedure.h"
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -25,7 +25,6 @@
 #include "core/store/persons.h"
 #include "core/store/study_records.h"
 #include "experiments/published_tables.h"
-#include "questionnaires/form_file.h"
 
 namespace tactus::session {
 namespace {
@@ -148,7 +147,7 @@ std::vector<NurseTraits> nursesOf(std::uint64_t seed, const std::function<bool(s
       return simulatedLevel(target, own_seed);
     });
   }
-  const auto answers = simulatedAnswers(questionnaires::ngtForceForm(), seed);
+  const auto answers = simulatedAnswers(procedure::defaultProcedure()->forms.front(), seed);
   std::vector<NurseTraits> nurses;
   for (auto& responder : respondersOfTable2()) {
     if (!wanted(responder.code)) continue;
@@ -268,7 +267,7 @@ NurseTraits likeOneOfThem(std::string_view model, double spread, std::uint64_t s
   responder.beyond_from_n *= forces;
   responder.noise = spread / kLargestSpread;
   responder.lapse *= spread / kLargestSpread;
-  NurseTraits nurse = nurseWith(std::move(responder), simulatedAnswers(questionnaires::ngtForceForm(), answers_seed));
+  NurseTraits nurse = nurseWith(std::move(responder), simulatedAnswers(procedure::defaultProcedure()->forms.front(), answers_seed));
   std::uint64_t cell = 0;
   for (auto target : experiments::publishedSpeeds()) {
     ++cell;
@@ -287,10 +286,12 @@ Result<void> canSimulate(const SessionSettings& settings) {
     return base::fail(base::ErrorCode::kValue, "protocol",
                       std::to_string(settings.speed.strokes) + " strokes of a speed", "at most 4 for simulated nurses");
   }
+  if (std::find(settings.blocks.begin(), settings.blocks.end(), Block::kSpeed) == settings.blocks.end()) return {};
   for (const std::string& level : settings.speed.levels) {
-    if (level != "slow" && level != "medium" && level != "fast")
+    const auto* const rate = settings.about().rateInput();
+    if (rate == nullptr || fuzzy::findTerm(rate->terms, level) == nullptr)
       return base::fail(base::ErrorCode::kValue, "protocol", "the speed " + base::quoted(level),
-                        "slow, medium and fast for simulated nurses");
+                        "the words of the procedure for simulated nurses");
   }
   return {};
 }
@@ -313,7 +314,7 @@ Result<std::vector<std::string>> addSimulatedNurses(store::StudyFile& file, cons
   TACTUS_TRY(const auto state, store::protocolState(file));
   SessionStart start;
   if (state.current) {
-    TACTUS_TRY(auto protocol, parseStudyProtocol(state.current->text));
+    TACTUS_TRY(auto protocol, protocolOf(file, *state.current));
     start.settings = std::move(protocol.settings);
     start.protocol = state.current->id;
   }
@@ -330,8 +331,12 @@ Result<std::vector<std::string>> addSimulatedNurses(store::StudyFile& file, cons
   for (int i = 0; i < group.count; ++i) {
     if (goes_on && !goes_on()) break;
     const std::uint64_t seed = (group.seed * SimulatedGroup::kMost + static_cast<std::uint64_t>(i)) * kSeedsOfOne;
-    const auto nurse = likeOneOfThem(kModels[static_cast<std::size_t>(i) % kModels.size()], spread, seed,
-                                     spread > 0 ? seed : group.seed);
+    const procedure::Procedure& about = start.settings.about();
+    const study::Form* const form = about.form(start.settings.form);
+    const auto nurse = about.id == procedure::defaultProcedure()->id
+                           ? likeOneOfThem(kModels[static_cast<std::size_t>(i) % kModels.size()], spread, seed,
+                                           spread > 0 ? seed : group.seed)
+                           : simulatedExpert(about, form != nullptr ? *form : about.forms.front(), seed, spread);
     TACTUS_TRY(auto batch, store::Batch::begin(file));
     TACTUS_TRY(const auto code, store::unusedCode(file, codes));
     study::RecordIds ids;

@@ -39,6 +39,13 @@ std::vector<NurseTraits> simulatedNurses(std::uint64_t seed);
 /// One of them; `code` is `S1` to `S4`, anything else is our own bug.
 NurseTraits simulatedNurseCalled(std::string_view code, std::uint64_t seed);
 
+/// An expert in any procedure, invented from its pack: thresholds at the boundaries of its force words, strokes in the
+/// middle of the words of its rate, and answers to `form` that follow the declared directions, with a force for each
+/// region that is drawn once for the procedure. `spread`: the standard deviation of what differs between experts, as a
+/// share. Nothing of it is measured, and nothing of it is known of real experts. The same `seed` gives the same expert.
+NurseTraits simulatedExpert(const procedure::Procedure& procedure, const study::Form& form, std::uint64_t seed,
+                            double spread);
+
 // A clock under the control of a simulation, so that the same seed gives the same study file.
 
 /// Time advances on request, and by one millisecond with each reading. Copies share the same time.
@@ -83,7 +90,8 @@ base::Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, st
                                                      std::string_view reading = questionnaires::kDefaultReading,
                                                      const std::string& program = {});
 
-/// Simulated nurses for a rehearsal of a study: not the paper's four, but others like them.
+/// Simulated nurses for a rehearsal of a study: not the paper's four, but others like them; of another procedure experts
+/// invented from its pack (simulatedExpert).
 struct SimulatedGroup {
   static constexpr int kMost = 50;
 
@@ -96,8 +104,8 @@ struct SimulatedGroup {
 /// defaults without one. All are marked as simulated. The last session begins 45 minutes before
 /// `now_utc_ms`, and each of the others as long before the next. `goes_on` is asked before
 /// each: false stops with those that are there. Returns the codes. Takes a second or more for each. Refused: numbers
-/// out of their range, and a protocol that a simulated nurse cannot do (more than four strokes of a speed, other
-/// speeds than slow, medium and fast).
+/// out of their range, and a protocol that a simulated nurse cannot do (more than four strokes of a speed, another
+/// speed than the words of the procedure).
 base::Result<std::vector<std::string>> addSimulatedNurses(store::StudyFile& file, const SimulatedGroup& group,
                                                           std::int64_t now_utc_ms, const std::string& program,
                                                           const std::function<bool()>& goes_on = {});

@@ -12,10 +12,10 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
+#include "core/procedure/procedure.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
 #include "elicitation/force/word_intervals.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::session {
 namespace {
@@ -125,7 +125,7 @@ RecordTable wordIntervalsTable() {
 }
 
 std::string wordIntervalsText(const study::Study& study) {
-  const auto words = elicitation::ngtOutput().terms;
+  const auto& words = procedure::of(study).output.terms;
   base::CsvWriter csv({"person", "word", "left_n", "right_n"});
   for (const auto& one : elicitation::wordIntervals(study.judgements, kSeriesOfWords, words))
     csv.cell(one.participant).cell(words[one.word].id).cell(one.left_n).cell(one.right_n).endRow();

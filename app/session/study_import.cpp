@@ -1,4 +1,5 @@
 #include "app/session/study_import.h"
+#include "app/session/study_procedure.h"
 
 #include <algorithm>
 #include <map>
@@ -326,6 +327,10 @@ Result<StudyImport> importAsNewStudy(const study::Study& study, const std::strin
   auto file =
       store::StudyFile::create(work.file("study"), {study::RecordIds().next(), study.name, source.utc_ms, program});
   if (!file) return said_of_path(file.error());
+  if (study.procedure != nullptr && study.procedure != procedure::defaultProcedure()) {
+    SessionTools tools = systemTools();
+    if (auto kept = keepProcedure(*file, study.procedure, tools); !kept) return said_of_path(kept.error());
+  }
   auto imported = importTables(study, *file, source);
   if (!imported) return said_of_path(imported.error());
   if (auto placed = store::backUp(*file, path); !placed) return tl::unexpected(placed.error());

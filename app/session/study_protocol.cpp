@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/judged_forces.h"
+#include "app/session/study_procedure.h"
 #include "core/base/error.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"
@@ -25,14 +26,18 @@ bool has(const SessionSettings& settings, Block block) {
 
 Result<void> validateLanguages(const StudyProtocol& protocol) {
   if (protocol.languages.empty()) return fail(ErrorCode::kValue, "languages", "none", "at least one language");
-  const auto known = questionnaires::languagesOf(protocol.settings.form);
+  const auto known = questionnaires::languagesOf(protocol.settings.about(), protocol.settings.form);
   for (const auto& language : protocol.languages) {
     const std::string place = "language " + base::quoted(language);
     if (std::count(protocol.languages.begin(), protocol.languages.end(), language) > 1) {
       return fail(ErrorCode::kValue, place, "twice", "each language once");
     }
-    if (std::find(kScreenLanguages.begin(), kScreenLanguages.end(), language) == kScreenLanguages.end()) {
-      return fail(ErrorCode::kReference, place, "no screens in it", "one of en, zh-Hant, zh-Hans");
+    const procedure::Procedure& about = protocol.settings.about();
+    const auto is_of = [&](const auto& list) { return std::find(list.begin(), list.end(), language) != list.end(); };
+    const bool is_default = about.id == procedure::defaultProcedure()->id;
+    if (is_default ? !is_of(kScreenLanguages) : !is_of(about.languages)) {
+      return fail(ErrorCode::kReference, place, "no screens in it",
+                  "one of " + (is_default ? base::joined(kScreenLanguages, ", ") : base::joined(about.languages, ", ")));
     }
     if (has(protocol.settings, Block::kForm) && std::find(known.begin(), known.end(), language) == known.end()) {
       return fail(ErrorCode::kReference, place, "no wording of " + base::quoted(protocol.settings.form),
@@ -91,14 +96,19 @@ Result<void> validate(const StudyProtocol& protocol) {
   return validateDevice(protocol);
 }
 
-std::string toJson(const StudyProtocol& protocol) {
-  const Json json = {{"settings", Json::parse(toJson(protocol.settings))},
+std::string toJson(const StudyProtocol& protocol, const procedure::Procedure* kept) {
+  Json json = {{"settings", Json::parse(toJson(protocol.settings))},
                      {"languages", protocol.languages},
                      {"consent_version", protocol.consent_version},
                      {"consent", protocol.consent},
                      {"statements", protocol.statements},
                      {"contact", protocol.contact},
                      {"device", deviceJson(protocol.device)}};
+  const auto& procedure = protocol.settings.procedure;
+  if (procedure != nullptr && procedure != procedure::defaultProcedure()) {
+    json["procedure"] = {{"id", procedure->id}, {"pack_version", procedure->version}, {"sha256", procedure->sha256}};
+    if (kept != nullptr) json["procedure"]["files"] = kept->files;
+  }
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -144,7 +154,7 @@ Result<study::ProtocolRecord> setProtocol(store::StudyFile& file, const StudyPro
 Result<std::optional<StudyProtocol>> currentProtocol(const store::StudyFile& file) {
   TACTUS_TRY(const auto state, store::protocolState(file));
   if (!state.current) return std::nullopt;
-  TACTUS_TRY(auto protocol, parseStudyProtocol(state.current->text));
+  TACTUS_TRY(auto protocol, protocolOf(file, *state.current));
   return protocol;
 }
 
@@ -152,7 +162,7 @@ Result<SessionStart> startUnderProtocol(const store::StudyFile& file, const stud
                                         const std::string& language, std::uint64_t seed) {
   TACTUS_TRY(const auto state, store::protocolState(file));
   if (!state.current) return fail(ErrorCode::kReference, "session", "a study without a protocol", "one that was set");
-  TACTUS_TRY(auto protocol, parseStudyProtocol(state.current->text));
+  TACTUS_TRY(auto protocol, protocolOf(file, *state.current));
   if (!protocol.consent.contains(language)) {
     return fail(ErrorCode::kValue, "language", base::quoted(language),
                 "one of " + base::joined(protocol.languages, ", "));

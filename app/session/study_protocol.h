@@ -15,7 +15,7 @@
 
 namespace tactus::session {
 
-/// The languages in which the participant's screens are written.
+/// The languages in which the participant's screens are written; a pack may bring others.
 inline constexpr std::array<std::string_view, 3> kScreenLanguages = {"en", "zh-Hant", "zh-Hans"};
 
 /// The device that the forces are meant for. The defaults are those of a Touch.
@@ -41,8 +41,8 @@ struct StudyProtocol {
 /// consent version, a language without a consent text, forces that the device cannot hold.
 base::Result<void> validate(const StudyProtocol& protocol);
 
-/// A JSON object on one line.
-std::string toJson(const StudyProtocol& protocol);
+/// A JSON object on one line. `kept`: the procedure whose whole pack it holds; otherwise it names the procedure.
+std::string toJson(const StudyProtocol& protocol, const procedure::Procedure* kept = nullptr);
 /// Reads what `toJson` wrote; a missing member keeps its default.
 base::Result<StudyProtocol> parseStudyProtocol(std::string_view text);
 

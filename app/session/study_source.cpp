@@ -11,6 +11,7 @@
 #include "app/session/table_words.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
+#include "core/base/files/file.h"
 #include "core/model_io/model_file.h"
 #include "core/store/duel_records.h"
 #include "core/store/entries.h"
@@ -18,7 +19,6 @@
 #include "core/store/sessions.h"
 #include "core/store/study_file.h"
 #include "core/store/study_records.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "experiments/stroke_speeds.h"
 #include "questionnaires/form_file.h"
 #include "questionnaires/published_rules.h"
@@ -77,7 +77,7 @@ base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::Stu
   TACTUS_TRY(const auto answers, store::answers(file));
   std::map<study::RecordId, const study::AnswerRecord*> by_id;
   for (const auto& answer : answers) by_id.emplace(answer.entry.id, &answer);
-  const auto& terms = elicitation::ngtOutput().terms;
+  const auto& terms = procedure::of(view.study).output.terms;
   for (std::size_t i = 0; i < view.answer_ids.size(); ++i) {
     const auto place = places.find(view.study.answers[i].participant);
     const auto record = by_id.find(view.answer_ids[i]);
@@ -118,6 +118,7 @@ std::string utcOf(std::int64_t utc_ms) {
 
 base::Result<std::vector<elicitation::SealedCurve>> sealedCurves(const store::StudyFile& file) {
   TACTUS_TRY(auto trials, store::sealedTrials(file));
+  TACTUS_TRY(const auto procedure, procedureIn(file));
   std::vector<elicitation::SealedCurve> out;
   for (auto& trial : trials) {
     auto& reference = trial.reference;
@@ -133,7 +134,8 @@ base::Result<std::vector<elicitation::SealedCurve>> sealedCurves(const store::St
       one.changes.push_back({utcOf(version.utc_ms), version.author, version.label});
     }
     if (!trial.openings.empty()) {
-      TACTUS_TRY(one.points, elicitation::readReferenceCurve(trial.openings.front().content, file.path()));
+      TACTUS_TRY(one.points, elicitation::readReferenceCurve(trial.openings.front().content, file.path(),
+                                                             procedure::orDefault(procedure)));
     }
     if (trial.signed_off) {
       TACTUS_TRY(auto read, model_io::parseModel(trial.signed_off->text, file.path()));
@@ -151,8 +153,9 @@ base::Result<std::vector<elicitation::SealedCurve>> readSealedCurves(const std::
   return sealedCurves(file);
 }
 
-std::vector<study::Form> knownForms() {
-  std::vector<study::Form> forms = {questionnaires::ngtForceForm()};
+std::vector<study::Form> knownForms(const procedure::Procedure& procedure) {
+  std::vector<study::Form> forms = procedure.forms;
+  if (procedure.id != procedure::defaultProcedure()->id) return forms;
   for (const auto& reading : questionnaires::s4Readings()) {
     study::Form form;
     form.id = reading.id;
@@ -163,12 +166,37 @@ std::vector<study::Form> knownForms() {
   return forms;
 }
 
-base::Result<study::StudyTables> readTables(const std::string& folder, const std::vector<std::string>& input_ids) {
-  auto tables = study::readStudyFolder(folder, input_ids);
+namespace {
+
+/// Of a folder with tables: its pack.
+constexpr std::string_view kPackFolder = "procedure";
+
+}  // namespace
+
+base::Result<study::StudyTables> readTables(const std::string& folder, ProcedurePtr procedure) {
+  const auto pack = std::filesystem::path(folder) / kPackFolder;
+  std::error_code ignored;
+  if (procedure == nullptr && std::filesystem::is_directory(pack, ignored)) {
+    TACTUS_TRY(procedure, readPack(pack.string()));
+  }
+  auto tables = study::readStudyFolder(folder, procedure::orDefault(procedure).inputIds());
   if (!tables) return tables;
+  tables->study.procedure = std::move(procedure);
   auto notes = readWords(tables->study);
   tables->notes.insert(tables->notes.end(), notes.begin(), notes.end());
   return tables;
+}
+
+base::Result<void> writeTables(const study::Study& study, const std::string& folder) {
+  const procedure::Procedure& about = procedure::of(study);
+  if (auto ok = study::writeStudyFolder(study, about.inputIds(), folder); !ok) return ok;
+  if (&about == procedure::defaultProcedure().get()) return {};
+  for (const auto& [name, bytes] : about.files) {
+    const auto path = std::filesystem::path(folder) / kPackFolder / name;
+    if (auto ok = base::makeFolder(path.parent_path().string()); !ok) return ok;
+    if (auto ok = base::writeFileAtomically(path.string(), bytes); !ok) return ok;
+  }
+  return {};
 }
 
 namespace {
@@ -198,17 +226,17 @@ study::StudyTables tablesOf(const store::StudyFile& file, StudyView view) {
 
 }  // namespace
 
-base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids) {
+base::Result<study::StudyTables> readStudy(const std::string& path) {
   TACTUS_TRY(const auto file, openFile(path));
-  if (!file) return readTables(path, input_ids);
+  if (!file) return readTables(path);
   TACTUS_TRY(auto view, studyForElicitation(*file));
   return tablesOf(*file, std::move(view));
 }
 
-base::Result<WholeStudy> readWholeStudy(const std::string& path, const std::vector<std::string>& input_ids) {
+base::Result<WholeStudy> readWholeStudy(const std::string& path) {
   TACTUS_TRY(const auto file, openFile(path));
   if (!file) {
-    TACTUS_TRY(auto tables, readTables(path, input_ids));
+    TACTUS_TRY(auto tables, readTables(path));
     return WholeStudy{std::move(tables), StudyAside{}, std::vector<experiments::DoneInOrder>{}};
   }
   TACTUS_TRY(auto view, studyForElicitation(*file));

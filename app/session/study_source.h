@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/study_procedure.h"
 #include "app/session/study_view.h"
 #include "core/base/error.h"
 #include "core/store/study_file.h"
@@ -44,16 +45,21 @@ base::Result<std::vector<elicitation::SealedCurve>> readSealedCurves(const std::
 
 // The forms to which answers and given rules of a study can refer.
 
-/// The forms with items (Table A1), and the readings of published rule tables as forms without items. A form without
-/// items only gives the set of depth terms that its rules use.
-std::vector<study::Form> knownForms();
+/// The forms of the procedure; of the default one also the readings of published rule tables as forms without items. A
+/// form without items only gives the set of terms of the way that its rules use.
+std::vector<study::Form> knownForms(const procedure::Procedure& procedure);
 
-/// Reads the tables of a folder (csv_tables.h, with `input_ids` as there); accepts everyday spellings (table_words.h).
-base::Result<study::StudyTables> readTables(const std::string& folder, const std::vector<std::string>& input_ids);
+/// Reads the tables of a folder (csv_tables.h); accepts everyday spellings (table_words.h). `procedure`: of the study
+/// that they are of; null: the pack in the folder `procedure` beside them, or the default one.
+base::Result<study::StudyTables> readTables(const std::string& folder, ProcedurePtr procedure = nullptr);
+
+/// Writes the tables of `study` into `folder` (csv_tables.h), with its pack beside them in the folder `procedure` unless
+/// it is the default one.
+base::Result<void> writeTables(const study::Study& study, const std::string& folder);
 
 /// Reads the study at `path`: a folder like readTables, or the data for elicitation from a study file (study_view.h)
 /// with any extension. The file is not changed. Errors name the file.
-base::Result<study::StudyTables> readStudy(const std::string& path, const std::vector<std::string>& input_ids);
+base::Result<study::StudyTables> readStudy(const std::string& path);
 
 /// A study with all that a report says of it.
 struct WholeStudy {
@@ -63,6 +69,6 @@ struct WholeStudy {
 };
 
 /// The same as readStudy, with what else a study file holds; a folder of tables has nothing of it.
-base::Result<WholeStudy> readWholeStudy(const std::string& path, const std::vector<std::string>& input_ids);
+base::Result<WholeStudy> readWholeStudy(const std::string& path);
 
 }  // namespace tactus::session

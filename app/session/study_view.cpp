@@ -1,4 +1,5 @@
 #include "app/session/study_view.h"
+#include "app/session/study_procedure.h"
 
 #include <algorithm>
 #include <array>
@@ -92,7 +93,8 @@ Result<bool> isSeriesDone(const store::StudyFile& file, const study::SessionReco
 }
 
 Result<bool> isFormDone(const store::StudyFile& file, const study::SessionRecord& session, const std::string& form) {
-  const auto worded = questionnaires::questionnaire(form, session.language);
+  TACTUS_TRY(const auto procedure, procedureIn(file));
+  const auto worded = questionnaires::questionnaire(procedure::orDefault(procedure), form, session.language);
   if (!worded) return false;
   TACTUS_TRY(const auto answers, store::answers(file, {{}, session.id, false}));
   std::set<int> items;
@@ -189,6 +191,7 @@ class StudyReader {
     if (auto distinct = store::requireDistinctCodes(file_); !distinct) return tl::unexpected(distinct.error());
     TACTUS_TRY(const auto info, store::studyInfo(file_));
     view_.study.name = info.name;
+    TACTUS_TRY(view_.study.procedure, procedureIn(file_));
     using Step = Result<void> (StudyReader::*)();
     for (const Step step : {&StudyReader::addParticipants, &StudyReader::addSpeeds, &StudyReader::addJudgements,
                             &StudyReader::addAnswers, &StudyReader::addRules, &StudyReader::addNotes}) {

@@ -7,9 +7,9 @@
 
 #include "core/base/tables/odd_cell.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "experiments/force_series.h"
 
 namespace tactus::session {
@@ -77,19 +77,13 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kSeriesWords = {
      {"absteigend", experiments::kDescending},
      {"random_order", experiments::kRandom}}};
 
-std::vector<fuzzy::Term> termsOf(std::string_view input) {
-  for (auto& variable : elicitation::ngtInputs()) {
-    if (variable.id == input) return variable.terms;
-  }
-  return {};
-}
 
 void readJudgements(study::Study& study, std::vector<std::string>& notes) {
   Words series(study::kJudgementsTable);
   for (const char* id : {experiments::kAscending, experiments::kDescending, experiments::kRandom}) series.add(id);
   for (const auto& [word, id] : kSeriesWords) series.add(word, id);
   Words terms(study::kJudgementsTable);
-  terms.add(elicitation::ngtOutput().terms);
+  terms.add(procedure::of(study).output.terms);
   terms.add("not_felt");
   terms.add("beyond_practice");
   for (auto& row : study.judgements) {
@@ -111,14 +105,15 @@ void readJudgements(study::Study& study, std::vector<std::string>& notes) {
 
 void readRules(study::Study& study, std::vector<std::string>& notes) {
   std::map<std::string, Words> conditions;
-  for (const auto& input : elicitation::ngtInputs()) {
+  const procedure::Procedure& about = procedure::of(study);
+  for (const auto& input : about.inputs) {
     auto& words = conditions.try_emplace(input.id, study::kRulesTable).first->second;
     words.add(input.terms);
-    if (input.id != "depth") continue;
-    for (const auto& set : elicitation::depthTermSets()) words.add(set.terms);
+    if (input.id != about.wayInput().id) continue;
+    for (const auto& set : about.way_terms) words.add(set.terms);
   }
   Words then(study::kRulesTable);
-  then.add(elicitation::ngtOutput().terms);
+  then.add(about.output.terms);
   for (auto& rule : study.rules) {
     rule.then = then.read(rule.then);
     for (auto& condition : rule.conditions) {
@@ -135,12 +130,12 @@ void readRules(study::Study& study, std::vector<std::string>& notes) {
 std::vector<std::string> readWords(study::Study& study) {
   std::vector<std::string> notes;
   Words levels(study::kSpeedsTable);
-  levels.add(termsOf("speed"));
+  if (const auto* const rate = procedure::of(study).rateInput()) levels.add(rate->terms);
   for (auto& sample : study.speeds) sample.level = levels.read(sample.level);
   levels.addNotes(notes);
   readJudgements(study, notes);
   Words answers(study::kAnswersTable);
-  answers.add(elicitation::ngtOutput().terms);
+  answers.add(procedure::of(study).output.terms);
   for (auto& answer : study.answers) {
     if (answer.status == study::Answer::Status::kAnswered && answers.isMissing(answer.term)) {
       answer.status = study::Answer::Status::kSkipped;

@@ -10,7 +10,7 @@
 
 namespace tactus::session {
 
-/// Writes levels, series, terms and conditions of `study` as the ids of the nasogastric tube study where they differ
+/// Writes levels, series, terms and conditions of `study` as the ids of its procedure where they differ
 /// only in capitals, spaces, dashes and underscores; so also `not felt` and `beyond practice`. Reads `up`, `asc` and
 /// similar words as series, and `NA`, a dash or a similar word instead of a term as no answer. Returns one sentence for
 /// each word that was changed: `speeds.csv: 'Slow' is read as slow in 240 rows.` Other words stay as they are.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/session/profile_questions.h"
+#include "app/session/study_procedure.h"
 #include "app/webform/web_form.h"
 #include "core/base/check.h"
 #include "core/base/files/checksums.h"
@@ -34,7 +35,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return out;
 }
 
-/// Adds the texts of a table `id, en, zh-Hant, …` in `language`.
+/// Adds the texts of a table `id, en, zh-Hant, …` in `language`, or in English where the table has no such language.
 void addWords(std::string_view table, const std::string& language, std::map<std::string, std::string>& words) {
   std::size_t column = 0;
   for (const std::string_view line : split(table, '\n')) {
@@ -42,7 +43,7 @@ void addWords(std::string_view table, const std::string& language, std::map<std:
     const auto fields = split(line, '\t');
     if (column == 0) {
       column = static_cast<std::size_t>(std::find(fields.begin(), fields.end(), language) - fields.begin());
-      TACTUS_CHECK(column < fields.size());
+      if (column == fields.size()) column = 1;
       continue;
     }
     words.emplace(fields[0], fields[column]);
@@ -117,13 +118,15 @@ const FormLanguage* FormContent::language(std::string_view id) const {
 Result<FormContent> formContent(const study::RecordId& study, const std::string& name,
                                 const session::StudyProtocol& protocol, const std::string& wording) {
   FormContent out;
+  out.procedure = protocol.settings.procedure;
+  const procedure::Procedure& about = out.about();
   out.study = study;
   out.study_name = name;
   out.form = protocol.settings.form;
-  const auto wordings = questionnaires::wordingsOf(out.form);
+  const auto wordings = questionnaires::wordingsOf(about, out.form);
   if (wordings.empty()) {
     return base::fail(base::ErrorCode::kReference, "form", base::quoted(out.form),
-                      "one of " + base::joined(questionnaires::questionnaireIds(), ", "));
+                      "one of " + base::joined(questionnaires::questionnaireIds(about), ", "));
   }
   out.wording = wording.empty() ? wordings.front() : wording;
   out.consent_version = protocol.consent_version;
@@ -132,19 +135,20 @@ Result<FormContent> formContent(const study::RecordId& study, const std::string&
   session::SessionSettings settings = protocol.settings;
   settings.blocks = {session::Block::kForm};
   out.minutes = static_cast<int>(std::ceil(session::expectedMinutes(settings) / kMinuteStep)) * kMinuteStep;
-  const auto known = questionnaires::languagesOf(out.form, out.wording);
+  const auto known = questionnaires::languagesOf(about, out.form, out.wording);
   for (const std::string& id : protocol.languages) {
     if (std::find(known.begin(), known.end(), id) == known.end()) continue;
     FormLanguage language;
     language.id = id;
-    TACTUS_TRY(language.asked, questionnaires::questionnaire(out.form, id, out.wording));
-    TACTUS_TRY(language.scale, questionnaires::questionnaire(kScale, id));
+    TACTUS_TRY(language.asked, questionnaires::questionnaire(about, out.form, id, out.wording));
+    const auto scales = questionnaires::languagesOf(about, kScale);
+    const bool has_scale = std::find(scales.begin(), scales.end(), id) != scales.end();
+    TACTUS_TRY(language.scale, questionnaires::questionnaire(about, kScale, has_scale ? id : "en"));
     if (out.form != kScale && out.wording != questionnaires::kPublishedWording) {
-      TACTUS_TRY(const auto plain, questionnaires::plainForceWording(id));
+      TACTUS_TRY(const auto plain, questionnaires::composedWording(about, out.form, id));
       language.question = plain.question;
     }
-    addWords(screenWords(), id, language.words);
-    addWords(webWords(), id, language.words);
+    language.words = screenTexts(about, id);
     language.consent = consentOf(out, protocol, language);
     out.form_version = language.asked.version;
     out.languages.push_back(std::move(language));
@@ -170,16 +174,39 @@ Result<std::vector<FormContent>> formsOf(const store::StudyFile& file) {
   TACTUS_TRY(const auto records, store::protocols(file));
   std::vector<session::StudyProtocol> protocols = {session::StudyProtocol{}};
   for (const auto& record : records) {
-    TACTUS_TRY(auto protocol, session::parseStudyProtocol(record.text));
+    TACTUS_TRY(auto protocol, session::protocolOf(file, record));
     protocols.push_back(std::move(protocol));
   }
   std::vector<FormContent> out;
   std::set<std::string> seen;
   for (const auto& protocol : protocols) {
-    for (const std::string& wording : questionnaires::wordingsOf(protocol.settings.form)) {
+    for (const std::string& wording : questionnaires::wordingsOf(protocol.settings.about(), protocol.settings.form)) {
       auto one = formContent(info.id, info.name, protocol, wording);
       // A wording that none of the study's languages has gives no form.
       if (one && seen.insert(one->sha256).second) out.push_back(*std::move(one));
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> glossaryOf(const procedure::Procedure& procedure) {
+  std::vector<std::string> out = {"glo.force"};
+  for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
+    if (i != procedure.way()) out.push_back("glo." + procedure.inputs[i].id);
+  }
+  return out;
+}
+
+std::map<std::string, std::string> screenTexts(const procedure::Procedure& procedure, const std::string& language) {
+  std::map<std::string, std::string> out;
+  addWords(screenWords(), language, out);
+  addWords(webWords(), language, out);
+  for (const auto& [id, texts] : procedure.words) {
+    for (const std::string& wanted : {language, procedure.languages.front()}) {
+      const auto text = texts.find(wanted);
+      if (text == texts.end()) continue;
+      out[id] = text->second;
+      break;
     }
   }
   return out;
@@ -204,8 +231,7 @@ questionnaires::SurveyOpening openingOf(const FormContent& content, const FormLa
     out.profile.push_back(std::move(question));
   }
   out.picture = language.words.at("glo.way");
-  for (const char* const id : {"glo.force", "glo.lubrication", "glo.neck", "glo.speed"})
-    out.glossary.push_back(language.words.at(id));
+  for (const std::string& id : glossaryOf(content.about())) out.glossary.push_back(language.words.at(id));
   return out;
 }
 

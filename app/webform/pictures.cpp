@@ -116,7 +116,8 @@ std::array<double, 4> boxAround(const std::vector<Point>& points, double margin)
   return {low.x - margin, low.y - margin, high.x - low.x + 2 * margin, high.y - low.y + 2 * margin};
 }
 
-Picture pictureOf(std::string_view posture, std::string_view file) {
+/// Of the drawings of the default procedure, which the program carries: the screens move the neck between them.
+Picture drawnPicture(std::string_view posture, std::string_view file) {
   const auto regions = file.find("<g id=\"regions\">");
   const auto tube = file.find("<g id=\"tube\">");
   const auto after_regions = file.find("</g>", regions) + 4;
@@ -135,7 +136,8 @@ Picture pictureOf(std::string_view posture, std::string_view file) {
     region.outline = attribute(file, "d", file.find("id=\"region_" + region.id + "\""));
     const auto outline = pointsOf(region.outline);
     placeTip(out.tube, outline, region);
-    if (out.regions.size() < kNearRegions) throat.insert(throat.end(), outline.begin(), outline.end());
+    region.far = out.regions.size() >= kNearRegions;
+    if (!region.far) throat.insert(throat.end(), outline.begin(), outline.end());
     out.regions.push_back(std::move(region));
   }
   out.near = boxAround(throat, kNearMarginMm);
@@ -153,9 +155,36 @@ std::string lineTo(const Picture& picture, const PictureRegion& region) {
 
 }  // namespace
 
-std::vector<Picture> pictures() {
-  return {pictureOf("upright", uprightDrawing()), pictureOf("half", halfFlexedDrawing()),
-          pictureOf("chest", chinOnChestDrawing())};
+std::vector<Picture> pictures(const procedure::Procedure& procedure) {
+  if (procedure.pictures.empty() && procedure.id == procedure::defaultProcedure()->id) {
+    return {drawnPicture("upright", uprightDrawing()), drawnPicture("half", halfFlexedDrawing()),
+            drawnPicture("chest", chinOnChestDrawing())};
+  }
+  std::vector<Picture> out;
+  for (const procedure::Picture& picture : procedure::picturesOf(procedure)) {
+    Picture& one = out.emplace_back();
+    one.posture = "p" + std::to_string(out.size());
+    one.drawing = picture.svg.substr(0, picture.svg.rfind("</svg>") + std::string_view("</svg>").size());
+    one.box = one.near = {picture.left, picture.top, picture.width, picture.height};
+    one.tube = picture.way;
+    for (const auto& term : procedure.wayInput().terms) {
+      PictureRegion& region = one.regions.emplace_back();
+      region.id = term.id;
+      region.outline = picture.regions.at(term.id);
+      const double middle_mm = std::clamp((term.points[1] + term.points[2]) / 2, picture.way_mm.front(), picture.way_mm.back());
+      const auto next = std::upper_bound(picture.way_mm.begin(), picture.way_mm.end() - 1, middle_mm);
+      region.end = static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - picture.way_mm.begin() - 1, 0));
+      region.tip = procedure::placeAt(picture, middle_mm);
+    }
+  }
+  return out;
+}
+
+std::string regionsPicture(const procedure::Procedure& procedure, const study::Form& form) {
+  std::vector<std::pair<std::string, std::string>> tips;
+  for (const std::string& region : procedure::regionsOf(procedure, form))
+    tips.emplace_back(region, std::to_string(tips.size() + 1));
+  return pictureFile(pictures(procedure).front(), tips);
 }
 
 std::string pictureFile(const Picture& picture, const std::vector<std::pair<std::string, std::string>>& tips) {
@@ -190,9 +219,23 @@ std::string pictureFile(const Picture& picture, const std::vector<std::pair<std:
   return out + lit + tube + marks + "</svg>\n";
 }
 
-std::string_view postureOf(std::string_view input, std::string_view term) {
-  if (input != "neck_flexion" || term == "small") return "upright";
-  return term == "medium" ? "half" : "chest";
+std::string postureOf(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
+  const auto all = pictures(procedure);
+  for (std::size_t i = 0; i < procedure.pictures.size(); ++i) {
+    if (procedure.pictures[i].pose == condition) return all[i].posture;
+  }
+  if (procedure.pictures.empty() && all.size() > 1) {
+    // The drawings stand in the order of the words of the input that is drawn as a pose.
+    for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
+      const auto& terms = procedure.inputs[i].terms;
+      if (procedure.inputs[i].id != condition.input || procedure.input_notes[i].picture != procedure::LevelPicture::kPose)
+        continue;
+      const auto term = std::find_if(terms.begin(), terms.end(), [&](const auto& one) { return one.id == condition.term; });
+      const auto place = static_cast<std::size_t>(term - terms.begin());
+      if (place < all.size()) return all[place].posture;
+    }
+  }
+  return all.front().posture;
 }
 
 }  // namespace tactus::webform

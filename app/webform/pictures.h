@@ -7,12 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "core/procedure/procedure.h"
+
 namespace tactus::webform {
 
-struct Point {
-  double x = 0;
-  double y = 0;
-};
+using procedure::Point;
 
 /// A region of the way of the tube.
 struct PictureRegion {
@@ -20,26 +19,30 @@ struct PictureRegion {
   std::string outline;  ///< `d` of an SVG path
   Point tip;            ///< where the tip lies that is in the region: half of the way through it
   std::size_t end = 0;  ///< index in Picture::tube of the last point before the tip
+  bool far = false;     ///< outside Picture::near
 };
 
-/// A head with neck in one posture, seen from the side.
+/// The body in one pose.
 struct Picture {
-  std::string_view posture;    ///< `upright`, `half`, `chest`
+  std::string posture;         ///< of the default procedure `upright`, `half`, `chest`; otherwise `p1`, `p2`, …
   std::string drawing;         ///< SVG text without tube and regions
   std::array<double, 4> box;   ///< view box of the drawing: x, y, width, height in mm
-  std::array<double, 4> near;  ///< the part of it with nose and throat
+  std::array<double, 4> near;  ///< the part of it that most questions are about
   std::vector<Point> tube;     ///< the way of the tube, from the hand to the stomach
   std::vector<PictureRegion> regions;
 };
 
-/// Of the three postures, from upright to chin on chest.
-std::vector<Picture> pictures();
+/// Of each pose of the procedure, first the usual one; a bar of regions for a procedure without pictures.
+std::vector<Picture> pictures(const procedure::Procedure& procedure);
 
 /// The picture as an SVG file: the tube in each of the `tips` (ids of regions), whose regions are lit. `labels`: one
 /// for each tip, beside it.
 std::string pictureFile(const Picture& picture, const std::vector<std::pair<std::string, std::string>>& tips);
 
-/// The posture that a condition is about: of `neck_flexion` its own, otherwise `upright`.
-std::string_view postureOf(std::string_view input, std::string_view term);
+/// The pose that a condition is about: its own, if it has one, otherwise the usual one.
+std::string postureOf(const procedure::Procedure& procedure, const study::ItemCondition& condition);
+
+/// The usual picture with the regions of `form`, numbered.
+std::string regionsPicture(const procedure::Procedure& procedure, const study::Form& form);
 
 }  // namespace tactus::webform

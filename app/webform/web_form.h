@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ struct FormLanguage {
 };
 
 struct FormContent {
+  std::shared_ptr<const procedure::Procedure> procedure;  ///< of the study; null: the default one
   study::RecordId study;
   std::string study_name;
   std::string form;  ///< form id
@@ -44,6 +46,7 @@ struct FormContent {
   std::string sha256;
 
   const FormLanguage* language(std::string_view id) const;
+  const procedure::Procedure& about() const { return procedure::orDefault(procedure); }
 };
 
 /// The form of a study under `protocol`. `wording`: empty, the form's usual one. Languages in which the form is not
@@ -57,6 +60,13 @@ base::Result<FormContent> currentForm(const store::StudyFile& file, const std::s
 /// All forms that the study can have given to participants: of each record of its protocol and each wording, and those
 /// before it had one.
 base::Result<std::vector<FormContent>> formsOf(const store::StudyFile& file);
+
+/// The ids of the sentences that explain the words of the procedure's forms: force, then each condition.
+std::vector<std::string> glossaryOf(const procedure::Procedure& procedure);
+
+/// The texts of the participant's screens in `language`, by id: the pack's own over those of the program. A text that
+/// the language lacks is in the first language of the pack, or in English.
+std::map<std::string, std::string> screenTexts(const procedure::Procedure& procedure, const std::string& language);
 
 /// The consent, profile and picture of the form in one language, as the parts that survey systems and paper show before
 /// the items.

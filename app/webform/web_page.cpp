@@ -8,7 +8,6 @@
 #include "core/base/check.h"
 #include "core/base/json/json_writer.h"
 #include "core/store/person_codes.h"
-#include "questionnaires/form_file.h"
 
 namespace tactus::webform {
 
@@ -68,20 +67,31 @@ void addLanguage(const FormLanguage& language, JsonWriter& json) {
   json.endObject();
 }
 
+/// The place of the word among those of its input, from 1.
+std::size_t levelOf(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
+  for (const auto& input : procedure.inputs) {
+    if (input.id != condition.input) continue;
+    const auto term = std::find_if(input.terms.begin(), input.terms.end(),
+                                   [&](const auto& one) { return one.id == condition.term; });
+    return static_cast<std::size_t>(term - input.terms.begin()) + 1;
+  }
+  return 1;
+}
+
 /// Of each item: its number and, where it has conditions, what it is about.
 void addItems(const FormContent& content, JsonWriter& json) {
-  const study::Form rules = questionnaires::ngtForceForm();
+  const study::Form* const rules = content.about().form(content.form);
   json.key("items").beginArray();
   for (const auto& question : content.languages.front().asked.questions) {
     json.beginObject(kInline).key("number").value(question.number).key("block").value(question.block);
-    for (const study::FormItem& item : rules.items) {
-      if (rules.id != content.form || item.number != question.number) continue;
+    for (const study::FormItem& item : rules == nullptr ? std::vector<study::FormItem>() : rules->items) {
+      if (item.number != question.number) continue;
       for (const study::ItemCondition& condition : item.conditions) {
-        if (condition.input == "depth") {
+        if (condition.input == content.about().wayInput().id) {
           json.key("region").value(condition.term);
         } else {
           json.key("input").value(condition.input).key("term").value(condition.term);
-          json.key("posture").value(std::string(postureOf(condition.input, condition.term)));
+          json.key("posture").value(postureOf(content.about(), condition)).key("level").value(levelOf(content.about(), condition));
         }
       }
     }
@@ -90,11 +100,29 @@ void addItems(const FormContent& content, JsonWriter& json) {
   json.endArray();
 }
 
+/// What the words of the form are explained by, its regions, and how levels are drawn.
+void addGlossary(const FormContent& content, JsonWriter& json) {
+  const procedure::Procedure& about = content.about();
+  const study::Form* const rules = about.form(content.form);
+  json.key("glossary").values(glossaryOf(about));
+  json.key("regions").values(rules == nullptr ? std::vector<std::string>() : procedure::regionsOf(about, *rules));
+  json.key("usual").value(pictures(about).front().posture).key("signs").beginObject(kInline);
+  for (std::size_t i = 0; i < about.inputs.size(); ++i) {
+    const auto picture = about.input_notes[i].picture;
+    if (i == about.way() || picture == procedure::LevelPicture::kPose) continue;
+    json.key(about.inputs[i].id).beginObject().key("shape").value(picture == procedure::LevelPicture::kDrops    ? "drop"
+                                                                  : picture == procedure::LevelPicture::kArrows ? "arrow"
+                                                                                                                : "bar");
+    json.key("of").value(about.inputs[i].terms.size()).endObject();
+  }
+  json.endObject();
+}
+
 double tenth(double value) { return std::round(value * 10) / 10; }
 
-void addPictures(JsonWriter& json) {
+void addPictures(const procedure::Procedure& procedure, JsonWriter& json) {
   json.key("pictures").beginObject();
-  for (const Picture& picture : pictures()) {
+  for (const Picture& picture : pictures(procedure)) {
     json.key(picture.posture).beginObject().key("drawing").value(picture.drawing);
     const auto box = [&](const char* name, const std::array<double, 4>& values) {
       json.key(name).beginArray(kInline);
@@ -108,6 +136,7 @@ void addPictures(JsonWriter& json) {
     json.endArray().key("regions").beginObject();
     for (const PictureRegion& region : picture.regions) {
       json.key(region.id).beginObject(kInline).key("outline").value(region.outline).key("end").value(region.end);
+      json.key("far").value(region.far);
       json.key("tip").beginArray(kInline).value(tenth(region.tip.x)).value(tenth(region.tip.y)).endArray().endObject();
     }
     json.endObject().endObject();
@@ -155,7 +184,8 @@ std::string contentJson(const FormContent& content) {
   for (const FormLanguage& language : content.languages) addLanguage(language, json);
   json.endArray();
   addCodes(json);
-  addPictures(json);
+  addGlossary(content, json);
+  addPictures(content.about(), json);
   return json.endObject().text();
 }
 

@@ -70,7 +70,7 @@ base::Result<DepthMeasurement> readMeasurement(std::string_view text);
 
 /// Where the boundaries of the regions along the tube come from.
 enum class DepthsFrom {
-  kTemplate,  ///< the sets of elicitation/variables
+  kTemplate,  ///< the sets of the procedure
   kMeasured,  ///< the study's measurement on an image
 };
 
@@ -79,7 +79,7 @@ std::string_view name(DepthsFrom from) noexcept;
 
 /// The terms `set` with measured depths. `depth`: the depth with all regions, in the order of the measurement's
 /// boundaries; `set` has some of them. A term ends at the end of its region; a region that `set` lacks belongs to the
-/// term behind it, or at the end to the term before it, as in the sets of elicitation/variables.
+/// term behind it, or at the end to the term before it, as in the sets of the procedure.
 /// Returns the errors of depthTerms.
 base::Result<std::vector<fuzzy::Term>> measuredTerms(const DepthMeasurement& measurement, const fuzzy::Variable& depth,
                                                      const std::vector<fuzzy::Term>& set);

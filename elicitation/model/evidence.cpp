@@ -7,7 +7,6 @@
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "elicitation/force/noticeable_force.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {
 
@@ -30,21 +29,17 @@ Result<std::size_t> columnOf(const base::CsvTable& table, const std::string& nam
                       table.file());
 }
 
-fuzzy::Variable depthInput() {
-  auto inputs = ngtInputs();
-  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == ngtRegionInput(); });
-}
-
 }  // namespace
 
-Result<std::vector<ReferencePoint>> readReferenceCurve(const std::string& text, const std::string& file) {
+Result<std::vector<ReferencePoint>> readReferenceCurve(const std::string& text, const std::string& file,
+                                                       const procedure::Procedure& procedure) {
   TACTUS_TRY(const auto table, base::CsvTable::parse(text, file));
   TACTUS_TRY(const auto depth, columnOf(table, "depth", "mm"));
   TACTUS_TRY(const auto force, columnOf(table, "force", "n"));
   if (table.find("series")) {
     return base::inFile({ErrorCode::kSchema, {}, "header", "a column series", "a file with one curve"}, file);
   }
-  const fuzzy::Variable universe = depthInput();
+  const fuzzy::Variable& universe = procedure.wayInput();
   std::vector<ReferencePoint> out;
   for (std::size_t row = 0; row < table.rowCount(); ++row) {
     TACTUS_TRY(const double depth_mm, table.number(row, depth));
@@ -73,25 +68,24 @@ Result<std::vector<ReferencePoint>> readReferenceCurve(const std::string& text, 
   return out;
 }
 
-std::vector<double> referenceInputs(const fuzzy::ForceModel& model, const std::map<std::string, double>& conditions,
-                                    double depth_mm) {
+std::vector<double> referenceInputs(const procedure::Procedure& procedure,
+                                    const std::map<std::string, double>& conditions, double depth_mm) {
   std::vector<double> out;
-  for (const auto& input : model.inputs) {
-    const auto given = conditions.find(input.id);
-    out.push_back(input.id == ngtRegionInput() ? depth_mm
-                  : given != conditions.end()  ? given->second
-                  : input.id == "lubrication"  ? 1
-                  : input.id == "neck_flexion" ? 60
-                                               : 50);
+  for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
+    const auto given = conditions.find(procedure.inputs[i].id);
+    out.push_back(i == procedure.way()        ? depth_mm
+                  : given != conditions.end() ? given->second
+                                              : procedure.input_notes[i].usual);
   }
   return out;
 }
 
-Result<ReferenceError> referenceError(const fuzzy::ForceModel& model, const SealedCurve& curve) {
+Result<ReferenceError> referenceError(const procedure::Procedure& procedure, const fuzzy::ForceModel& model,
+                                      const SealedCurve& curve) {
   TACTUS_TRY(const auto compiled, fuzzy::compile(model));
   ReferenceError out;
   for (const auto& point : curve.points) {
-    const auto force = compiled.evaluate(referenceInputs(model, curve.conditions, point.depth_mm));
+    const auto force = compiled.evaluate(referenceInputs(procedure, curve.conditions, point.depth_mm));
     if (!force.fired) {
       ++out.without;
       continue;
@@ -129,7 +123,7 @@ std::optional<bool> isExpert(const std::string& category) {
 }
 
 /// `samples` of one stroke, in the order of time.
-void addStroke(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
+void addStroke(const procedure::Procedure& about, const fuzzy::CompiledModel& compiled,
                const std::vector<const study::SpeedSample*>& samples, StrokeForces& sum) {
   double peak_n = 0;
   double work_n_mm = 0;
@@ -155,7 +149,9 @@ void addStroke(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compi
     if (i == 0) continue;
     const double step_mm = one.depth_mm - samples[i - 1]->depth_mm;
     if (step_mm <= 0) continue;
-    const auto point = referenceInputs(model, {{"speed", std::max(0.0, one.speed_mm_s)}}, one.depth_mm);
+    std::map<std::string, double> moved;
+    if (const auto* const rate = about.rateInput()) moved.emplace(rate->id, std::max(0.0, one.speed_mm_s));
+    const auto point = referenceInputs(about, moved, one.depth_mm);
     const auto force = compiled.evaluate(point);
     if (!force.fired) continue;
     peak_n = std::max(peak_n, force.force_n);
@@ -222,7 +218,7 @@ Result<ConstructEvidence> constructEvidence(const study::Study& study, const fuz
     }
     if (strokes.empty()) continue;
     StrokeForces sum{.participant = person.code, .expert = *expert};
-    for (const auto& [name, samples] : strokes) addStroke(model, compiled, samples, sum);
+    for (const auto& [name, samples] : strokes) addStroke(procedure::of(study), compiled, samples, sum);
     const auto count = static_cast<double>(sum.strokes);
     sum.peak_n /= count;
     sum.work_n_mm /= count;

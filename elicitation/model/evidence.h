@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
+#include "core/procedure/procedure.h"
 #include "core/study/records.h"
 
 namespace tactus::elicitation {
@@ -30,12 +31,13 @@ inline constexpr std::size_t kMostReferencePoints = 1000;
 /// ignored, and so are rows without a force. Returns an error for other units (`depth_cm`), a column for several curves
 /// (`series`), a depth outside the universe of the study's input, depths that do not ascend, a negative force, fewer
 /// than two points or too many. `file`: named in the errors.
-base::Result<std::vector<ReferencePoint>> readReferenceCurve(const std::string& text, const std::string& file);
+base::Result<std::vector<ReferencePoint>> readReferenceCurve(const std::string& text, const std::string& file,
+                                                             const procedure::Procedure& procedure);
 
-/// The input point at `depth_mm`, the other inputs at `conditions` (those of Fig. 11 where one is missing: lubrication
-/// 1, flexion 60 deg, speed 50 mm/s).
-std::vector<double> referenceInputs(const fuzzy::ForceModel& model, const std::map<std::string, double>& conditions,
-                                    double depth_mm);
+/// The input point at `depth_mm`, the other inputs of the procedure at `conditions`, or where one is missing at their
+/// usual value.
+std::vector<double> referenceInputs(const procedure::Procedure& procedure,
+                                    const std::map<std::string, double>& conditions, double depth_mm);
 
 /// A reference of the study that is or was under seal, as the report shows it.
 struct SealedCurve {
@@ -72,7 +74,8 @@ struct ReferenceError {
   double largest_at_mm = 0;
 };
 /// Each point counts once. Nothing is left but counts where no point has a force.
-base::Result<ReferenceError> referenceError(const fuzzy::ForceModel& model, const SealedCurve& curve);
+base::Result<ReferenceError> referenceError(const procedure::Procedure& procedure, const fuzzy::ForceModel& model,
+                                            const SealedCurve& curve);
 
 // Construct evidence: whether the force of the model tells experts' strokes from students'.
 
@@ -109,7 +112,7 @@ struct ConstructEvidence {
 };
 
 /// The category decides: `expert` against `student`, `novice` or `beginner`; other participants are left out. Strokes
-/// are those of the speed experiment, at the conditions of Fig. 11. The measures are set if both groups have two
+/// are those of the speed experiment, at the usual conditions. The measures are set if both groups have two
 /// participants or more.
 base::Result<ConstructEvidence> constructEvidence(const study::Study& study, const fuzzy::ForceModel& model);
 

@@ -5,7 +5,6 @@
 #include "core/analysis/term_conversion.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -25,14 +24,12 @@ WeightSettings with(WeightPolicy policy, WeightSettings settings) {
   return settings;
 }
 
-/// The term of the region input with the largest membership at `point`; empty where there is no point.
+/// The term of the way with the largest membership at `point`; empty where there is no point.
 std::string regionAt(const fuzzy::ForceModel& model, const std::vector<double>& point) {
-  const std::string id = ngtRegionInput();
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    if (model.inputs[i].id != id) continue;
-    if (const auto term = analysis::strongestTerm(model.inputs[i], point[i])) return model.inputs[i].terms[*term].id;
-  }
-  return {};
+  const auto way = fuzzy::wayOf(model.inputs);
+  if (!way || *way >= point.size()) return {};
+  const auto term = analysis::strongestTerm(model.inputs[*way], point[*way]);
+  return term ? model.inputs[*way].terms[*term].id : std::string();
 }
 
 }  // namespace

@@ -9,12 +9,12 @@
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_end.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/model/model_provenance.h"
 #include "elicitation/model/record_influence.h"
 #include "elicitation/rules/expert_rules.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -23,9 +23,7 @@ using base::ErrorCode;
 using base::fail;
 using base::Result;
 
-fuzzy::Variable& variable(std::vector<fuzzy::Variable>& variables, std::string_view id) {
-  return *std::find_if(variables.begin(), variables.end(), [id](const fuzzy::Variable& v) { return v.id == id; });
-}
+fuzzy::Variable& wayIn(BuiltModel& built) { return built.model.inputs[built.about().way()]; }
 
 void append(std::vector<std::string>& notes, const std::vector<std::string>& more) {
   notes.insert(notes.end(), more.begin(), more.end());
@@ -85,10 +83,10 @@ std::vector<std::vector<Ramp>> rampsOf(std::span<const ParticipantSpeeds> speeds
 }
 
 /// `set`, at the depths that the settings choose. The measurement was checked by buildDepth.
-std::vector<fuzzy::Term> chosenDepths(const BuildSettings& settings, std::vector<fuzzy::Term> set) {
+std::vector<fuzzy::Term> chosenDepths(const procedure::Procedure& about, const BuildSettings& settings,
+                                      std::vector<fuzzy::Term> set) {
   if (settings.depths == DepthsFrom::kTemplate) return set;
-  auto inputs = ngtInputs();
-  return measuredTerms(*settings.measured_depths, variable(inputs, ngtRegionInput()), set).value();
+  return measuredTerms(*settings.measured_depths, about.wayInput(), set).value();
 }
 
 Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
@@ -97,7 +95,7 @@ Result<void> buildDepth(const BuildSettings& settings, BuiltModel& out) {
     return fail(ErrorCode::kData, "depths", "no measurement of depths in the study",
                 "a measurement on an image (stage Agree, Depth), or the depths of the template");
   }
-  auto& depth = variable(out.model.inputs, ngtRegionInput());
+  auto& depth = wayIn(out);
   TACTUS_TRY(auto terms, measuredTerms(*settings.measured_depths, depth, depth.terms));
   depth.terms = std::move(terms);
   out.notes.push_back(measuredSentence(*settings.measured_depths));
@@ -127,7 +125,15 @@ Result<void> goesOn(const GoOn& go_on, double share) {
 
 Result<void> buildSpeed(const study::Study& study, const BuildSettings& settings, KnownClusters known,
                         const GoOn& go_on, BuiltModel& out) {
-  auto& speed = variable(out.model.inputs, "speed");
+  const auto rate = out.about().rate();
+  if (!rate) {
+    if (!study.speeds.empty()) {
+      return fail(ErrorCode::kData, "speeds", std::to_string(study.speeds.size()) + " samples",
+                  "none: the procedure " + base::quoted(out.about().id) + " has no input of the role 'rate'");
+    }
+    return {};
+  }
+  auto& speed = out.model.inputs[*rate];
   if (known != nullptr) {
     out.speeds = *known;
     for (auto& one : out.speeds) {
@@ -259,21 +265,22 @@ Result<void> buildExperts(const study::Study& study, const BuildSettings& settin
   const std::string shared = sharedDepthTerms(out.experts);
   // studyRules has looked up the sets already.
   const auto depthsOf = [&](const std::string& set) {
-    return chosenDepths(settings, findDepthTerms(set).value().terms);
+    return chosenDepths(out.about(), settings, out.about().wayTerms(set)->terms);
   };
-  variable(out.model.inputs, "depth").terms = depthsOf(shared);
+  wayIn(out).terms = depthsOf(shared);
   const std::vector<std::string> none;
   for (std::size_t i = 0; i < out.experts.size(); ++i) {
     const ExpertRules& rules = out.experts[i];
     const std::string& code = rules.participant.code;
     fuzzy::Expert expert{code, code + (simulated[i] ? " (simulated)" : ""), weights[i], {}, rules.rules};
-    if (rules.depth_terms != shared) expert.overrides.push_back({"depth", depthsOf(rules.depth_terms)});
+    if (rules.depth_terms != shared) expert.overrides.push_back({wayIn(out).id, depthsOf(rules.depth_terms)});
     if (settings.terms == SpeedTermsOf::kOwn) {
       const auto own = std::find_if(out.speeds.begin(), out.speeds.end(),
                                     [&code](const ParticipantSpeeds& one) { return one.participant == code; });
       if (own != out.speeds.end()) {
-        expert.overrides.push_back({"speed", speedTerms(variable(out.model.inputs, "speed"), own->ramps)});
-      } else {
+        const fuzzy::Variable& speed = out.model.inputs[out.about().rate().value()];
+        expert.overrides.push_back({speed.id, speedTerms(speed, own->ramps)});
+      } else if (out.about().rate()) {
         out.notes.push_back("Participant " + code + " has no speeds of their own; the shared speed terms are used.");
       }
     }
@@ -289,16 +296,18 @@ Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& setti
                            const GoOn& go_on = {}) {
   if (auto ok = checkParticipants(study); !ok) return tl::unexpected(ok.error());
   BuiltModel out;
-  out.model.inputs = ngtInputs();
-  out.model.output = ngtOutput();
+  out.procedure = study.procedure;
+  out.model.inputs = out.about().inputs;
+  out.model.output = out.about().output;
   out.model.name = settings.name.empty() ? study.name : settings.name;
   out.model.created_utc = settings.created_utc;
   out.model.generator = settings.generator;
   if (auto ok = buildDepth(settings, out); !ok) return tl::unexpected(ok.error());
-  out.note_subjects.resize(out.notes.size(), ngtRegionInput());
+  out.note_subjects.resize(out.notes.size(), out.about().wayInput().id);
   if (auto ok = buildSpeed(study, settings, known, between(go_on, 0, kClustered), out); !ok)
     return tl::unexpected(ok.error());
-  out.note_subjects.resize(out.notes.size(), "speed");
+  const fuzzy::Variable* const rate = out.about().rateInput();
+  out.note_subjects.resize(out.notes.size(), rate != nullptr ? rate->id : std::string());
   if (auto ok = buildForce(study, settings, out); !ok) return tl::unexpected(ok.error());
   out.note_subjects.resize(out.notes.size(), out.model.output.id);
   return out;
@@ -312,7 +321,7 @@ Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::For
   if (auto ok = goesOn(go_on, kClustered); !ok) return tl::unexpected(ok.error());
   BuiltModel out = std::move(*terms);
   std::vector<std::string> answer_terms;
-  for (const auto& term : ngtOutput().terms) answer_terms.push_back(term.id);
+  for (const auto& term : out.about().output.terms) answer_terms.push_back(term.id);
   TACTUS_TRY(auto rules, studyRules(study, forms, answer_terms));
   out.experts = std::move(rules.experts);
   append(out.notes, rules.notes);
@@ -368,8 +377,7 @@ Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::
   if (settings.averaging == Averaging::kWeightedMean && !built.speeds.empty()) {
     TACTUS_TRY(const auto speed_weights, speedWeights(built.speeds, study, settings));
     const auto ramps = averageRamps(rampsOf(built.speeds), speed_weights, settings.averaging);
-    auto defaults = ngtInputs();
-    variable(out.inputs, "speed") = averagedSpeed(variable(defaults, "speed"), built.speeds, ramps);
+    out.inputs[built.about().rate().value()] = averagedSpeed(*built.about().rateInput(), built.speeds, ramps);
   }
   out.provenance = modelProvenance(study, built.experts, settings);
   if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/tables/csv.h"
 #include "core/fuzzy/force_model.h"
+#include "core/procedure/procedure.h"
 #include "core/study/records.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/depth/depth_measurement.h"
@@ -91,6 +93,7 @@ struct BuildSettings {
 
 /// A model and its intermediate results.
 struct BuiltModel {
+  std::shared_ptr<const procedure::Procedure> procedure;  ///< of the study; null: as there
   fuzzy::ForceModel model;                ///< validated
   std::vector<ParticipantSpeeds> speeds;  ///< one per participant with speeds
   std::vector<double> speed_weights;      ///< one per entry of `speeds` with Averaging::kWeightedMean, else empty
@@ -102,6 +105,8 @@ struct BuiltModel {
   std::vector<std::string> notes;         ///< one sentence each: defaults, warnings, simulated data
   /// For each note the id of the variable whose terms it concerns; empty if it concerns none.
   std::vector<std::string> note_subjects;
+
+  const procedure::Procedure& about() const { return procedure::orDefault(procedure); }
 };
 
 /// Builds the averaged model of `study` (paper, Section 3). The experts are the participants with rules, in the

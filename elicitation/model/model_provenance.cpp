@@ -12,6 +12,7 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -131,6 +132,8 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
   out.study = study.name;
   out.settings = methodSettings(settings);
   if (study.judgements.empty()) out.settings.back().json = base::jsonString("default");
+  if (study.procedure != nullptr && study.procedure != procedure::defaultProcedure())
+    out.settings.push_back(procedure::modelSetting(*study.procedure));
   out.settings.push_back({"forms", jsonByExpert(experts, formNames)});
   out.settings.push_back(
       {"depth_terms", jsonByExpert(experts, [](const ExpertRules& e) { return base::jsonString(e.depth_terms); })});

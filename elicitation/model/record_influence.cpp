@@ -11,7 +11,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/noticeable_force.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -151,7 +151,7 @@ Result<RecordInfluence> withoutJudgement(const BuiltModel& built, const study::S
   if (study.judgements[index].series != settings.series) return RecordInfluence();
   std::vector<study::ForceJudgement> rest = study.judgements;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(index));
-  const fuzzy::Variable words = ngtOutput();
+  const fuzzy::Variable& words = procedure::of(study).output;
   std::vector<std::string> ids;
   for (const fuzzy::Term& term : words.terms) ids.push_back(term.id);
   TACTUS_TRY(const auto counts, countVotes(rest, settings.series, ids));
@@ -190,9 +190,7 @@ Result<RecordInfluence> withoutStroke(const BuiltModel& built, const study::Stud
                       std::string(participant) + ", " + std::string(level) + " " + std::to_string(stroke),
                       "a stroke of the study");
   }
-  const auto defaults = ngtInputs();
-  const auto speed =
-      std::find_if(defaults.begin(), defaults.end(), [](const auto& input) { return input.id == "speed"; });
+  const fuzzy::Variable* const speed = procedure::of(study).rateInput();
   TACTUS_TRY(auto again, clusterSpeeds(own, *speed, settings.speed));
   auto speeds = built.speeds;
   auto weights = built.speed_weights;
@@ -210,8 +208,7 @@ Result<RecordInfluence> withoutStroke(const BuiltModel& built, const study::Stud
   std::vector<std::vector<Ramp>> ramps;
   for (const auto& one : speeds) ramps.push_back(one.ramps);
   fuzzy::ForceModel without = built.model;
-  auto& changed = *std::find_if(without.inputs.begin(), without.inputs.end(),
-                                [](const auto& input) { return input.id == "speed"; });
+  auto& changed = without.inputs[fuzzy::rateOf(without.inputs).value()];
   changed = averagedSpeed(*speed, speeds, averageRamps(ramps, weights, settings.averaging));
   for (auto& expert : without.experts) {
     if (expert.id != participant) continue;

@@ -26,10 +26,9 @@ base::Result<SpeedBootstrap> SpeedBootstrap::of(const study::Study& study, const
   if (built.speeds.empty()) {
     return base::fail(base::ErrorCode::kData, "speeds", "none", "speeds of at least one participant");
   }
-  const auto speed = std::find_if(built.model.inputs.begin(), built.model.inputs.end(),
-                                  [](const fuzzy::Variable& input) { return input.id == "speed"; });
+  const fuzzy::Variable& speed = built.model.inputs[fuzzy::rateOf(built.model.inputs).value()];
   std::vector<std::string> levels;
-  for (const auto& term : speed->terms) levels.push_back(term.id);
+  for (const auto& term : speed.terms) levels.push_back(term.id);
   const ParticipantSamples samples(study.speeds);
 
   std::vector<StrokeBootstrap> participants;

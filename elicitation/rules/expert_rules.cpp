@@ -10,7 +10,7 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -232,28 +232,31 @@ std::string formIds(std::span<const study::Form> forms) {
 }
 
 /// The set of depth terms of a form; a form that names none has the variable's own.
-Result<std::string> depthTermsOf(const study::Form& form) {
-  if (form.depth_terms.empty()) return std::string(kDefaultDepthTerms);
-  if (findDepthTerms(form.depth_terms)) return form.depth_terms;
+Result<std::string> depthTermsOf(const procedure::Procedure& about, const study::Form& form) {
+  if (form.depth_terms.empty()) return about.way_terms.front().id;
+  if (about.wayTerms(form.depth_terms) != nullptr) return form.depth_terms;
   std::vector<std::string> known;
-  for (const auto& set : depthTermSets()) known.push_back(set.id);
+  for (const auto& set : about.way_terms) known.push_back(set.id);
   return fail(ErrorCode::kReference, "form " + form.id, "depth terms " + quoted(form.depth_terms),
               "one of " + base::joined(known, ", "));
 }
 
 /// What people read of a set that `depthTermsOf` has looked up already.
-std::string labelOf(const std::string& set) { return findDepthTerms(set).value().label; }
+const std::string& labelOf(const procedure::Procedure& about, const std::string& set) {
+  return about.wayTerms(set)->label;
+}
 
 /// Sets the expert's depth terms to those of `form`, which `cell` names; another set than before is refused.
-Result<void> joinForm(ExpertRules& expert, const study::Form& form, const study::TableCell& cell) {
-  TACTUS_TRY(auto set, depthTermsOf(form));
+Result<void> joinForm(const procedure::Procedure& about, ExpertRules& expert, const study::Form& form,
+                      const study::TableCell& cell) {
+  TACTUS_TRY(auto set, depthTermsOf(about, form));
   if (!expert.depth_terms.empty() && expert.depth_terms != set) {
     return study::atCell(
         {ErrorCode::kData,
          {},
          "participant " + expert.participant.code,
-         "forms with different depth terms (" + expert.forms.front() + ": " + labelOf(expert.depth_terms) + "; " +
-             form.id + ": " + labelOf(set) + ")",
+         "forms with different depth terms (" + expert.forms.front() + ": " + labelOf(about, expert.depth_terms) + "; " +
+             form.id + ": " + labelOf(about, set) + ")",
          "forms with the same depth terms"},
         cell,
         quoted(form.id) + " after " + quoted(expert.forms.front()) + " for participant " + expert.participant.code);
@@ -265,23 +268,30 @@ Result<void> joinForm(ExpertRules& expert, const study::Form& form, const study:
   return {};
 }
 
-std::string inferDepthTerms(const std::vector<fuzzy::Rule>& rules) {
-  bool oropharynx = false;
-  bool stomach = false;
+/// The set with all regions of the rules and the fewest others; where two are alike in that, the first of all sets.
+std::string inferDepthTerms(const procedure::Procedure& about, const std::vector<fuzzy::Rule>& rules) {
+  const std::string& way = about.wayInput().id;
+  std::set<std::string> used;
   for (const auto& rule : rules) {
     for (const auto& condition : rule.conditions) {
-      if (condition.input != "depth") continue;
-      oropharynx = oropharynx || condition.term == "oropharynx";
-      stomach = stomach || condition.term == "stomach";
+      if (condition.input == way) used.insert(condition.term);
     }
   }
-  if (stomach && !oropharynx) return "form_a2";
-  if (oropharynx && !stomach) return "form_a1";
-  return std::string(kDefaultDepthTerms);
+  const procedure::TermSet* best = nullptr;
+  bool alike = false;
+  for (const auto& set : about.way_terms) {
+    const auto has = [&](const std::string& region) { return fuzzy::findTerm(set.terms, region) != nullptr; };
+    if (!std::all_of(used.begin(), used.end(), has)) continue;
+    if (best != nullptr && set.terms.size() > best->terms.size()) continue;
+    alike = best != nullptr && set.terms.size() == best->terms.size();
+    best = &set;
+  }
+  return best == nullptr || alike ? about.way_terms.front().id : best->id;
 }
 
 Result<void> addGiven(ExpertRules& expert, const study::Study& study, std::span<const study::Form> forms,
                       std::vector<std::string>& notes) {
+  const procedure::Procedure& about = procedure::of(study);
   for (const auto& given : study.rules) {
     if (given.participant != expert.participant.code) continue;
     expert.source = ExpertRules::Source::kGiven;
@@ -298,20 +308,20 @@ Result<void> addGiven(ExpertRules& expert, const study::Study& study, std::span<
                             "one of " + formIds(forms)},
                            cell, quoted(given.form));
     }
-    if (auto ok = joinForm(expert, *form, cell); !ok) return ok;
+    if (auto ok = joinForm(about, expert, *form, cell); !ok) return ok;
   }
   if (!expert.rules.empty() && expert.depth_terms.empty()) {
-    expert.depth_terms = inferDepthTerms(expert.rules);
+    expert.depth_terms = inferDepthTerms(about, expert.rules);
     expert.depth_terms_inferred = true;
     notes.push_back(
         "The given rules of participant " + expert.participant.code +
-        " name no form; by the regions they use they get these depth terms: " + labelOf(expert.depth_terms) + ".");
+        " name no form; by the regions they use they get these depth terms: " + labelOf(about, expert.depth_terms) + ".");
   }
   return {};
 }
 
-Result<void> addAnswered(ExpertRules& expert, const std::vector<study::Answer>& answers,
-                         std::span<const study::Form> forms, std::span<const std::string> output_terms) {
+Result<void> addAnswered(const procedure::Procedure& about, ExpertRules& expert,
+                         const std::vector<study::Answer>& answers, std::span<const study::Form> forms, std::span<const std::string> output_terms) {
   for (const auto& form : forms) {
     std::vector<study::Answer> own;
     for (const auto& answer : answers) {
@@ -320,7 +330,7 @@ Result<void> addAnswered(ExpertRules& expert, const std::vector<study::Answer>& 
     if (own.empty()) continue;
     TACTUS_TRY(const auto answered, rulesFromAnswers(own, form, output_terms));
     if (answered.rules.empty()) continue;
-    if (auto ok = joinForm(expert, form, {study::kAnswersTable, answered.origins.front().line, "form"}); !ok) return ok;
+    if (auto ok = joinForm(about, expert, form, {study::kAnswersTable, answered.origins.front().line, "form"}); !ok) return ok;
     expert.rules.insert(expert.rules.end(), answered.rules.begin(), answered.rules.end());
     expert.origins.insert(expert.origins.end(), answered.origins.begin(), answered.origins.end());
     expert.missing.insert(expert.missing.end(), answered.missing.begin(), answered.missing.end());
@@ -360,7 +370,7 @@ Result<StudyRules> studyRules(const study::Study& study, std::span<const study::
       out.notes.push_back("Participant " + participant.code +
                           " has both given rules and answers; the given rules are used.");
     } else if (expert.rules.empty()) {
-      if (auto ok = addAnswered(expert, answers, forms, output_terms); !ok) return tl::unexpected(ok.error());
+      if (auto ok = addAnswered(procedure::of(study), expert, answers, forms, output_terms); !ok) return tl::unexpected(ok.error());
     }
     if (expert.rules.empty()) {
       out.notes.push_back("Participant " + participant.code + " has no rules and is not an expert of the model.");

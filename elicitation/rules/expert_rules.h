@@ -58,7 +58,7 @@ struct ExpertRules {
   study::Participant participant;
   Source source = Source::kAnswers;
   std::vector<std::string> forms;     ///< ids of the forms or readings of the rules, in order of first use
-  std::string depth_terms;            ///< name of the set (ngt_variables.h)
+  std::string depth_terms;            ///< id of the set of terms of the way
   bool depth_terms_inferred = false;  ///< derived from the regions in the rules, because they name no form
   std::vector<fuzzy::Rule> rules;
   std::vector<RuleOrigin> origins;   ///< one per rule

@@ -13,6 +13,7 @@
 #include "core/base/check.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/rules/rule_finding.h"
 
@@ -121,7 +122,7 @@ std::vector<RuleFinding> findingsOfModel(const RuleContext& context, const analy
 namespace {
 
 bool isAgainst(const RuleContext& context, const analysis::NeighborStep& step) {
-  return std::any_of(context.settings.directions.begin(), context.settings.directions.end(),
+  return std::any_of(context.directions.begin(), context.directions.end(),
                      [&](const DeclaredDirection& declared) {
                        return declared.input == context.model.inputs[step.input].id &&
                               step.levels * static_cast<int>(declared.direction) < 0;
@@ -236,7 +237,7 @@ std::vector<RuleFinding> findingsOfExperts(const RuleContext& context, analysis:
     finding.experts = {low, high};
     finding.sources = strongestRules(context, spread);
     analysis::ConditionPlace where;
-    if (!spread.region.empty()) where.conditions = {{context.settings.region_input, spread.region}};
+    if (!spread.region.empty()) where.conditions = {{context.model.inputs[*context.region_input].id, spread.region}};
     setPlace(finding, std::move(where), context.model);
     finding.text = low + " gives " + newtonsText(spread.low_n) + " by " + describe({finding.sources.front()});
     finding.text += " and " + high + ' ' + newtonsText(spread.high_n) + " by " + describe({finding.sources.back()});
@@ -360,10 +361,25 @@ std::size_t settingsFor(const analysis::ForceProbe& probe, std::size_t places) {
   return std::clamp<std::size_t>(share, 1, kMostSettings);
 }
 
+std::vector<DeclaredDirection> declaredDirections(const fuzzy::ForceModel& model) {
+  std::vector<DeclaredDirection> out;
+  for (const auto& [input, declared] : procedure::procedureOf(model).directions) {
+    if (declared == procedure::Direction::kNone) continue;
+    out.push_back({input, declared == procedure::Direction::kFalls ? analysis::Direction::kFalls
+                                                                   : analysis::Direction::kRises});
+  }
+  return out;
+}
+
 RuleLint ruleLint(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
                   std::span<const ExpertRules> origins, const RuleLintSettings& settings, const std::stop_token& stop) {
   TACTUS_CHECK(origins.empty() || origins.size() == model.experts.size());
-  RuleContext context{model, compiled, origins, settings, std::nullopt};
+  RuleContext context{model,
+                      compiled,
+                      origins,
+                      settings,
+                      settings.directions ? *settings.directions : declaredDirections(model),
+                      settings.region_input ? std::nullopt : fuzzy::wayOf(model.inputs)};
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     if (model.inputs[i].id == settings.region_input) context.region_input = i;
   }

@@ -9,22 +9,33 @@
 #include <utility>
 #include <vector>
 
+#include "core/analysis/directions.h"
 #include "core/analysis/force_probe.h"
 #include "core/analysis/lint.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/rules/expert_rules.h"
 #include "elicitation/rules/rule_finding.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {
 
-/// The study's declared directions and the limits for findings. Inputs that the model lacks are ignored.
+/// The declared direction of the force for a growing input. No law: it follows what most experts say.
+struct DeclaredDirection {
+  std::string input;
+  analysis::Direction direction = analysis::Direction::kMixed;  ///< kMixed declares nothing
+
+  bool operator==(const DeclaredDirection&) const = default;
+};
+
+/// The directions that the procedure of `model` declares (its provenance).
+std::vector<DeclaredDirection> declaredDirections(const fuzzy::ForceModel& model);
+
+/// The limits for findings. Inputs that the model lacks are ignored.
 struct RuleLintSettings {
-  std::vector<DeclaredDirection> directions = ngtDirections();
-  std::string region_input = ngtRegionInput();  ///< empty: no regions
-  int jump_levels = 3;                          ///< levels between neighboring answers that make a finding
-  double noticeable_times = 2;                  ///< just-noticeable differences between experts that make a finding
+  std::optional<std::vector<DeclaredDirection>> directions;  ///< nothing: those of the model's procedure
+  std::optional<std::string> region_input;                   ///< nothing: the way; empty: no regions
+  int jump_levels = 3;          ///< levels between neighboring answers that make a finding
+  double noticeable_times = 2;  ///< just-noticeable differences between experts that make a finding
 };
 
 struct RuleLint {
@@ -50,6 +61,7 @@ struct RuleContext {
   const fuzzy::CompiledModel& compiled;
   std::span<const ExpertRules> origins;  ///< one per expert, or none
   const RuleLintSettings& settings;
+  std::vector<DeclaredDirection> directions;
   std::optional<std::size_t> region_input;
 
   /// Rule number `rule` of an expert, with its origin.

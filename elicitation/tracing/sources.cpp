@@ -118,7 +118,7 @@ std::optional<RampEnd> rampEnd(std::size_t term, std::size_t point, std::size_t 
 }
 
 const fuzzy::Variable& speedIn(const fuzzy::ForceModel& model) {
-  return *std::find_if(model.inputs.begin(), model.inputs.end(), [](const auto& one) { return one.id == "speed"; });
+  return model.inputs[fuzzy::rateOf(model.inputs).value()];
 }
 
 Sources allJudgements(const study::Study& study, const BuildSettings& settings) {
@@ -206,7 +206,7 @@ Result<Sources> sourcesOfVertex(const study::Study& study, const BuiltModel& bui
     return fail(ErrorCode::kReference, "variable", base::quoted(variable), "an input or the output of the model");
   }
   TACTUS_TRY(const auto index, termIndex(*found, term, point));
-  if (found->id == "speed" && !built.speeds.empty()) {
+  if (found != &model.output && fuzzy::roleOf(*found) == fuzzy::Role::kRate && !built.speeds.empty()) {
     TACTUS_TRY(const auto shares, speedVertexShares(study, built, settings, term, point));
     if (shares.empty()) return without("The vertex is an end of the universe of the speed.");
     Sources out;
@@ -224,7 +224,7 @@ Result<Sources> sourcesOfVertex(const study::Study& study, const BuiltModel& bui
     }
     return out;
   }
-  if (found->id == "depth" && settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
+  if (found != &model.output && fuzzy::roleOf(*found) == fuzzy::Role::kWay && settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
     return without(measuredSentence(*settings.measured_depths));
   }
   return without("The terms of " + found->id + " are defaults of the program.");

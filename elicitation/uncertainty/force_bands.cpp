@@ -14,7 +14,6 @@
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/speed/participant_speeds.h"
 #include "elicitation/speed/stroke_bootstrap.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -90,10 +89,9 @@ base::Result<ForceBands> ForceBands::of(const study::Study& study, const BuiltMo
 
 void ForceBands::prepareStrokes(const study::Study& study, const BuiltModel& built) {
   if (!study_.hasSpeeds()) return;
-  const auto speed = std::find_if(built.model.inputs.begin(), built.model.inputs.end(),
-                                  [](const auto& input) { return input.id == "speed"; });
+  const fuzzy::Variable& speed = built.model.inputs[fuzzy::rateOf(built.model.inputs).value()];
   std::vector<std::string> levels;
-  for (const auto& term : speed->terms) levels.push_back(term.id);
+  for (const auto& term : speed.terms) levels.push_back(term.id);
   strokes_.resize(study_.people());
   const ParticipantSamples samples(study.speeds);
   std::vector<DrawSpread> spreads;
@@ -119,7 +117,7 @@ void ForceBands::prepareThresholds(const BuiltModel& built) {
   if (!study_.hasJudgements()) return;
   std::vector<study::ForceJudgement> all;
   for (const auto& own : study_.judged()) all.insert(all.end(), own.begin(), own.end());
-  const auto terms = thresholdTerms(ngtOutput(), all, study_.settings().series, built.votes);
+  const auto terms = thresholdTerms(study_.defaultOutput(), all, study_.settings().series, built.votes);
   if (!terms) return;
   thresholds_n_.resize(study_.people());
   for (const auto& one : terms->participants) {
@@ -165,7 +163,7 @@ std::vector<study::ForceJudgement> ForceBands::judgedAgain(std::size_t who) {
   auto judged = study_.judged()[who];
   const auto& thresholds_n = thresholds_n_[who];
   if (thresholds_n.empty()) return judged;
-  const auto terms = ngtOutput().terms;
+  const auto& terms = study_.defaultOutput().terms;
   for (auto& one : judged) {
     if (one.kind != study::ForceJudgement::Kind::kTerm) continue;
     const double felt_n = one.force_n + justNoticeableDifference(one.force_n) * random_.normal();

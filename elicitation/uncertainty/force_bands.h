@@ -78,6 +78,8 @@ class ResampledStudy {
   const std::vector<std::vector<Ramp>>& ramps() const noexcept { return ramps_; }
   const std::vector<std::vector<study::ForceJudgement>>& judged() const noexcept { return judged_; }
   const fuzzy::ForceModel& model() const noexcept { return built_; }
+  /// The force with the default terms of the procedure.
+  const fuzzy::Variable& defaultOutput() const noexcept { return default_output_; }
   const BuildSettings& settings() const noexcept { return settings_; }
 
   /// The averaged model of `resample`: the same steps as buildModel. Errors are those of the steps, e.g. that the

@@ -11,7 +11,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/force_voting.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -51,7 +51,7 @@ std::string quotedLabels(const std::vector<std::string>& ids, const fuzzy::Varia
 std::vector<OwnWords> ownWords(const study::Study& study, const BuiltModel& built, const BuildSettings& settings) {
   std::vector<OwnWords> out;
   if (!built.force_terms) return out;
-  const auto output = ngtOutput();
+  const fuzzy::Variable& output = procedure::of(study).output;
   for (const auto& participant : study.participants) {
     std::vector<study::ForceJudgement> judged;
     for (const auto& one : study.judgements) {

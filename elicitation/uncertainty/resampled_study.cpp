@@ -8,7 +8,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/uncertainty/force_bands.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -60,16 +60,12 @@ std::size_t indexOf(const List& list, const std::string& code, Code codeOf) {
       std::find_if(list.begin(), list.end(), [&](const auto& one) { return codeOf(one) == code; }) - list.begin());
 }
 
-fuzzy::Variable& speedOf(fuzzy::ForceModel& model) {
-  return *std::find_if(model.inputs.begin(), model.inputs.end(), [](const auto& one) { return one.id == "speed"; });
-}
-
 }  // namespace
 
 ResampledStudy::ResampledStudy(const study::Study& study, const BuiltModel& built, const BuildSettings& settings)
     : settings_(settings),
       built_(built.model),
-      default_output_(ngtOutput()),
+      default_output_(procedure::of(study).output),
       has_speeds_(!built.averaged_ramps.empty()),
       has_judgements_(built.force_terms.has_value()) {
   built_.checks.clear();
@@ -112,7 +108,6 @@ Result<fuzzy::ForceModel> ResampledStudy::model(const Resample& resample) const 
   fuzzy::ForceModel out = built_;
   out.experts.clear();
   const auto& ramps = resample.ramps.empty() ? ramps_ : resample.ramps;
-  auto& speed = speedOf(out);
   if (has_speeds_) {
     std::vector<std::vector<Ramp>> drawn;
     std::vector<double> weights;
@@ -125,6 +120,7 @@ Result<fuzzy::ForceModel> ResampledStudy::model(const Resample& resample) const 
     if (drawn.empty() || std::all_of(weights.begin(), weights.end(), [](double one) { return !(one > 0); })) {
       return fail(ErrorCode::kData, "speeds", "none in this counts", "speeds of at least one participant");
     }
+    fuzzy::Variable& speed = out.inputs[fuzzy::rateOf(out.inputs).value()];
     speed.terms = speedTerms(speed, averageRamps(drawn, weights, settings_.averaging));
   }
   if (has_judgements_) {
@@ -136,6 +132,7 @@ Result<fuzzy::ForceModel> ResampledStudy::model(const Resample& resample) const 
     auto& expert = out.experts.emplace_back(built_.experts[expert_of_[who]]);
     expert.weight *= static_cast<double>(resample.rules[who]);
     if (resample.ramps.empty() || ramps[who].empty()) continue;
+    const fuzzy::Variable& speed = out.inputs[fuzzy::rateOf(out.inputs).value()];
     for (auto& own : expert.overrides) {
       if (own.variable == speed.id) own.terms = speedTerms(speed, ramps[who]);
     }

@@ -29,9 +29,10 @@ const std::map<std::string, Permission>& permissions() {
                                          "core/haptics/servo"};
   const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",       "elicitation/force",
                                              "elicitation/rules",      "elicitation/agreement",   "elicitation/model",
-                                             "elicitation/variables",  "elicitation/uncertainty", "elicitation/depth",
+                                             "elicitation/uncertainty", "elicitation/depth",
                                              "elicitation/tracing"};
-  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/contracts", "core/study"};
+  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/contracts", "core/study",
+                                       "core/procedure"};
   const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
     for (const auto& set : more) folders.insert(set.begin(), set.end());
     return folders;
@@ -102,6 +103,7 @@ const std::map<std::string, Permission>& permissions() {
       {"core/analysis/pull", {{"core/base", "core/fuzzy", "core/analysis"}, {}}},
       {"core/render", {{"core/base", "core/fuzzy"}, {}}},
       {"core/study", {base, {}}},
+      {"core/procedure", {joined({"core/fuzzy", "core/study"}, {base}), {}}},
       {"core/haptics/device", {joined({"core/render"}, {base}), {}}},
       {"core/haptics/safety", {{"core/base", "core/render", "core/haptics/device"}, {}}},
       {"core/haptics/sources",
@@ -133,23 +135,22 @@ const std::map<std::string, Permission>& permissions() {
       {"core/runtime/examples/engines/sofa", {{}, {"tactus/", "sofa/"}}},
       {"experiments", {joined({"core/study"}, {base}), {}}},
       {"elicitation/clustering", {{"core/base"}, {}}},
-      {"elicitation/variables", {joined(model, {base}), {kJson}}},
       {"elicitation/speed", {joined({"elicitation/clustering"}, {base, model}), {}}},
       {"elicitation/depth", {joined({"core/fuzzy"}, {base}), {}}},
       {"elicitation/force", {joined(model, {base}), {}}},
-      {"elicitation/rules", {joined({"elicitation/force", "elicitation/variables"}, {base, model}), {kJson}}},
+      {"elicitation/rules", {joined({"elicitation/force"}, {base, model}), {kJson}}},
       {"elicitation/agreement", {joined({"elicitation/force"}, {base, model}), {kJson}}},
       {"elicitation/model", {joined(elicitation, {base, model}), {kJson}}},
       {"elicitation/uncertainty", {joined(elicitation, {base, model}), {}}},
       {"elicitation/tracing", {joined(elicitation, {base, model}), {}}},
-      {"questionnaires", {joined({"core/study"}, {base}), {kJson}}},
+      {"questionnaires", {joined({"core/procedure", "core/study"}, {base}), {kJson}}},
       {"app/session",
        {joined({"core/haptics/device", "core/haptics/safety", "core/model_io", "core/store", "experiments",
                 "questionnaires"},
                {base, model, elicitation}),
         {kJson}}},
-      {"app/dataset", {joined({"app/session", "core/store", "core/study", "questionnaires"}, {base}), {}}},
-      {"app/webform", {joined({"app/session", "core/store", "core/study", "questionnaires"}, {base}), {}}},
+      {"app/dataset", {joined({"app/session", "core/procedure", "core/store", "core/study", "questionnaires"}, {base}), {}}},
+      {"app/webform", {joined({"app/session", "core/fuzzy", "core/procedure", "core/store", "core/study", "questionnaires"}, {base}), {}}},
       {"app/simulation", {joined({"core/fuzzy", "core/render", "core/haptics/simulated"}, {base, haptics}), {}}},
       {"app/devices",
        {joined({"core/haptics/simulated", "core/haptics/haply", "core/haptics/hid", "core/haptics/openhaptics"},

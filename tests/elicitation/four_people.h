@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/study/records.h"
-#include "elicitation/variables/ngt_variables.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/invented_experts.h"
 
 namespace tactus::elicitation {
@@ -29,7 +29,7 @@ inline study::Study fourPeople() {
       judgement.step = static_cast<int>(i) + 1;
       judgement.force_n = static_cast<double>(i + 1) / 10;
       judgement.kind = study::ForceJudgement::Kind::kTerm;
-      judgement.term = ngtOutput().terms[letters.find(words[i])].id;
+      judgement.term = support::ngtOutput().terms[letters.find(words[i])].id;
       study.judgements.push_back(judgement);
     }
   }

@@ -41,7 +41,7 @@ constexpr Untranslated kUntranslated[] = {
      "the sentence comes from core/analysis, as `tactus why` says it"},
     {"Virtual device \\(simulated\\)", "names of devices come from core/haptics"},
     {"\\b(Insertion depth|Nasal cavity|Nasopharynx|Oropharynx|Laryngopharynx|Esophagus|Stomach)\\b",
-     "labels come from elicitation/variables"},
+     "labels come from the pack of the procedure"},
     {"\\bTactus demo\\b", "the name of a folder, found again in every language"},
     {"^(Exploring and tuning a model|Running sessions with nurses|The labs: from recordings to depth and speed "
      "terms|From words to an agreed model|From an empty study to an agreed model|Taking part as a "

@@ -6,6 +6,8 @@
 
 #include "core/base/random.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace tactus::questionnaires {
 namespace {
 
@@ -195,7 +197,7 @@ TEST(QuestionnaireRun, AShuffledOrderShowsEachItemOnceAndKeepsTheFormsNumbers) {
 }
 
 TEST(QuestionnaireRun, WithinBlocksEachFiveStayTogether) {
-  const auto form = questionnaire("ngt-force-v1", "en");
+  const auto form = questionnaire(support::defaultProcedure(), "ngt-force-v1", "en");
   ASSERT_TRUE(form);
   std::set<std::vector<std::size_t>> orders;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {

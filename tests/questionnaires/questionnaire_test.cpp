@@ -5,18 +5,20 @@
 
 #include "questionnaires/form_file.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace tactus::questionnaires {
 namespace {
 
 TEST(Questionnaire, EveryFormComesInEachOfItsLanguages) {
-  for (const auto& id : questionnaireIds()) {
-    const auto languages = languagesOf(id);
+  for (const auto& id : questionnaireIds(support::defaultProcedure())) {
+    const auto languages = languagesOf(support::defaultProcedure(), id);
     ASSERT_FALSE(languages.empty());
     EXPECT_EQ(languages.front(), "en");
-    const auto printed = questionnaire(id, "en");
+    const auto printed = questionnaire(support::defaultProcedure(), id, "en");
     ASSERT_TRUE(printed.has_value());
     for (const auto& language : languages) {
-      const auto worded = questionnaire(id, language);
+      const auto worded = questionnaire(support::defaultProcedure(), id, language);
       ASSERT_TRUE(worded.has_value()) << worded.error().message();
       EXPECT_EQ(worded->language, language);
       EXPECT_EQ(worded->form, printed->form);
@@ -36,7 +38,7 @@ TEST(Questionnaire, EveryFormComesInEachOfItsLanguages) {
 }
 
 TEST(Questionnaire, ThePrintedFormHasThePapersWords) {
-  const auto form = questionnaire("ngt-force-v1", "en", "published");
+  const auto form = questionnaire(support::defaultProcedure(), "ngt-force-v1", "en", "published");
   ASSERT_TRUE(form.has_value());
   EXPECT_EQ(form->wording, "published");
   EXPECT_EQ(form->questions[0].text,
@@ -46,7 +48,7 @@ TEST(Questionnaire, ThePrintedFormHasThePapersWords) {
 }
 
 TEST(Questionnaire, PlainWordsSayTheSameCondition) {
-  const auto form = questionnaire("ngt-force-v1", "en");
+  const auto form = questionnaire(support::defaultProcedure(), "ngt-force-v1", "en");
   ASSERT_TRUE(form.has_value());
   EXPECT_EQ(form->wording, "plain");
   EXPECT_EQ(form->questions[0].text,
@@ -58,11 +60,11 @@ TEST(Questionnaire, PlainWordsSayTheSameCondition) {
 
 // The sentences of facts/participant.md 2: the condition, the depth, the question, joined by nothing.
 TEST(Questionnaire, ChineseSentencesAreJoinedByNothingWithTheDepthBehind) {
-  const auto traditional = questionnaire("ngt-force-v1", "zh-Hant");
+  const auto traditional = questionnaire(support::defaultProcedure(), "ngt-force-v1", "zh-Hant");
   ASSERT_TRUE(traditional.has_value());
   ASSERT_EQ(traditional->questions.size(), 45U);
   EXPECT_EQ(traditional->questions[3].text, "管身潤滑不足，鼻胃管前端位於喉咽（下咽）。您手上感受到的阻力有多大？");
-  const auto simplified = questionnaire("ngt-force-v1", "zh-Hans");
+  const auto simplified = questionnaire(support::defaultProcedure(), "ngt-force-v1", "zh-Hans");
   ASSERT_TRUE(simplified.has_value());
   EXPECT_EQ(simplified->questions[3].text, "管身润滑不足，鼻胃管前端位于喉咽（下咽）。您手上感受到的阻力有多大？");
   EXPECT_EQ(simplified->choice("very_large")->label, "非常大");
@@ -82,7 +84,7 @@ TEST(Questionnaire, NoTraditionalCharacterIsInTheSimplifiedWording) {
                                                 "為", "畫", "練", "習", "見", "訓", "詞", "話", "課", "請", "護", "輔",
                                                 "過", "選", "針", "錯", "頸", "後", "會", "厭", "顎", "聲", "氣"};
   for (const char* id : {"ngt-force-v1", "usability-v1"}) {
-    const auto form = questionnaire(id, "zh-Hans");
+    const auto form = questionnaire(support::defaultProcedure(), id, "zh-Hans");
     ASSERT_TRUE(form.has_value());
     std::string all = form->title + form->instructions;
     for (const auto& question : form->questions) all += question.text;
@@ -94,7 +96,7 @@ TEST(Questionnaire, NoTraditionalCharacterIsInTheSimplifiedWording) {
 }
 
 TEST(Questionnaire, AScaleNamesItsEnds) {
-  const auto form = questionnaire("usability-v1", "en");
+  const auto form = questionnaire(support::defaultProcedure(), "usability-v1", "en");
   ASSERT_TRUE(form.has_value());
   ASSERT_EQ(form->choices.size(), 7U);
   EXPECT_EQ(form->choices.front(), (Choice{"1", "strongly disagree"}));
@@ -105,18 +107,18 @@ TEST(Questionnaire, AScaleNamesItsEnds) {
 }
 
 TEST(Questionnaire, UnknownOnesAreRefusedWithTheKnown) {
-  const auto form = questionnaire("ngt-force-v9", "en");
+  const auto form = questionnaire(support::defaultProcedure(), "ngt-force-v9", "en");
   ASSERT_FALSE(form.has_value());
   EXPECT_NE(form.error().message().find("ngt-force-v1, usability-v1"), std::string::npos) << form.error().message();
-  const auto language = questionnaire("usability-v1", "fr");
+  const auto language = questionnaire(support::defaultProcedure(), "usability-v1", "fr");
   ASSERT_FALSE(language.has_value());
   EXPECT_NE(language.error().message().find("en, de"), std::string::npos) << language.error().message();
-  EXPECT_TRUE(languagesOf("other").empty());
-  EXPECT_EQ(languagesOf("ngt-force-v1", "published"), std::vector<std::string>{"en"});
+  EXPECT_TRUE(languagesOf(support::defaultProcedure(), "other").empty());
+  EXPECT_EQ(languagesOf(support::defaultProcedure(), "ngt-force-v1", "published"), std::vector<std::string>{"en"});
   for (const auto& unknown :
-       {questionnaire("ngt-force-v1", "en", "plainer"), questionnaire("usability-v1", "en", "plain")})
+       {questionnaire(support::defaultProcedure(), "ngt-force-v1", "en", "plainer"), questionnaire(support::defaultProcedure(), "usability-v1", "en", "plain")})
     EXPECT_FALSE(unknown.has_value());
-  EXPECT_FALSE(questionnaire("ngt-force-v1", "zh-Hant", "published").has_value());
+  EXPECT_FALSE(questionnaire(support::defaultProcedure(), "ngt-force-v1", "zh-Hant", "published").has_value());
 }
 
 constexpr std::string_view kHalfAWording = R"({"format": "tactus-form-wording", "form": "ngt-force-v1",
@@ -127,7 +129,7 @@ constexpr std::string_view kHalfAWording = R"({"format": "tactus-form-wording", 
 TEST(Wording, EveryItemNeedsWords) {
   const auto wording = parseWording(kHalfAWording, "xx.json");
   ASSERT_TRUE(wording.has_value()) << wording.error().message();
-  const auto form = inWords(ngtForceForm(), *wording);
+  const auto form = inWords(support::ngtForceForm(), *wording, "depth");
   ASSERT_FALSE(form.has_value());  // item 2 asks about the nasopharynx
   EXPECT_NE(form.error().message().find("item 2"), std::string::npos) << form.error().message();
 }
@@ -137,7 +139,7 @@ TEST(Wording, BelongsToOneFormAndVersion) {
   ASSERT_TRUE(wording.has_value());
   EXPECT_FALSE(inWords(usabilityForm(), *wording).has_value());
   wording->version = 2;
-  const auto form = inWords(ngtForceForm(), *wording);
+  const auto form = inWords(support::ngtForceForm(), *wording, "depth");
   ASSERT_FALSE(form.has_value());
   EXPECT_NE(form.error().message().find("version 2"), std::string::npos) << form.error().message();
 }

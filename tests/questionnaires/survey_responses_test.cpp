@@ -5,6 +5,8 @@
 
 #include "questionnaires/questionnaire.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace tactus::questionnaires {
 namespace {
 
@@ -13,7 +15,7 @@ using Status = study::Answer::Status;
 
 std::vector<Survey> forceSurveys() {
   std::vector<Survey> out;
-  for (const std::string& language : languagesOf("ngt-force-v1")) out.push_back(*survey("ngt-force-v1", language));
+  for (const std::string& language : languagesOf(support::defaultProcedure(), "ngt-force-v1")) out.push_back(*survey(support::defaultProcedure(), "ngt-force-v1", language));
   return out;
 }
 

@@ -8,11 +8,13 @@
 #include "core/base/tables/csv.h"
 #include "questionnaires/form_file.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace tactus::questionnaires {
 namespace {
 
 Survey forceSurvey(std::string_view language = "en") {
-  auto made = survey("ngt-force-v1", language);
+  auto made = survey(support::defaultProcedure(), "ngt-force-v1", language);
   EXPECT_TRUE(made.has_value());
   return *made;
 }
@@ -67,7 +69,7 @@ TEST(SurveyForm, NineTablesOfFiveItems) {
 TEST(SurveyForm, TwoWordingsHaveTwoNames) {
   EXPECT_EQ(forceSurvey().wording, "plain");
   EXPECT_NE(forceSurvey().matrices[0].fields[0].text.find("How large is the force?"), std::string::npos);
-  const auto published = survey("ngt-force-v1", "en", "published");
+  const auto published = survey(support::defaultProcedure(), "ngt-force-v1", "en", "published");
   ASSERT_TRUE(published.has_value());
   EXPECT_EQ(published->name, "ngt_force_published");
   EXPECT_NE(published->matrices[0].fields[0].text.find("THEN Force Change IS"), std::string::npos);
@@ -85,7 +87,7 @@ TEST(SurveyForm, CodesLeadBackToTerms) {
   }
   const auto fields = tableOf(fieldTable(forceSurvey()));
   ASSERT_EQ(fields.rowCount(), 45U);
-  const auto form = ngtForceForm();
+  const auto form = support::ngtForceForm();
   for (std::size_t row = 0; row < 45; ++row) {
     EXPECT_EQ(*fields.integer(row, 2), form.items[row].number);
     for (const auto& condition : form.items[row].conditions) {
@@ -118,7 +120,7 @@ TEST(SurveyForm, RedcapHeadersInTheirOrder) {
 }
 
 TEST(SurveyForm, RedcapRows) {
-  for (const std::string& language : languagesOf("ngt-force-v1")) {
+  for (const std::string& language : languagesOf(support::defaultProcedure(), "ngt-force-v1")) {
     const Survey form = forceSurvey(language);
     const auto table = tableOf(redcapDictionary(form));
     ASSERT_EQ(table.rowCount(), 47U) << "the record id, the introduction and 45 items";
@@ -147,9 +149,9 @@ TEST(SurveyForm, RedcapRows) {
   EXPECT_EQ(table.cell(2, 5), "1, Very small | 2, Small | 3, Medium | 4, Large | 5, Very large | 9, I can't tell");
   EXPECT_EQ(table.cell(2, 4),
             "The tube is poorly lubricated. The tip of the tube is in the nasal cavity. How large is the force?");
-  const auto published = tableOf(redcapDictionary(*survey("ngt-force-v1", "en", "published")));
+  const auto published = tableOf(redcapDictionary(*survey(support::defaultProcedure(), "ngt-force-v1", "en", "published")));
   EXPECT_EQ(published.cell(2, 5), "1, Very Small | 2, Small | 3, Medium | 4, Large | 5, Very Large | 9, I can't tell");
-  EXPECT_EQ(published.cell(2, 4), ngtForceForm().items[0].text);
+  EXPECT_EQ(published.cell(2, 4), support::ngtForceForm().items[0].text);
 }
 
 TEST(SurveyForm, LimeSurveyStructureInTwoLanguages) {
@@ -183,7 +185,7 @@ TEST(SurveyForm, LimeSurveyStructureInTwoLanguages) {
 }
 
 TEST(SurveyForm, AScaleOfAgreement) {
-  const auto form = survey("usability-v1", "en");
+  const auto form = survey(support::defaultProcedure(), "usability-v1", "en");
   ASSERT_TRUE(form.has_value());
   ASSERT_EQ(form->matrices.size(), 1U);
   EXPECT_EQ(form->matrices[0].fields.size(), 6U);
@@ -191,8 +193,8 @@ TEST(SurveyForm, AScaleOfAgreement) {
   EXPECT_EQ(form->choices[0].label, "1 strongly disagree");
   EXPECT_EQ(form->choices[3].label, "4");
   EXPECT_EQ(form->choices[6].code, "7");
-  EXPECT_FALSE(survey("ngt-force-v9", "en").has_value());
-  EXPECT_FALSE(survey("ngt-force-v1", "fr").has_value());
+  EXPECT_FALSE(survey(support::defaultProcedure(), "ngt-force-v9", "en").has_value());
+  EXPECT_FALSE(survey(support::defaultProcedure(), "ngt-force-v1", "fr").has_value());
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/rules/expert_rules.h"
-#include "elicitation/variables/ngt_variables.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::stress {
@@ -28,7 +28,7 @@ int levelOf(const std::vector<fuzzy::Term>& terms, const std::string& id) {
 
 /// Thresholds around those of Table 2's split, with a scale of the nurse's own.
 void addJudgements(const std::string& code, base::Random& random, study::Study& study) {
-  const auto terms = elicitation::ngtOutput().terms;
+  const auto terms = support::ngtOutput().terms;
   const std::array<double, 4> middle_n = {.2, .325, .55, .775};
   const double scale = std::exp(.2 * random.normal());
   std::vector<double> thresholds_n;
@@ -139,7 +139,7 @@ std::vector<double> populationForces(elicitation::ForceTermsFrom force_terms) {
     const auto counts = elicitation::countVotes(study.judgements, "ascending", ids);
     TACTUS_CHECK(counts.has_value());
     const auto votes = elicitation::vote(*counts, kPeople);
-    auto terms = elicitation::forceTermsFrom(force_terms, elicitation::ngtOutput(), study.judgements, "ascending",
+    auto terms = elicitation::forceTermsFrom(force_terms, support::ngtOutput(), study.judgements, "ascending",
                                              votes, std::nullopt);
     TACTUS_CHECK(terms.has_value());
     model.output = terms->output;

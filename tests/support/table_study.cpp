@@ -1,3 +1,4 @@
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 
 #include <algorithm>
@@ -97,7 +98,7 @@ class Writer {
 
   /// A level for each region and condition, a sensitivity of the nurse, and noise.
   void addAnswers(const std::string& code) {
-    const auto forms = session::knownForms();
+    const auto forms = session::knownForms(support::defaultProcedure());
     const double bias = random_.uniform(-0.5, 0.5);
     const double sensitivity = random_.uniform(0.6, 1.2);
     for (const auto& item : forms.front().items) {

@@ -40,10 +40,10 @@ function paperItems(group) {
   if (!group[0].region) return group.map(paperItem);
   for (let i = 0; i < group.length; i += 2) {
     const pair = group.slice(i, i + 2);
-    const whole = pair.some((item) => item.region === 'esophagus' || item.region === 'stomach');
+    const whole = pair.some((item) => isFar(item.region));
     const tips = pair.map((item) => ({region: item.region, label: item.number}));
     blocks.push(el('div', {class: 'pair'},
-        el('figure', {}, headPicture(pair[0].posture || 'upright', tips, whole, pair.map(situationOf).join(' ')), signOf(pair[0])),
+        el('figure', {}, headPicture(pair[0].posture || content.usual, tips, whole, pair.map(situationOf).join(' ')), signOf(pair[0])),
         el('div', {}, pair.map(paperItem))));
   }
   return blocks;
@@ -56,13 +56,12 @@ function showPaper() {
   let number = 0;
   const pages = [paperPage(say('con.title'), ++number, count, paperCover())];
   if (has_regions) {
-    const regions = ['nasal_cavity', 'nasopharynx', 'oropharynx', 'laryngopharynx', 'esophagus'];
     pages.push(paperPage(say('glo.title'), ++number, count, el('p', {}, language.instructions), el('p', {}, say('web.pen')),
         el('h2', {}, say('glo.way')),
         el('div', {class: 'regions'},
-           headPicture('upright', regions.map((region, i) => ({region, label: i + 1})), true, say('glo.way')),
-           el('ol', {}, regions.map((region) => el('li', {}, say('a.' + region))))),
-        el('ul', {}, ['force', 'lubrication', 'neck', 'speed'].map((word) => el('li', {}, say('glo.' + word)))),
+           headPicture(content.usual, content.regions.map((region, i) => ({region, label: i + 1})), true, say('glo.way')),
+           el('ol', {}, content.regions.map((region) => el('li', {}, say('a.' + region))))),
+        el('ul', {}, content.glossary.map((id) => el('li', {}, say(id)))),
         el('p', {}, say('web.two_tips'))));
   }
   for (const group of groups) {

@@ -1,4 +1,4 @@
-// The pictures of a question: the head with the tube, and a sign for lubrication or speed.
+// The pictures of a question: the body with the tube, and a sign for the level of a condition.
 const SVG = 'http://www.w3.org/2000/svg';
 
 function svg(name, attributes, ...children) {
@@ -17,7 +17,7 @@ function drawingOf(posture) {
 
 const isLeftHanded = () => run !== null && run.profile.handedness === 'left';
 
-// The head in a posture. `tips`: {region, label}; the tube goes to the deepest. `name`: what a screen reader says.
+// The body in a posture. `tips`: {region, label}; the tube goes to the deepest. `name`: what a screen reader says.
 function headPicture(posture, tips, whole, name) {
   const picture = content.pictures[posture];
   const [x, y, width, height] = whole ? picture.box : picture.near;
@@ -54,23 +54,26 @@ function headPicture(posture, tips, whole, name) {
   return out;
 }
 
-const levelOf = (term) => (['poor', 'small', 'slow'].includes(term) ? 1 : term === 'medium' ? 2 : 3);
-
-// Three drops or three arrows, of which as many are full as the level; the words say the same.
+// Drops, arrows or bars, of which as many are full as the level; the words say the same.
 function signOf(item) {
-  const shapes = {lubrication: 'M12 3C16 9 19 12 19 16A7 7 0 0 1 5 16C5 12 8 9 12 3Z', speed: 'M4 4L20 12L4 20L9 12Z'};
-  if (!shapes[item.input]) return null;
-  const parts = [1, 2, 3].map((place) => svg('path', {
-    d: shapes[item.input], transform: 'translate(' + 24 * (place - 1) + ' 0)', 'stroke-width': 1.6, stroke: '#085285',
-    fill: place <= levelOf(item.term) ? '#085285' : '#FFFFFF'}));
-  return svg('svg', {viewBox: '0 0 72 24', class: 'sign', 'aria-hidden': 'true'}, parts);
+  const shapes = {drop: 'M12 3C16 9 19 12 19 16A7 7 0 0 1 5 16C5 12 8 9 12 3Z', arrow: 'M4 4L20 12L4 20L9 12Z',
+                  bar: 'M5 4H19V20H5Z'};
+  const sign = content.signs[item.input];
+  if (!sign) return null;
+  const parts = Array.from({length: sign.of}, (_, i) => svg('path', {
+    d: shapes[sign.shape], transform: 'translate(' + 24 * i + ' 0)', 'stroke-width': 1.6, stroke: '#085285',
+    fill: i < item.level ? '#085285' : '#FFFFFF'}));
+  return svg('svg', {viewBox: '0 0 ' + 24 * sign.of + ' 24', class: 'sign', 'aria-hidden': 'true'}, parts);
 }
+
+// Whether a region lies outside the part of the picture that most questions are about.
+const isFar = (region) => content.pictures[content.usual].regions[region].far;
 
 // Head and sign of an item, with the name of the region below.
 function itemPicture(item, sentence) {
   if (!item.region) return null;
-  const whole = item.region === 'esophagus' || item.region === 'stomach';
-  return el('figure', {class: 'picture'}, headPicture(item.posture || 'upright', [{region: item.region}], whole, sentence),
+  return el('figure', {class: 'picture'},
+            headPicture(item.posture || content.usual, [{region: item.region}], isFar(item.region), sentence),
             signOf(item),
             el('figcaption', {'aria-hidden': 'true'}, say('a.' + item.region)));
 }

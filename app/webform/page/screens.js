@@ -132,15 +132,14 @@ screens.about = () => {
 };
 
 screens.glossary = () => {
-  const regions = ['nasal_cavity', 'nasopharynx', 'oropharynx', 'laryngopharynx', 'esophagus'];
   const has_regions = content.items.some((item) => item.region);
   const body = [el('p', {class: 'lead'}, language.instructions)];
   if (has_regions) {
     body.push(el('h2', {}, say('glo.way')));
-    body.push(el('ol', {class: 'way'}, regions.map((region) => el('li', {},
-        headPicture('upright', [{region}], region === 'esophagus', say('a.' + region)), el('span', {}, say('a.' + region))))));
-    body.push(el('ul', {class: 'words'}, ['force', 'lubrication', 'neck', 'speed'].map(
-        (word) => el('li', {}, say('glo.' + word)))));
+    body.push(el('ol', {class: 'way'}, content.regions.map((region) => el('li', {},
+        headPicture(content.usual, [{region}], isFar(region), say('a.' + region)), el('span', {}, say('a.' + region))))));
+    body.push(el('ul', {class: 'words'}, content.glossary.map(
+        (id) => el('li', {}, say(id)))));
   }
   body.push(el('p', {class: 'hint keys'}, say('web.keys')));
   return screen(say('glo.title'), body,

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/session/protocol_values.h"
+#include "app/session/study_procedure.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/error.h"
 #include "core/store/research_key.h"
@@ -27,7 +28,7 @@ Result<ReadProtocol> readProtocol(const store::StudyFile& file) {
   TACTUS_TRY(const auto state, store::protocolState(file));
   ReadProtocol out;
   if (state.current) {
-    TACTUS_TRY(auto protocol, session::parseStudyProtocol(state.current->text));
+    TACTUS_TRY(auto protocol, session::protocolOf(file, *state.current));
     out.protocol = std::move(protocol);
     out.version = state.current->version;
     out.locked = state.locked;

@@ -15,7 +15,6 @@
 #include "app/workbench/labs/speed/trace_row.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/understand/curves/curves_panel.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
@@ -63,11 +62,15 @@ void OriginsFeature::connectBench() {
 void OriginsFeature::connectLabs() {
   connect(&bench_.views.speed->terms(), &SpeedTermPlot::vertexAsked, this,
           [this](const std::string& term, std::size_t point) {
-            show(VertexQuestion{"speed", term, point});
+            const auto& study = bench_.labs.data.study();
+            if (study == nullptr) return;
+            const auto* const rate = procedure::of(study->study).rateInput();
+            if (rate != nullptr) show(VertexQuestion{rate->id, term, point});
           });
   connect(&bench_.views.force->terms(), &ForceTermsView::vertexAsked, this,
           [this](const std::string& term, std::size_t point) {
-            show(VertexQuestion{elicitation::ngtOutput().id, term, point});
+            const auto& study = bench_.labs.data.study();
+            if (study != nullptr) show(VertexQuestion{procedure::of(study->study).output.id, term, point});
           });
   connect(&bench_.views.force->votes(), &VotesView::originAsked, this, [this](double force_n, const std::string& word) {
     show(VoteQuestion{force_n, word});

@@ -56,7 +56,7 @@ base::Result<void> writeStudyReport(const session::StudyView& view, const Beside
   settings.generator = kGenerator;
   const auto data = session::dataFindings(view.study);
   if (auto ok = study::refuseData(data); !ok) return ok;
-  const auto forms = session::knownForms();
+  const auto forms = session::knownForms(procedure::of(view.study));
   TACTUS_TRY(auto built, elicitation::hasRules(view.study) ? elicitation::buildModel(view.study, forms, settings)
                                                            : elicitation::buildTerms(view.study, settings));
   built.notes.insert(built.notes.begin(), view.notes.begin(), view.notes.end());

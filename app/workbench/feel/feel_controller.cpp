@@ -74,10 +74,9 @@ base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const Scen
   haptics::Conditions conditions;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
     const std::string& id = model.inputs[i].id;
-    if (id != kDepthId && id != kSpeedId) conditions[id] = scene.value(i);
+    if (fuzzy::roleOf(model.inputs[i]) == fuzzy::Role::kCondition) conditions[id] = scene.value(i);
   }
   haptics::SceneSettings settings;
-  settings.moved = {kDepthId, kSpeedId};
   settings.fade_s = fade_s;
   settings.known_cost_s = cost_s;
   return haptics::ServoScene::make(model, open.compiled, conditions, settings);

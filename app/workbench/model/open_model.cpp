@@ -11,7 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/model_io/model_file.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 
@@ -22,17 +22,18 @@ QString freshModelPath(const QString& stem) {
   return fresh;
 }
 
-base::Result<OpenModel> ngtTemplateModel(const QString& name, const QString& folder) {
+base::Result<OpenModel> templateModel(const procedure::Procedure& procedure, const QString& name,
+                                      const QString& folder) {
   fuzzy::ForceModel model;
   model.name = name.toStdString();
-  model.inputs = elicitation::ngtInputs();
-  model.output = elicitation::ngtOutput();
+  model.inputs = procedure.inputs;
+  model.output = procedure.output;
   fuzzy::Expert expert;
   expert.id = expert.label = "E1";
   model.experts.push_back(std::move(expert));
   TACTUS_TRY(auto ready, editing::ready(std::move(model)));
   OpenModel open(std::move(ready));
-  open.path = freshModelPath(QDir(folder).absoluteFilePath(QStringLiteral("ngt")));
+  open.path = freshModelPath(QDir(folder).absoluteFilePath(QString::fromStdString(procedure.id)));
   return open;
 }
 

@@ -13,6 +13,7 @@
 #include "core/exchange/import/import_model.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
+#include "core/procedure/procedure.h"
 #include "core/study/record_id.h"
 
 namespace tactus::workbench {
@@ -63,10 +64,11 @@ base::Result<exchange::ReadFile> readImport(const QString& path);
 /// path is one beside `path` that does not exist yet.
 base::Result<OpenModel> importedModel(const exchange::ReadFile& file, const QString& path, const std::string& output);
 
-// A new model to fill with rules: the variables of the nasogastric tube study with their default terms.
+// A new model to fill with rules.
 
-/// Inputs, output and terms of elicitation/variables, one expert without rules. Its path is one in `folder` that does
-/// not exist yet. `name` is the model's.
-base::Result<OpenModel> ngtTemplateModel(const QString& name, const QString& folder);
+/// Inputs, output and default terms of `procedure`, one expert without rules. Its path is one in `folder` that does not
+/// exist yet. `name` is the model's.
+base::Result<OpenModel> templateModel(const procedure::Procedure& procedure, const QString& name,
+                                      const QString& folder);
 
 }  // namespace tactus::workbench

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/session/session_settings.h"
+#include "app/session/study_procedure.h"
 #include "app/session/study_protocol.h"
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
@@ -28,7 +29,7 @@ base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file) {
   TACTUS_TRY(auto setup, session::latestSetup(file));
   out.setup = std::move(setup);
   if (!state.current) return out;
-  TACTUS_TRY(auto protocol, session::parseStudyProtocol(state.current->text));
+  TACTUS_TRY(auto protocol, session::protocolOf(file, *state.current));
   out.protocol = state.current->id;
   out.settings = std::move(protocol.settings);
   for (const std::string& language : protocol.languages) out.languages.push_back(QString::fromStdString(language));
@@ -120,7 +121,7 @@ Result<std::string> newCode(const store::StudyFile& file) {
 }
 
 std::string languageOf(const std::string& form, const QString& language) {
-  const auto known = questionnaires::languagesOf(form);
+  const auto known = questionnaires::languagesOf(*procedure::defaultProcedure(), form);
   const std::string wanted = language.toStdString();
   return std::find(known.begin(), known.end(), wanted) == known.end() ? "en" : wanted;
 }

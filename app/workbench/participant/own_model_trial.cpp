@@ -22,7 +22,6 @@ namespace {
 
 using base::Result;
 
-constexpr auto kDepthInput = "depth";
 constexpr auto kNeckInput = "neck_flexion";
 constexpr int kCurvePoints = 200;  // one a few pixels
 
@@ -88,8 +87,9 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   const auto now = std::chrono::system_clock::now();
   settings.created_utc = base::formatUtc(now);
   settings.generator = kGenerator;
+  const auto forms = session::knownForms(procedure::of(view.study));
   TACTUS_TRY(const auto built,
-             elicitation::buildModel(dataOf(std::move(view.study), code), session::knownForms(), settings));
+             elicitation::buildModel(dataOf(std::move(view.study), code), forms, settings));
   const fuzzy::ForceModel& model = built.model;
   TACTUS_TRY(const auto compiled, fuzzy::compile(model));
 
@@ -97,11 +97,12 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   std::vector<double> inputs;
   std::optional<std::size_t> depth;
   for (const fuzzy::Variable& input : model.inputs) {
-    if (input.id == kDepthInput) depth = inputs.size();
+    const fuzzy::Role role = fuzzy::roleOf(input);
+    if (role == fuzzy::Role::kWay) depth = inputs.size();
     inputs.push_back(feltAt(input));
-    if (input.id != kDepthInput && input.id != haptics::MovedInputs().speed) out.conditions[input.id] = inputs.back();
+    if (role == fuzzy::Role::kCondition) out.conditions[input.id] = inputs.back();
   }
-  if (!depth) return base::fail(base::ErrorCode::kReference, "her model", "no input 'depth'", "a model along the tube");
+  if (!depth) return base::fail(base::ErrorCode::kReference, "her model", "no way of a tip", "a model along the way");
   TACTUS_TRY(auto scene, haptics::ServoScene::make(model, compiled, out.conditions));
   out.scene = std::move(scene);
   out.version.utc_ms = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();

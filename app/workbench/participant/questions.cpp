@@ -140,7 +140,7 @@ Situation situationOf(const study::Form& form, int number) {
 }  // namespace
 
 std::optional<study::Form> formWithConditions(const std::string& form) {
-  for (study::Form& known : session::knownForms()) {
+  for (study::Form& known : session::knownForms(*procedure::defaultProcedure())) {
     if (known.id == form && !known.items.empty()) return std::move(known);
   }
   return std::nullopt;

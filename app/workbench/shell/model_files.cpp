@@ -118,7 +118,7 @@ void ModelFiles::chooseImport() {
 
 bool ModelFiles::makeFromTemplate() {
   if (!mayLoseChanges()) return false;
-  auto model = ngtTemplateModel(tr("New NGT model"), folder());
+  auto model = templateModel(*procedure::defaultProcedure(), tr("New model"), folder());
   if (!model) {
     window_.banner().showRemedy(tr("No new model was made. %1").arg(text(model.error().message())),
                                 {tr("Open a file…"), [this] { choose(); }});

@@ -34,7 +34,7 @@ bool isOf(const fuzzy::ForceModel& model, const fuzzy::ForceModel& built) {
 
 std::vector<BuildNote> rebuiltNotes(const ReadStudy& read, const std::string& model) {
   const auto parsed = model_io::parseModel(model, "model");
-  const auto built = elicitation::buildModel(read.study, session::knownForms(), {});
+  const auto built = elicitation::buildModel(read.study, session::knownForms(procedure::of(read.study)), {});
   if (!parsed || !built) return {};
   std::vector<BuildNote> notes = notesOf(read.notes, *built);
   if (!isOf(parsed->model, built->model)) {

@@ -78,9 +78,10 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
   settings.created_utc =
       base::formatUtc(std::chrono::system_clock::time_point(std::chrono::milliseconds(stamp.utc_ms)));
   settings.generator = kGenerator;
-  auto built = elicitation::buildModel(view.study, session::knownForms(), settings);
+  const auto forms = session::knownForms(procedure::of(view.study));
+  auto built = elicitation::buildModel(view.study, forms, settings);
   if (!built) return base::inFile(built.error(), file.path());
-  elicitation::noteUnlikePublished(*built, view.study, session::knownForms(), settings);
+  elicitation::noteUnlikePublished(*built, view.study, forms, settings);
   const QString experts = expertsText(built->model, view.study.participants);
   TACTUS_TRY(auto history,
              editing::EditHistory::open(built->model,

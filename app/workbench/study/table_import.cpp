@@ -11,7 +11,6 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/study/connection/study_contents.h"
 #include "core/study/data_finding.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
@@ -29,7 +28,7 @@ void TableImport::run(const QString& folder, const QString& path, bool as_they_a
       answer([this, sentence = text(error.message())] { emit failed(sentence); });
     };
     const std::string from = folder.toStdString();
-    const auto tables = session::readTables(from, elicitation::ngtInputIds());
+    const auto tables = session::readTables(from);
     if (!tables) return fail(tables.error());
     const auto data = session::dataFindings(tables->study);
     if (const auto ok = study::refuseData(data); !ok && !as_they_are) {

@@ -26,10 +26,8 @@ constexpr int kPointsTried = 32;
 constexpr int kRounds = 5;
 constexpr int kMultipliers[fuzzy::kMostInputs] = {1, 13, 7, 19, 3, 23, 11, 29};
 
-const Variable* moved(const ForceModel& model, const std::string& id) {
-  const auto found =
-      std::find_if(model.inputs.begin(), model.inputs.end(), [&](const Variable& input) { return input.id == id; });
-  return id.empty() || found == model.inputs.end() ? nullptr : &*found;
+const Variable* inputAt(const ForceModel& model, std::optional<std::size_t> index) {
+  return index ? &model.inputs[*index] : nullptr;
 }
 
 /// One entry per input of the model: a value where it is fixed, nothing where the renderer moves it.
@@ -60,7 +58,8 @@ base::Result<std::vector<std::optional<double>>> fixedInputs(const ForceModel& m
   const auto unknown = std::find_if(conditions.begin(), conditions.end(), [&](const Conditions::value_type& condition) {
     return std::find(wanted.begin(), wanted.end(), condition.first) == wanted.end();
   });
-  const bool is_moved = moved(model, unknown->first) != nullptr;
+  const bool is_moved = (depth != nullptr && depth->id == unknown->first) ||
+                        (speed != nullptr && speed->id == unknown->first);
   return base::fail(
       ErrorCode::kReference, "condition " + base::quoted(unknown->first),
       is_moved ? "an input that the hand moves" : "no such input in the model",
@@ -110,12 +109,8 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
     return base::fail(ErrorCode::kValue, "fade of the hand-over", base::formatNumber(settings.fade_s) + " s",
                       "0 to " + base::formatNumber(kLongestFadeS) + " s");
   }
-  const Variable* depth = moved(model, settings.moved.depth);
-  const Variable* speed = moved(model, settings.moved.speed);
-  if (depth != nullptr && depth == speed) {
-    return base::fail(ErrorCode::kValue, "moved inputs", base::quoted(depth->id) + " for depth and for speed",
-                      "two different inputs");
-  }
+  const Variable* const depth = inputAt(model, fuzzy::wayOf(model.inputs));
+  const Variable* const speed = inputAt(model, fuzzy::rateOf(model.inputs));
   if (auto units = render::checkTubeUnits(depth, speed, model.output); !units) return tl::unexpected(units.error());
   TACTUS_TRY(const auto fixed, fixedInputs(model, conditions, depth, speed));
   TACTUS_TRY(auto specialized, fuzzy::Scene::specialize(compiled, fixed, fuzzy::SceneUse::kPoints));

@@ -15,18 +15,10 @@
 
 namespace tactus::haptics {
 
-/// The inputs that the renderer moves. All other inputs are conditions. The defaults are those of the NGT model. An
-/// input is not moved if the model lacks it or its name here is empty.
-struct MovedInputs {
-  std::string depth = "depth";
-  std::string speed = "speed";
-};
-
-/// Values of the conditions by input id, e.g. lubrication and neck flexion. A value outside its universe is clamped.
+/// Values of the conditions by input id: of all inputs but the way and the rate, which the renderer moves. A value outside its universe is clamped.
 using Conditions = std::map<std::string, double>;
 
 struct SceneSettings {
-  MovedInputs moved;
   /// Duration of the fade from old to new force at a change of scene, s, [0, 60]. A neck-flexion gesture takes about 1
   /// s.
   double fade_s = 0.05;

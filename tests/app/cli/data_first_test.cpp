@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 #include "tests/support/temp_folder.h"
 
@@ -23,7 +23,7 @@ class DataFirst : public testing::Test {
   void write(Spoil spoil) const {
     study::Study study = support::tableStudy(1);
     spoil(study);
-    ASSERT_TRUE(study::writeStudyFolder(study, elicitation::ngtInputIds(), study_).has_value());
+    ASSERT_TRUE(study::writeStudyFolder(study, support::ngtInputIds(), study_).has_value());
   }
   void writeGood() const {
     write([](study::Study&) {});

@@ -9,6 +9,7 @@
 #include "questionnaires/form_file.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/ngt_model.h"
 #include "tests/support/temp_folder.h"
 
@@ -25,7 +26,7 @@ class Findings : public testing::Test {
               "participant,years_experience,category,handedness,weight,simulated\nA,12,,,,\nB,4,,,,\n");
     std::string answers = "participant,form,item,term,status\n";
     for (const char* who : {"A", "B"}) {
-      for (const auto& item : questionnaires::ngtForceForm().items) {
+      for (const auto& item : support::ngtForceForm().items) {
         answers += std::string(who) + ",ngt-force-v1," + std::to_string(item.number);
         const bool skipped = *who == 'B' && item.number <= 10;
         answers += skipped ? ",,skipped\n" : *who == 'A' ? ",small,answered\n" : ",large,answered\n";

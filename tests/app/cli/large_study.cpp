@@ -19,6 +19,8 @@
 #include "experiments/published_tables.h"
 #include "questionnaires/form_file.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace {
 
 using namespace tactus;
@@ -78,7 +80,7 @@ std::vector<study::StrokeRecord> sampleStrokes() {
 /// 200 participants with the answers and judgements of S1, and the strokes of S1 made a little longer for each.
 void fill(store::StudyFile& file, study::RecordIds& ids) {
   const auto strokes = sampleStrokes();
-  const auto answers = session::simulatedAnswers(questionnaires::ngtForceForm(), 1);
+  const auto answers = session::simulatedAnswers(support::ngtForceForm(), 1);
   const auto judgements = session::simulatedJudgements();
   auto batch = must(store::Batch::begin(file));
   for (int i = 0; i < kPersons; ++i) {

@@ -7,9 +7,9 @@
 
 #include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 #include "tests/support/temp_folder.h"
 
@@ -18,7 +18,7 @@ namespace {
 
 class Report : public testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(study::writeStudyFolder(study_, elicitation::ngtInputIds(), tables_)); }
+  void SetUp() override { ASSERT_TRUE(study::writeStudyFolder(study_, support::ngtInputIds(), tables_)); }
 
   support::TempFolder folder_;
   study::Study study_ = support::tableStudy(1, {.nurses = 2, .rows_per_s = 60});

@@ -6,9 +6,9 @@
 
 #include "core/model_io/model_file.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 #include "tests/support/temp_folder.h"
 
@@ -39,7 +39,7 @@ class SpreadsheetTables : public testing::Test {
   void SetUp() override {
     fs::create_directory(study_);
     const auto study = support::tableStudy(3);
-    ASSERT_TRUE(study::writeStudyFolder(study, elicitation::ngtInputIds(), study_).has_value());
+    ASSERT_TRUE(study::writeStudyFolder(study, support::ngtInputIds(), study_).has_value());
     plain_ = modelOf(build());
   }
 

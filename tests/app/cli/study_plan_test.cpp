@@ -4,9 +4,9 @@
 
 #include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 #include "tests/support/temp_folder.h"
 
@@ -44,7 +44,7 @@ TEST(StudyPlanCommand, DuringAStudy) {
   const support::TempFolder folder;
   const std::string tables = folder.file("tables");
   const auto study = support::tableStudy(1, {.nurses = 3, .rows_per_s = 60});
-  ASSERT_TRUE(study::writeStudyFolder(study, elicitation::ngtInputIds(), tables));
+  ASSERT_TRUE(study::writeStudyFolder(study, support::ngtInputIds(), tables));
   const ProgramRun run({"study", "plan", tables, "--most-nurses", "4", "--studies", "20", "--json"});
   ASSERT_EQ(run.status, 0) << run.err;
   const Json json = Json::parse(run.out);

@@ -9,9 +9,9 @@
 #include "core/store/model_versions.h"
 #include "core/store/sealed_references.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/cli/run_program.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/ngt_model.h"
 #include "tests/support/table_study.h"
 #include "tests/support/temp_folder.h"
@@ -43,7 +43,7 @@ class StudySeal : public testing::Test {
   void elicit(bool simulated) const {
     auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 60});
     for (auto& one : study.participants) one.simulated = simulated;
-    ASSERT_TRUE(study::writeStudyFolder(study, elicitation::ngtInputIds(), folder_.file("tables")));
+    ASSERT_TRUE(study::writeStudyFolder(study, support::ngtInputIds(), folder_.file("tables")));
     const ProgramRun run({"study", "import", study_, folder_.file("tables")});
     ASSERT_EQ(run.status, 0) << run.err;
   }

@@ -7,9 +7,9 @@
 #include "app/dataset/dataset.h"
 #include "core/base/tables/csv.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/app/dataset/small_study.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::dataset {
@@ -96,7 +96,7 @@ TEST_F(PsychDs, ATableWithoutRowsIsLeftOut) {
 }
 
 TEST_F(PsychDs, IsReadAsAStudy) {
-  const auto read = study::readStudyFolder(out_, elicitation::ngtInputIds());
+  const auto read = study::readStudyFolder(out_, support::ngtInputIds());
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->study.participants.size(), 3U);
   EXPECT_EQ(read->study.speeds.size(), 8U);

@@ -13,6 +13,7 @@
 #include "questionnaires/published_rules.h"
 
 #include "tests/app/editing/sample_models.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::editing {
 namespace {
@@ -31,7 +32,7 @@ study::Study studyOfS4() {
 ForceModel built(const study::Study& study) {
   elicitation::BuildSettings settings;
   settings.created_utc = "2026-11-21T08:00:00Z";
-  const auto model = elicitation::buildModel(study, session::knownForms(), settings);
+  const auto model = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), settings);
   EXPECT_TRUE(model.has_value()) << (model ? "" : model.error().message());
   return model->model;
 }
@@ -40,7 +41,7 @@ ForceModel built(const study::Study& study) {
 ForceModel fromAnswers() {
   auto study = studyOfS4();
   const auto given = questionnaires::s4Rules("ngt-a2-shifted").value();
-  for (const auto& item : questionnaires::ngtForceForm().items) {
+  for (const auto& item : support::ngtForceForm().items) {
     const auto rule =
         std::find_if(given.begin(), given.end(), [&](const auto& one) { return one.conditions == item.conditions; });
     EXPECT_NE(rule, given.end()) << item.text;

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "app/planning/simulated_people.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::planning {
 namespace {
@@ -37,7 +36,7 @@ TEST(SpreadParts, FindsTheSpreadOfItsInput) {
 }
 
 TEST(NurseFamily, DefaultsComeFromThePublishedTables) {
-  const auto questions = ngtQuestions();
+  const auto questions = defaultQuestions();
   const auto family = defaultFamily(questions);
   EXPECT_EQ(questions.items.size(), 45U);
   EXPECT_EQ(family.level.size(), 45U);
@@ -51,7 +50,7 @@ TEST(NurseFamily, DefaultsComeFromThePublishedTables) {
 }
 
 TEST(SimulatedPeople, TheForceTermsOfOneAreHerOwn) {
-  const auto questions = ngtQuestions();
+  const auto questions = defaultQuestions();
   TrueNurse nurse;
   nurse.threshold_n = {0.25, 0.45, 0.65, 0.85};
   nurse.level.assign(45, 2);

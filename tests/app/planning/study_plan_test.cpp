@@ -8,8 +8,9 @@
 
 #include "app/planning/simulated_people.h"
 #include "elicitation/model/model_builder.h"
-#include "elicitation/variables/ngt_variables.h"
 #include "questionnaires/form_file.h"
+
+#include "tests/support/default_procedure.h"
 
 namespace tactus::planning {
 namespace {
@@ -51,7 +52,7 @@ TEST(StudyPlan, AConstantShiftFallsWithTheRootOfTheNurses) {
   settings.studies = 400;
   settings.population = 1000;
   settings.noise = {0, 0, 0, 0};
-  const auto plan = planStudy(ngtQuestions(), shifted, settings);
+  const auto plan = planStudy(defaultQuestions(), shifted, settings);
   ASSERT_TRUE(plan) << plan.error().message();
   // A step of 0.1 N adds its own 0.1 / sqrt(12) N at each threshold of a nurse; both thresholds of "medium" lie two
   // steps apart and round alike.
@@ -68,7 +69,7 @@ TEST(StudyPlan, AConstantShiftFallsWithTheRootOfTheNurses) {
 TEST(StudyPlan, TheSamePlanGivesTheSameBits) {
   PlanSettings settings = smallPlan();
   settings.studies = 20;
-  const auto questions = ngtQuestions();
+  const auto questions = defaultQuestions();
   const auto source = sourceOf(defaultFamily(questions));
   const auto two = planStudy(questions, source, settings);
   settings.threads = 1;
@@ -90,7 +91,7 @@ TEST(StudyPlan, MoreNursesAreNeverWorse) {
     PlanSettings settings = smallPlan();
     settings.questions = {15, 30, 45};
     settings.force_terms = way;
-    const auto questions = ngtQuestions();
+    const auto questions = defaultQuestions();
     const auto plan = planStudy(questions, sourceOf(defaultFamily(questions)), settings);
     ASSERT_TRUE(plan);
     for (std::size_t i = 1; i < plan->designs.size(); ++i) {
@@ -111,7 +112,7 @@ TEST(StudyPlan, TheCheapestDesignIsTheOneWithTheFewestHoursThatMeetsThePrecision
   PlanSettings settings = smallPlan();
   settings.questions = {30, 45};
   settings.precision_n = 0.12;
-  const auto questions = ngtQuestions();
+  const auto questions = defaultQuestions();
   const auto plan = planStudy(questions, sourceOf(defaultFamily(questions)), settings);
   ASSERT_TRUE(plan);
   double fewest = 1e9;
@@ -127,8 +128,8 @@ TEST(StudyPlan, TheCheapestDesignIsTheOneWithTheFewestHoursThatMeetsThePrecision
 }
 
 TEST(StudyPlan, ItsModelIsThatOfTheBuild) {
-  const auto questions = ngtQuestions();
-  const auto form = questionnaires::ngtForceForm();
+  const auto questions = defaultQuestions();
+  const auto form = support::ngtForceForm();
   const auto family = defaultFamily(questions);
   base::Random random(5);
   std::vector<NurseData> people;
@@ -166,7 +167,7 @@ TEST(StudyPlan, ItsModelIsThatOfTheBuild) {
 }
 
 TEST(StudyPlan, CancelAndWrongSettingsAreSaid) {
-  const auto questions = ngtQuestions();
+  const auto questions = defaultQuestions();
   const auto source = sourceOf(defaultFamily(questions));
   const auto canceled = planStudy(questions, source, smallPlan(), [](double) { return false; });
   ASSERT_FALSE(canceled);
@@ -220,7 +221,7 @@ NurseSource heavyTails(NurseFamily family) {
 }
 
 TEST(StudyPlan, ThePredictionHoldsForOtherFamilies) {
-  const auto questions = ngtQuestions();
+  const auto questions = defaultQuestions();
   const auto family = defaultFamily(questions);
   PlanSettings settings = smallPlan();
   const char* const more = std::getenv("TACTUS_PLAN_STUDIES");
@@ -243,8 +244,8 @@ TEST(StudyPlan, ThePredictionHoldsForOtherFamilies) {
 
 TEST(StudyFamily, TheSpreadOfAStudyPredictsItsError) {
   // A study of many nurses of another family, through the build; the plan from its data against fresh studies.
-  const auto questions = ngtQuestions();
-  const auto form = questionnaires::ngtForceForm();
+  const auto questions = defaultQuestions();
+  const auto form = support::ngtForceForm();
   auto truth = defaultFamily(questions);
   truth.threshold_log *= 0.7;
   truth.level_words = 0.25;

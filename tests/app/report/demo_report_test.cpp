@@ -6,6 +6,7 @@
 #include "core/base/text.h"
 #include "questionnaires/published_rules.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/simulated_ngt_study.h"
 #include "tests/support/well_formed.h"
 
@@ -32,14 +33,14 @@ const std::string& page() {
     for (const auto& reading : questionnaires::s4Readings()) {
       auto in_reading = study;
       in_reading.rules = questionnaires::s4Rules(reading.id).value();
-      const auto built = elicitation::buildModel(in_reading, session::knownForms(), settings());
+      const auto built = elicitation::buildModel(in_reading, session::knownForms(support::defaultProcedure()), settings());
       readings.push_back({reading.title, reading.assumes, elicitation::expertModel(built->model, "S4").value()});
     }
-    const auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
+    const auto built = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), settings()).value();
     const DemoReportInputs inputs{.study = study,
                                   .built = built,
                                   .readings = readings,
-                                  .forms = session::knownForms(),
+                                  .forms = session::knownForms(support::defaultProcedure()),
                                   .settings = {{"Seed <1>", "1 & only"}}};
     return demoReport(inputs).value();
   }();
@@ -149,7 +150,7 @@ TEST(DemoReport, MarksTheHoleOfThePrintedReading) {
 
 TEST(DemoReport, AModelWithoutThePublishedExpertIsRefused) {
   const auto& study = demoStudy();
-  auto built = elicitation::buildModel(study, session::knownForms(), settings()).value();
+  auto built = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), settings()).value();
   std::erase_if(built.model.experts, [](const fuzzy::Expert& expert) { return expert.id == "S4"; });
   const DemoReportInputs inputs{.study = study, .built = built, .readings = {}, .settings = {}};
   EXPECT_FALSE(demoReport(inputs));

@@ -6,8 +6,8 @@
 
 #include "app/session/data_checks.h"
 #include "app/session/study_source.h"
-#include "elicitation/variables/ngt_variables.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 #include "tests/support/well_formed.h"
 
@@ -31,13 +31,13 @@ study::Study recorded(int nurses = 3) {
 
 /// The report of a study, as the command makes it.
 std::string pageOf(const study::Study& study, elicitation::BuildSettings build = studySettings()) {
-  const auto built = elicitation::hasRules(study) ? elicitation::buildModel(study, session::knownForms(), build)
+  const auto built = elicitation::hasRules(study) ? elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), build)
                                                   : elicitation::buildTerms(study, build);
   EXPECT_TRUE(built) << built.error().message();
   const auto page = studyReport({.study = study,
                                  .built = *built,
                                  .build_settings = build,
-                                 .forms = session::knownForms(),
+                                 .forms = session::knownForms(support::defaultProcedure()),
                                  .data = session::dataFindings(study),
                                  .settings = {{"Study", "a & b"}},
                                  .replicates = 20});
@@ -119,7 +119,7 @@ TEST(StudyReport, StatesHowTheModelWasMade) {
 TEST(StudyReport, HasTheMethodStudyAndMeasuredDepths) {
   const auto study = recorded(2);
   auto build = studySettings();
-  const auto inputs = elicitation::ngtInputs();
+  const auto inputs = support::ngtInputs();
   build.measured_depths = elicitation::emptyMeasurement(inputs[2]);
   build.measured_depths->image = "scan.png";
   build.depths = elicitation::DepthsFrom::kMeasured;
@@ -137,7 +137,7 @@ TEST(StudyReport, HasTheMethodStudyAndMeasuredDepths) {
 // Two answers, 5 and 6: mean 5.5, deviation with n - 1 the root of one half.
 TEST(StudyReport, HasTheUsabilityScaleWhereItWasAnswered) {
   const auto study = recorded(1);
-  const auto built = elicitation::buildModel(study, session::knownForms(), studySettings()).value();
+  const auto built = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), studySettings()).value();
   const auto page = studyReport({.study = study,
                                  .built = built,
                                  .settings = {},
@@ -227,7 +227,7 @@ TEST(StudyReport, OfManyParticipantsDrawsSomeAndListsAll) {
 // A finished comparison and one that was interrupted, of which nothing is said.
 TEST(StudyReport, BlindComparisons) {
   const auto study = recorded();
-  const auto built = elicitation::buildModel(study, session::knownForms(), studySettings());
+  const auto built = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), studySettings());
   ASSERT_TRUE(built);
   StudyReportInputs inputs{
       .study = study, .built = *built, .build_settings = studySettings(), .settings = {}, .replicates = 0};

@@ -7,6 +7,7 @@
 #include "app/session/study_source.h"
 
 #include "tests/app/session/data_mistakes.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::session {
 namespace {
@@ -21,7 +22,7 @@ void moveAnswers(Study& study, std::size_t rows) {
 
 /// The answers of kWho for each level of `input` become those that they gave for the level that `levels` names.
 void exchangeLevels(Study& study, const std::string& input, const std::map<std::string, std::string>& levels) {
-  const auto items = knownForms().front().items;
+  const auto items = knownForms(support::defaultProcedure()).front().items;
   std::map<int, std::string> terms;
   eachAnswer(study, [&terms](Answer& row) { terms[row.item] = row.term; });
   eachAnswer(study, [&](Answer& row) {
@@ -38,7 +39,7 @@ void exchangeLevels(Study& study, const std::string& input, const std::map<std::
 /// The levels of an input in the order of the form, each with the one at the mirrored place.
 std::map<std::string, std::string> mirrored(const std::string& input) {
   std::vector<std::string> levels;
-  for (const auto& item : knownForms().front().items) {
+  for (const auto& item : knownForms(support::defaultProcedure()).front().items) {
     for (const auto& condition : item.conditions) {
       if (condition.input == input && std::find(levels.begin(), levels.end(), condition.term) == levels.end())
         levels.push_back(condition.term);
@@ -51,7 +52,7 @@ std::map<std::string, std::string> mirrored(const std::string& input) {
 
 /// Gives `who` the answers of `source` as rules.
 void giveRules(Study& study, const std::string& who, const std::string& source) {
-  const auto items = knownForms().front().items;
+  const auto items = knownForms(support::defaultProcedure()).front().items;
   for (const auto& answer : study.answers) {
     if (answer.participant != source) continue;
     study::GivenRule rule;
@@ -169,7 +170,7 @@ std::vector<Mistake> answerMistakes() {
       // The regions of these studies are alike from both ends, so all participants get a slope first.
       {"RegionsInReverseOrder",
        [](Study& study) {
-         const auto items = knownForms().front().items;
+         const auto items = knownForms(support::defaultProcedure()).front().items;
          for (auto& answer : study.answers) {
            for (const auto& condition : items[static_cast<std::size_t>(answer.item - 1)].conditions) {
              if (condition.term == "nasal_cavity" || condition.term == "nasopharynx") answer.term = "very_small";

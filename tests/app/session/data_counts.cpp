@@ -9,6 +9,7 @@
 #include "app/session/data_checks.h"
 #include "app/session/study_source.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 
 namespace {
@@ -17,7 +18,7 @@ using namespace tactus;
 
 /// Some participants say their answers as rules, so that there are rules to look at.
 void addRules(study::Study& study) {
-  const auto items = session::knownForms().front().items;
+  const auto items = session::knownForms(support::defaultProcedure()).front().items;
   for (const auto& answer : study.answers) {
     const auto& item = items[static_cast<std::size_t>(answer.item - 1)];
     study.rules.push_back({answer.participant, {}, item.conditions, answer.term, 1, {}});

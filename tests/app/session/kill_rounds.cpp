@@ -20,6 +20,7 @@
 #include "core/store/study_info.h"
 #include "questionnaires/form_file.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::session {
@@ -35,7 +36,7 @@ NurseTraits killedNurse() {
   nurse.profile.years_experience = 12;
   nurse.levels["medium"] = simulatedLevel({"S1", "medium", 106, 25}, 1);
   nurse.responder = {"S1", {0.2, 0.4, 0.6, 0.8}};
-  for (const auto& answer : simulatedAnswers(questionnaires::ngtForceForm(), 1)) {
+  for (const auto& answer : simulatedAnswers(support::ngtForceForm(), 1)) {
     if (answer.participant == "S1") nurse.answers.push_back(answer);
   }
   nurse.stops_early = nurse.holds_still = nurse.second_thoughts = 0.25;

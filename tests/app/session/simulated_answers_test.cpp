@@ -9,6 +9,8 @@
 #include "questionnaires/form_file.h"
 #include "questionnaires/published_rules.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace tactus::session {
 namespace {
 
@@ -41,7 +43,7 @@ void add(Levels& levels, const std::string& participant, const std::vector<study
 }
 
 Levels simulatedLevels(std::uint64_t seed) {
-  const auto form = questionnaires::ngtForceForm();
+  const auto form = support::ngtForceForm();
   Levels levels;
   for (const auto& answer : simulatedAnswers(form, seed)) {
     add(levels, answer.participant, form.items.at(static_cast<std::size_t>(answer.item) - 1).conditions, answer.term);

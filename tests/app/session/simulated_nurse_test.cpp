@@ -8,6 +8,7 @@
 #include "core/store/persons.h"
 #include "questionnaires/form_file.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::session {
@@ -24,7 +25,7 @@ NurseTraits clumsyNurse() {
   nurse.responder = {"A", {0.2, 0.4, 0.6, 0.8}};
   nurse.responder.beyond_from_n = 0.9;
   nurse.responder.assimilation = 0.1;
-  const auto form = questionnaires::ngtForceForm();
+  const auto form = support::ngtForceForm();
   for (const auto& item : form.items) {
     if (item.number % 7 == 0) continue;  // skipped
     const bool cant_tell = item.number % 5 == 0;

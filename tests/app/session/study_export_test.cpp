@@ -17,9 +17,9 @@
 #include "core/store/record_import.h"
 #include "core/store/sessions.h"
 #include "core/study/csv_tables.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/core/store/sample_records.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::session {
@@ -78,7 +78,7 @@ class ExportedStudy : public testing::Test {
 TEST_F(ExportedStudy, GivesTheTablesOfTheView) {
   const auto file = imported();
   ASSERT_TRUE(exportStudy(file, path("out")));
-  const auto tables = study::readStudyFolder(path("out"), elicitation::ngtInputIds());
+  const auto tables = study::readStudyFolder(path("out"), support::ngtInputIds());
   ASSERT_TRUE(tables) << tables.error().message();
   EXPECT_TRUE(tables->notes.empty());
   auto view = studyForElicitation(file);
@@ -149,7 +149,7 @@ TEST_F(ExportedStudy, MarksEveryTable) {
   for (const auto& [name, bytes] : bytesBelow(path("out"))) {
     EXPECT_EQ(bytes.starts_with("\xEF\xBB\xBF"), name.ends_with(".csv")) << name;
   }
-  EXPECT_TRUE(study::readStudyFolder(path("out"), elicitation::ngtInputIds()));
+  EXPECT_TRUE(study::readStudyFolder(path("out"), support::ngtInputIds()));
 }
 
 TEST_F(ExportedStudy, GuardsFreeTextForSpreadsheetsOnlyAndReadsItBack) {
@@ -180,7 +180,7 @@ TEST_F(ExportedStudy, GuardsFreeTextForSpreadsheetsOnlyAndReadsItBack) {
   ASSERT_TRUE(restored);
   ASSERT_TRUE(exportStudy(*restored, path("again")));
   EXPECT_EQ(bytesBelow(path("again")), plain);
-  const auto tables = study::readStudyFolder(path("guarded"), elicitation::ngtInputIds());
+  const auto tables = study::readStudyFolder(path("guarded"), support::ngtInputIds());
   ASSERT_TRUE(tables) << tables.error().message();
   EXPECT_EQ(tables->study.participants[0].category, profile.category);
   EXPECT_EQ(tables->study.participants[0].handedness, profile.handedness);

@@ -13,6 +13,7 @@
 #include "questionnaires/form_file.h"
 
 #include "tests/core/store/sample_records.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::session {
@@ -89,7 +90,7 @@ class CountedSessions : public testing::Test {
   void addAnswers(const study::RecordId& session, int count, const std::string& value) {
     for (int i = 1; i <= count; ++i) {
       auto answer = records_.answer(session, i);
-      answer.form = questionnaires::ngtForceForm().id;
+      answer.form = support::ngtForceForm().id;
       answer.status = study::Answer::Status::kAnswered;
       answer.value = value;
       ASSERT_TRUE(append(study_.file, answer));

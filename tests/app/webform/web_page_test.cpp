@@ -7,6 +7,8 @@
 #include "app/webform/pictures.h"
 #include "app/webform/web_form.h"
 
+#include "tests/support/default_procedure.h"
+
 namespace tactus::webform {
 namespace {
 
@@ -55,7 +57,7 @@ TEST(WebPage, AsksTheSameAsTheOtherMediaInEachLanguage) {
   ASSERT_EQ(data["languages"].size(), 3U);
   EXPECT_EQ(data["items"].size(), 45U);
   for (const PageJson& language : data["languages"]) {
-    const auto asked = questionnaires::questionnaire("ngt-force-v1", language["id"].get<std::string>());
+    const auto asked = questionnaires::questionnaire(support::defaultProcedure(), "ngt-force-v1", language["id"].get<std::string>());
     ASSERT_TRUE(asked.has_value());
     for (const auto& question : asked->questions) {
       const std::string situation = language["items"][std::to_string(question.number)];
@@ -105,7 +107,7 @@ TEST(WebPage, TheFormOfTheSimulatorAloneHasNoRegions) {
 // Depths of the regions' middles along the tube, mm, by the arc length of the upright drawing: the screens put the tip
 // half of the way between the boundaries 0, 70, 115, 150, 200, 440. The outlines end a little before or behind them.
 TEST(WebPage, TheTipLiesInTheMiddleOfItsRegion) {
-  const auto all = pictures();
+  const auto all = pictures(support::defaultProcedure());
   ASSERT_EQ(all.size(), 3U);
   const Picture& upright = all.front();
   const std::vector<std::pair<std::string, double>> middles = {

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "elicitation/variables/ngt_variables.h"
+#include "tests/support/default_procedure.h"
+
 
 namespace tactus::elicitation {
 namespace {
@@ -19,7 +20,7 @@ TEST(DepthMeasurement, IsTheSameAfterReadingItsText) {
 }
 
 TEST(DepthMeasurement, BeginsWithTheBoundariesOfTheModel) {
-  const auto inputs = ngtInputs();
+  const auto inputs = support::ngtInputs();
   const auto depth = std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == "depth"; });
   const DepthMeasurement empty = emptyMeasurement(*depth);
   ASSERT_EQ(empty.boundaries.size(), 5U);

@@ -2,13 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "elicitation/depth/depth_measurement.h"
-#include "elicitation/variables/ngt_variables.h"
+
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
 
 fuzzy::Variable depth() {
-  const auto inputs = ngtInputs();
+  const auto inputs = support::ngtInputs();
   return *std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == "depth"; });
 }
 

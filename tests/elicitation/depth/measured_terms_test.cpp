@@ -2,13 +2,14 @@
 #include <gtest/gtest.h>
 
 #include "elicitation/depth/depth_measurement.h"
-#include "elicitation/variables/ngt_variables.h"
+
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
 
 fuzzy::Variable depthWithAllRegions() {
-  const auto inputs = ngtInputs();
+  const auto inputs = support::ngtInputs();
   return *std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == "depth"; });
 }
 
@@ -18,7 +19,7 @@ const std::vector<double>& pointsOf(const std::vector<fuzzy::Term>& terms, const
 
 TEST(MeasuredTerms, TheTemplatesBoundariesGiveEachSetOfTheTemplate) {
   const auto depth = depthWithAllRegions();
-  for (const auto& set : depthTermSets()) {
+  for (const auto& set : support::defaultProcedure().way_terms) {
     const auto terms = measuredTerms(emptyMeasurement(depth), depth, set.terms);
     ASSERT_TRUE(terms) << terms.error().message();
     EXPECT_EQ(*terms, set.terms) << set.id;
@@ -31,14 +32,14 @@ TEST(MeasuredTerms, AFormKeepsItsRegionsAtTheMeasuredDepths) {
   const auto depth = depthWithAllRegions();
   auto measured = emptyMeasurement(depth);
   measured.boundaries = {{80, 5}, {120, 5}, {160, 10}, {210, 10}, {420, 30}};
-  const auto a1 = measuredTerms(measured, depth, findDepthTerms("form_a1")->terms).value();
+  const auto a1 = measuredTerms(measured, depth, support::findDepthTerms("form_a1")->terms).value();
   EXPECT_EQ(pointsOf(a1, "esophagus"), (std::vector<double>{200, 220, 600, 600}));
   EXPECT_EQ(pointsOf(a1, "oropharynx"), (std::vector<double>{115, 125, 150, 170}));
-  const auto a2 = measuredTerms(measured, depth, findDepthTerms("form_a2")->terms).value();
+  const auto a2 = measuredTerms(measured, depth, support::findDepthTerms("form_a2")->terms).value();
   EXPECT_EQ(pointsOf(a2, "laryngopharynx"), (std::vector<double>{115, 125, 200, 220}));
   EXPECT_EQ(pointsOf(a2, "stomach"), (std::vector<double>{390, 450, 600, 600}));
   measured.scale = 0.5;
-  EXPECT_EQ(pointsOf(measuredTerms(measured, depth, findDepthTerms("form_a2")->terms).value(), "nasal_cavity"),
+  EXPECT_EQ(pointsOf(measuredTerms(measured, depth, support::findDepthTerms("form_a2")->terms).value(), "nasal_cavity"),
             (std::vector<double>{0, 0, 37.5, 42.5}));
 }
 
@@ -46,7 +47,7 @@ TEST(MeasuredTerms, WhatCannotBeIsRefused) {
   const auto depth = depthWithAllRegions();
   auto measured = emptyMeasurement(depth);
   std::swap(measured.boundaries[2], measured.boundaries[3]);
-  const auto refused = measuredTerms(measured, depth, findDepthTerms("form_a2")->terms);
+  const auto refused = measuredTerms(measured, depth, support::findDepthTerms("form_a2")->terms);
   ASSERT_FALSE(refused) << "also where the form does not ask of the region";
   EXPECT_NE(refused.error().message().find("laryngopharynx"), std::string::npos) << refused.error().message();
 }

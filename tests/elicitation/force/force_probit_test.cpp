@@ -6,10 +6,10 @@
 #include "core/base/random.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/force/force_terms_from.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/force/judged_letters.h"
 #include "tests/elicitation/table2.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -31,10 +31,10 @@ ProbitTerms ofCounts(const std::vector<VoteCounts>& counts) {
 
 ProbitTerms ofJudgements(const std::vector<study::ForceJudgement>& judgements) {
   std::vector<std::string> ids;
-  for (const auto& term : ngtOutput().terms) ids.push_back(term.id);
+  for (const auto& term : support::ngtOutput().terms) ids.push_back(term.id);
   const auto counts = countVotes(judgements, "ascending", ids);
   EXPECT_TRUE(counts);
-  auto terms = probitTerms(ngtOutput(), judgements, "ascending", vote(*counts, countParticipants(judgements)));
+  auto terms = probitTerms(support::ngtOutput(), judgements, "ascending", vote(*counts, countParticipants(judgements)));
   EXPECT_TRUE(terms);
   return std::move(*terms);
 }

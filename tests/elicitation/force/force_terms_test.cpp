@@ -4,9 +4,9 @@
 
 #include "core/base/random.h"
 #include "core/fuzzy/membership.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/table2.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -29,7 +29,7 @@ std::vector<double> points(const ForceTerms& terms, const char* id) {
 }
 
 TEST(ForceTerms, TableTwoGivesThePublishedTrapezoids) {
-  const auto terms = forceTerms(ngtOutput(), vote(table2()));
+  const auto terms = forceTerms(support::ngtOutput(), vote(table2()));
   ASSERT_TRUE(terms);
   EXPECT_EQ(points(*terms, "very_small"), (std::vector<double>{0, 0, 0.2, 0.3}));
   EXPECT_EQ(points(*terms, "small"), (std::vector<double>{0.2, 0.3, 0.4, 0.5}));
@@ -43,7 +43,7 @@ TEST(ForceTerms, TableTwoGivesThePublishedTrapezoids) {
 
 TEST(ForceTerms, MissingLevelsInAGapBecomeTriangles) {
   // Small and medium between 0.2 and 0.5 N: peaks at 0.3 and 0.4.
-  const auto terms = forceTerms(ngtOutput(), won({{0.1, 0}, {0.2, 0}, {0.5, 3}, {0.6, 3}, {0.7, 4}}));
+  const auto terms = forceTerms(support::ngtOutput(), won({{0.1, 0}, {0.2, 0}, {0.5, 3}, {0.6, 3}, {0.7, 4}}));
   ASSERT_TRUE(terms);
   EXPECT_EQ(terms->interpolated, (std::vector<std::string>{"small", "medium"}));
   const auto small = points(*terms, "small");
@@ -61,7 +61,7 @@ TEST(ForceTerms, MissingLevelsInAGapBecomeTriangles) {
 
 TEST(ForceTerms, MissingLevelsAtTheLowEndHaveAShoulder) {
   // Very small and small between 0 and 0.3 N: peaks at 0.1 and 0.2, very small shouldered at 0.
-  const auto terms = forceTerms(ngtOutput(), won({{0.3, 2}, {0.6, 3}, {0.9, 4}}));
+  const auto terms = forceTerms(support::ngtOutput(), won({{0.3, 2}, {0.6, 3}, {0.9, 4}}));
   ASSERT_TRUE(terms);
   const auto lowest = points(*terms, "very_small");
   ASSERT_EQ(lowest.size(), 4U);
@@ -75,7 +75,7 @@ TEST(ForceTerms, MissingLevelsAtTheLowEndHaveAShoulder) {
 
 TEST(ForceTerms, NoRoomMeansNoTerm) {
   // A first step at 0 N leaves nothing below.
-  const auto terms = forceTerms(ngtOutput(), won({{0.0, 1}, {0.4, 2}, {0.5, 3}, {0.6, 4}}));
+  const auto terms = forceTerms(support::ngtOutput(), won({{0.0, 1}, {0.4, 2}, {0.5, 3}, {0.6, 4}}));
   ASSERT_TRUE(terms);
   EXPECT_EQ(terms->absent, (std::vector<std::string>{"very_small"}));
   EXPECT_EQ(points(*terms, "small"), (std::vector<double>{0, 0, 0, 0.4}));
@@ -83,7 +83,7 @@ TEST(ForceTerms, NoRoomMeansNoTerm) {
 
 TEST(ForceTerms, AMissingTopTermLiesOneStepAbove) {
   // All say "beyond" at 0.8 N and above: large ends at 0.7 N, very large begins there.
-  const auto terms = forceTerms(ngtOutput(), won({{0.1, 0},
+  const auto terms = forceTerms(support::ngtOutput(), won({{0.1, 0},
                                                   {0.2, 0},
                                                   {0.3, 1},
                                                   {0.4, 1},
@@ -106,7 +106,7 @@ TEST(ForceTerms, AMissingTopTermLiesOneStepAbove) {
 
 TEST(ForceTerms, SeveralMissingTopTermsLieAStepApart) {
   // No judgement is above medium, so the steps continue as they were: 0.1 N apart.
-  const auto terms = forceTerms(ngtOutput(), won({{0.1, 0}, {0.2, 1}, {0.3, 2}}));
+  const auto terms = forceTerms(support::ngtOutput(), won({{0.1, 0}, {0.2, 1}, {0.3, 2}}));
   ASSERT_TRUE(terms);
   EXPECT_EQ(points(*terms, "medium"), (std::vector<double>{0.2, 0.3, 0.3, 0.4}));
   EXPECT_EQ(points(*terms, "large"), (std::vector<double>{0.3, 0.4, 0.5}));  // a triangle
@@ -123,7 +123,7 @@ std::vector<VoteStep> oneTalksOn() {
 }
 
 TEST(ForceTerms, TheUniverseEndsWithTheQuorumNotWithOneWhoGoesOn) {
-  const auto terms = forceTerms(ngtOutput(), oneTalksOn());
+  const auto terms = forceTerms(support::ngtOutput(), oneTalksOn());
   ASSERT_TRUE(terms);
   EXPECT_EQ(terms->output.max, 0.8);
   EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 0.8, 0.8}));
@@ -133,25 +133,25 @@ TEST(ForceTerms, TheUniverseEndsWithTheQuorumNotWithOneWhoGoesOn) {
   // Without them the result is the same.
   auto stopped = oneTalksOn();
   stopped.resize(5);
-  EXPECT_EQ(forceTerms(ngtOutput(), stopped)->output, terms->output);
+  EXPECT_EQ(forceTerms(support::ngtOutput(), stopped)->output, terms->output);
 }
 
 TEST(ForceTerms, AnEndThatWasAskedForIsTaken) {
-  auto terms = forceTerms(ngtOutput(), oneTalksOn(), 1.2);
+  auto terms = forceTerms(support::ngtOutput(), oneTalksOn(), 1.2);
   ASSERT_TRUE(terms);
   EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 1.2, 1.2}));
   EXPECT_EQ(terms->output.max, 1.2);
   EXPECT_TRUE(terms->notes.empty());
   EXPECT_EQ(terms->end_reason, "as asked for");
   // Above all judgements: the shoulder continues.
-  terms = forceTerms(ngtOutput(), oneTalksOn(), 2);
+  terms = forceTerms(support::ngtOutput(), oneTalksOn(), 2);
   EXPECT_EQ(points(*terms, "very_large"), (std::vector<double>{0.7, 0.8, 2, 2}));
   // Below them: what begins there does not exist, what lies across is cut.
-  terms = forceTerms(ngtOutput(), oneTalksOn(), 0.5);
+  terms = forceTerms(support::ngtOutput(), oneTalksOn(), 0.5);
   ASSERT_TRUE(terms);
   EXPECT_EQ(terms->absent, (std::vector<std::string>{"large", "very_large"}));
   EXPECT_EQ(points(*terms, "medium"), (std::vector<double>{0.3, 0.5, 0.5, 0.5}));
-  terms = forceTerms(ngtOutput(), oneTalksOn(), 0.6);
+  terms = forceTerms(support::ngtOutput(), oneTalksOn(), 0.6);
   EXPECT_EQ(terms->absent, (std::vector<std::string>{"very_large"}));
   EXPECT_EQ(points(*terms, "large"), (std::vector<double>{0.5, 0.7, 0.7, 0.7}));
   EXPECT_EQ(terms->output.max, 0.6);
@@ -160,16 +160,16 @@ TEST(ForceTerms, AnEndThatWasAskedForIsTaken) {
 TEST(ForceTerms, WithoutAQuorumAnywhereHalfOfTheMostVotesDecides) {
   // Ten are enrolled, three judge, one of them alone at 0.6 N.
   const std::vector<VoteCounts> counts = {{0.2, {3, 0, 0, 0, 0}}, {0.4, {0, 0, 0, 0, 2}}, {0.6, {0, 0, 0, 0, 1}}};
-  const auto terms = forceTerms(ngtOutput(), vote(counts, 10));
+  const auto terms = forceTerms(support::ngtOutput(), vote(counts, 10));
   ASSERT_TRUE(terms);
   EXPECT_EQ(terms->output.max, 0.4);
   EXPECT_NE(terms->notes.front().find("Less than half of the participants judged any force"), std::string::npos);
 }
 
 TEST(ForceTerms, NothingDecidedIsRefused) {
-  EXPECT_FALSE(forceTerms(ngtOutput(), {}));
-  EXPECT_FALSE(forceTerms(ngtOutput(), won({{0.1, std::nullopt}})));
-  EXPECT_FALSE(forceTerms(ngtOutput(), won({{0.0, 1}})));
+  EXPECT_FALSE(forceTerms(support::ngtOutput(), {}));
+  EXPECT_FALSE(forceTerms(support::ngtOutput(), won({{0.1, std::nullopt}})));
+  EXPECT_FALSE(forceTerms(support::ngtOutput(), won({{0.0, 1}})));
 }
 
 TEST(ForceTerms, RandomVotesGiveTermsThatSumToOne) {
@@ -183,7 +183,7 @@ TEST(ForceTerms, RandomVotesGiveTermsThatSumToOne) {
       }
       counts.push_back(one);
     }
-    const auto terms = forceTerms(ngtOutput(), vote(counts));
+    const auto terms = forceTerms(support::ngtOutput(), vote(counts));
     ASSERT_TRUE(terms);
     for (double x = 0; x <= terms->output.max; x += 0.013) {
       double sum = 0;
@@ -197,7 +197,7 @@ TEST(ForceTerms, RandomVotesGiveTermsThatSumToOne) {
 // and which nobody said. By hand: with the most frequent word (the higher of several, so large) the core of small is
 // gone and that of large begins at 0.2 N.
 TEST(UnsaidWords, AreNamedWithWhatTheyMove) {
-  const fuzzy::Variable output = ngtOutput();
+  const fuzzy::Variable output = support::ngtOutput();
   const std::vector<VoteCounts> counts = {
       {0.1, {3, 0, 0, 0, 0}}, {0.2, {1, 0, 1, 1, 0}}, {0.3, {0, 0, 2, 1, 0}}, {0.4, {0, 0, 0, 3, 0}}};
   const auto steps = vote(counts);

@@ -8,9 +8,9 @@
 #include "core/base/random.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/membership.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/force/judged_letters.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -21,11 +21,11 @@ using Points = std::vector<double>;
 /// What the table of judgements gives, with all who judged enrolled.
 ThresholdTerms found(const std::vector<study::ForceJudgement>& judgements, std::optional<double> end_n = std::nullopt) {
   std::vector<std::string> ids;
-  for (const auto& term : ngtOutput().terms) ids.push_back(term.id);
+  for (const auto& term : support::ngtOutput().terms) ids.push_back(term.id);
   const auto counts = countVotes(judgements, "ascending", ids);
   EXPECT_TRUE(counts);
   auto terms =
-      thresholdTerms(ngtOutput(), judgements, "ascending", vote(*counts, countParticipants(judgements)), end_n);
+      thresholdTerms(support::ngtOutput(), judgements, "ascending", vote(*counts, countParticipants(judgements)), end_n);
   EXPECT_TRUE(terms);
   return std::move(*terms);
 }
@@ -83,8 +83,8 @@ fuzzy::ForceModel averaged(const fuzzy::Variable& output, const std::vector<std:
       {"neck_flexion", "small"}, {"neck_flexion", "medium"}, {"neck_flexion", "large"},
       {"speed", "slow"},         {"speed", "medium"},        {"speed", "fast"}};
   fuzzy::ForceModel model;
-  model.inputs = ngtInputs();
-  model.inputs[2].terms = findDepthTerms("form_a2")->terms;
+  model.inputs = support::ngtInputs();
+  model.inputs[2].terms = support::findDepthTerms("form_a2")->terms;
   model.output = output;
   for (const auto& words : experts) {
     fuzzy::Expert expert;

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "core/study/records.h"
-#include "elicitation/variables/ngt_variables.h"
+
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 
@@ -23,7 +24,7 @@ inline void judge(std::vector<study::ForceJudgement>& out, const std::string& wh
     one.kind = answers[i] == 'b' ? Kind::kBeyondPractice : answers[i] == 'n' ? Kind::kNotFelt : Kind::kNoAnswer;
     if (term != std::string::npos) {
       one.kind = Kind::kTerm;
-      one.term = ngtOutput().terms[term].id;
+      one.term = support::ngtOutput().terms[term].id;
     }
     out.push_back(one);
   }

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/four_people.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
 
-std::vector<WordInterval> ofFour() { return wordIntervals(fourPeople().judgements, "ascending", ngtOutput().terms); }
+std::vector<WordInterval> ofFour() { return wordIntervals(fourPeople().judgements, "ascending", support::ngtOutput().terms); }
 
 TEST(WordIntervals, GoFromTheLowestToTheHighestForceCalledSo) {
   const auto intervals = ofFour();
@@ -37,10 +37,10 @@ TEST(WordIntervals, TakeOneSeriesAndAnswersWithAWordAlone) {
     if (one.participant == "E1") one.kind = study::ForceJudgement::Kind::kNotFelt;
     if (one.participant == "E2") one.series = "random";
   }
-  const auto intervals = wordIntervals(judgements, "ascending", ngtOutput().terms);
+  const auto intervals = wordIntervals(judgements, "ascending", support::ngtOutput().terms);
   ASSERT_EQ(intervals.size(), 10U);
   EXPECT_EQ(intervals.front().participant, "E3");
-  EXPECT_TRUE(wordIntervals(judgements, "descending", ngtOutput().terms).empty());
+  EXPECT_TRUE(wordIntervals(judgements, "descending", support::ngtOutput().terms).empty());
 }
 
 // Medium: E1 at .2 N alone, E2 [.3, .4], E3 [.5, .6], S4 [.5, .8].

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::elicitation {
@@ -20,7 +21,7 @@ TEST(Evidence, DistanceToAReference) {
   double jnd_square = 0;
   int place = 0;
   for (const double depth_mm : {70.0, 200.0, 300.0}) {
-    const auto own = compiled->evaluate(referenceInputs(model, curve.conditions, depth_mm));
+    const auto own = compiled->evaluate(referenceInputs(support::defaultProcedure(), curve.conditions, depth_mm));
     ASSERT_TRUE(own.fired);
     const double reference_n = own.force_n - moved_n[place];
     curve.points.push_back({depth_mm, reference_n});
@@ -28,7 +29,7 @@ TEST(Evidence, DistanceToAReference) {
     jnd_square += std::pow(moved_n[place] / jnd_n, 2);
     ++place;
   }
-  const auto error = referenceError(model, curve);
+  const auto error = referenceError(support::defaultProcedure(), model, curve);
   ASSERT_TRUE(error);
   EXPECT_EQ(error->points, 3U);
   // Sums of three numbers near 1 in double precision.

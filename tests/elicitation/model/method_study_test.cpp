@@ -8,9 +8,9 @@
 #include <tuple>
 
 #include "app/session/study_source.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/four_people.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 
 namespace tactus::elicitation {
@@ -154,7 +154,7 @@ TEST(MethodStudy, ComparesMeasuredDepthsWhereThereAreSome) {
   study::Study study = smallAndMedium(1, 1);
   study.rules.push_back({.participant = "A", .form = {}, .conditions = {{"depth", "stomach"}}, .then = "very_large"});
   BuildSettings settings;
-  const auto inputs = ngtInputs();
+  const auto inputs = support::ngtInputs();
   settings.measured_depths = emptyMeasurement(inputs[2]);
   settings.measured_depths->boundaries.back() = {300, 20};
   const auto built = buildModel(study, {}, settings).value();
@@ -179,7 +179,7 @@ TEST(MethodStudy, TheLargestDifferenceIsAtLeastThatOfAKnownPoint) {
 
 TEST(MethodStudy, OfAWholeStudyTriesEveryFactorAndEndsOnRequest) {
   auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 30});
-  const auto forms = session::knownForms();
+  const auto forms = session::knownForms(support::defaultProcedure());
   const auto built = buildModel(study, forms, {}).value();
   const auto compared = methodStudy(study, forms, {}, built);
   ASSERT_TRUE(compared);
@@ -198,7 +198,7 @@ TEST(MethodStudy, OfAWholeStudyTriesEveryFactorAndEndsOnRequest) {
 
 TEST(MethodStudy, AnotherAlphaTakesTheClustersThatThereAre) {
   const auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 30});
-  const auto forms = session::knownForms();
+  const auto forms = session::knownForms(support::defaultProcedure());
   int passes = 0;
   BuildSettings settings;
   settings.speed.fcm.keep_going = [&passes](const FcmProgress&) { return ++passes > 0; };
@@ -217,7 +217,7 @@ TEST(MethodStudy, AnotherAlphaTakesTheClustersThatThereAre) {
 
 TEST(ModelBuilder, TheClustersOfAnEarlierModelServeAllButTheirOwnSettings) {
   const auto study = support::tableStudy(1, {.nurses = 2, .rows_per_s = 30});
-  const auto forms = session::knownForms();
+  const auto forms = session::knownForms(support::defaultProcedure());
   int passes = 0;
   BuildSettings first;
   first.speed.fcm.keep_going = [&passes](const FcmProgress&) { return ++passes > 0; };

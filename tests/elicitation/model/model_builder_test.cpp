@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/model/small_study.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -29,7 +29,7 @@ TEST(ModelBuilder, TheAverageIsThatOfTheExpertsWhoDoNotAbstain) {
   EXPECT_TRUE(mentions(built->notes, "no insertion speeds"));
   EXPECT_TRUE(mentions(built->notes, "no force judgements"));
   // form_a1 is what both experts use, so it is the model's own list.
-  EXPECT_EQ(model.inputs[2].terms, findDepthTerms("form_a1")->terms);
+  EXPECT_EQ(model.inputs[2].terms, support::findDepthTerms("form_a1")->terms);
   EXPECT_TRUE(model.experts[0].overrides.empty());
 }
 
@@ -219,9 +219,9 @@ TEST(ModelBuilder, GivenRulesTakeThePlaceOfAnswersAndBringTheirDepthTerms) {
   EXPECT_EQ(built->experts[1].source, ExpertRules::Source::kGiven);
   EXPECT_EQ(built->experts[1].depth_terms, "form_a2");
   // One expert each: the first one's set is the model's, the other has an override.
-  EXPECT_EQ(built->model.inputs[2].terms, findDepthTerms("form_a1")->terms);
+  EXPECT_EQ(built->model.inputs[2].terms, support::findDepthTerms("form_a1")->terms);
   ASSERT_EQ(built->model.experts[1].overrides.size(), 1U);
-  EXPECT_EQ(built->model.experts[1].overrides[0].terms, findDepthTerms("form_a2")->terms);
+  EXPECT_EQ(built->model.experts[1].overrides[0].terms, support::findDepthTerms("form_a2")->terms);
   // 130 mm is laryngopharynx for B alone: large, symmetric about .7.
   EXPECT_NEAR(evaluate(built->model, {0, 0, 130, 110}).force_n, 0.7, 1e-14);
 }
@@ -268,7 +268,7 @@ TEST(ModelBuilder, AnExpertAloneHasItsOwnTermsAsTheModels) {
   ASSERT_TRUE(alone) << alone.error().message();
   ASSERT_EQ(alone->experts.size(), 1U);
   EXPECT_TRUE(alone->experts[0].overrides.empty());
-  EXPECT_EQ(alone->inputs[2].terms, findDepthTerms("form_a2")->terms);
+  EXPECT_EQ(alone->inputs[2].terms, support::findDepthTerms("form_a2")->terms);
   EXPECT_FALSE(evaluate(*alone, {1, 0, 30, 30}).fired);
   EXPECT_NEAR(evaluate(*alone, {1, 0, 130, 30}).force_n, 0.7, 1e-14);
   for (const auto& check : alone->checks) EXPECT_EQ(evaluate(*alone, check.in).force_n, check.force);
@@ -277,7 +277,7 @@ TEST(ModelBuilder, AnExpertAloneHasItsOwnTermsAsTheModels) {
 
 TEST(ModelBuilder, MeasuredDepthsReachTheModelAndAreStoredInIt) {
   BuildSettings settings;
-  const auto inputs = ngtInputs();
+  const auto inputs = support::ngtInputs();
   settings.measured_depths = emptyMeasurement(inputs[2]);
   settings.measured_depths->image = "patient.png";
   settings.measured_depths->boundaries[0] = {80, 5};

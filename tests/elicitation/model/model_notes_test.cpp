@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "elicitation/model/model_builder.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/model/small_study.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -19,7 +19,7 @@ TEST(ModelBuilder, GivenRulesWithoutAFormGetTheSetTheyUse) {
     for (const char* region : regions) study.rules.push_back({"A", "", {{"depth", region}}, "small", 1});
     const auto built = buildModel(study, forms(), {});
     EXPECT_TRUE(mentions(built.value().notes, "name no form"));
-    EXPECT_TRUE(mentions(built.value().notes, findDepthTerms(built.value().experts.at(0).depth_terms)->label));
+    EXPECT_TRUE(mentions(built.value().notes, support::findDepthTerms(built.value().experts.at(0).depth_terms)->label));
     EXPECT_FALSE(mentions(built.value().notes, built.value().experts.at(0).depth_terms)) << "an id of the program";
     EXPECT_EQ(settingOf(built.value().model, "forms"), "{ \"A\": null }");
     EXPECT_EQ(settingOf(built.value().model, "depth_terms_inferred"), "[\"A\"]");

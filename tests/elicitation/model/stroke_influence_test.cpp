@@ -5,6 +5,7 @@
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/model/record_influence.h"
 
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 
 namespace tactus::elicitation {
@@ -20,21 +21,21 @@ TEST(StrokeInfluence, IsThatOfTheStudyBuiltAgainWithoutTheStroke) {
   for (const auto terms : {SpeedTermsOf::kAveraged, SpeedTermsOf::kOwn}) {
     BuildSettings settings;
     settings.terms = terms;
-    const auto built = buildModel(study, session::knownForms(), settings).value();
+    const auto built = buildModel(study, session::knownForms(support::defaultProcedure()), settings).value();
     const auto influence = withoutStroke(built, study, settings, "N1", "fast", 2);
     ASSERT_TRUE(influence) << influence.error().message();
     const auto& difference = influence->difference;
     EXPECT_GT(difference.largest_n, 0);
     EXPECT_GT(influence->noticeable, 0);
     EXPECT_LE(difference.rms_n, difference.largest_n);
-    const auto again = buildModel(reduced, session::knownForms(), settings).value();
+    const auto again = buildModel(reduced, session::knownForms(support::defaultProcedure()), settings).value();
     EXPECT_NEAR(fuzzy::compile(again.model)->evaluate(difference.at).force_n, difference.second_n, 1e-12);
   }
 }
 
 TEST(StrokeInfluence, RefusesAStrokeThatIsNotThere) {
   const auto study = support::tableStudy(1, {.nurses = 1, .rows_per_s = 30});
-  const auto built = buildModel(study, session::knownForms(), {}).value();
+  const auto built = buildModel(study, session::knownForms(support::defaultProcedure()), {}).value();
   EXPECT_FALSE(withoutStroke(built, study, {}, "N1", "fast", 99));
   EXPECT_FALSE(withoutStroke(built, study, {}, "N9", "fast", 1));
 }

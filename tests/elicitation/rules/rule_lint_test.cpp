@@ -169,7 +169,7 @@ TEST(RuleLint, AStepAgainstTheDeclarationNamesBothItems) {
   RuleLintSettings settings;
   settings.directions = {{"lubrication", analysis::Direction::kRises}};
   EXPECT_TRUE(Linted(study, settings).of(Kind::kAgainstDeclaration).empty());
-  settings.directions = {};
+  settings.directions = std::vector<DeclaredDirection>{};
   const Linted undeclared(study, settings);
   EXPECT_TRUE(undeclared.of(Kind::kAgainstDeclaration).empty());
 }

@@ -3,9 +3,9 @@
 
 #include "elicitation/speed/participant_speeds.h"
 #include "elicitation/speed/speed_terms.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/golden_speeds.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -108,7 +108,7 @@ TEST(LevelDiagnostics, StrokesThatDoNotRiseAreSaidOnlyWhereTheyCouldShowIt) {
 }
 
 TEST(LevelDiagnostics, LevelsThatReadAsOneTermAreSaid) {
-  fuzzy::Variable averaged = ngtInputs()[3];
+  fuzzy::Variable averaged = support::ngtInputs()[3];
   averaged.terms = speedTerms(averaged, std::vector<Ramp>{{51.5, 102}, {126.6, 187}});
   fuzzy::Variable own = averaged;
   own.terms = speedTerms(own, std::vector<Ramp>{{32, 34}, {40, 43}});

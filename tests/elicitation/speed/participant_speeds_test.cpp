@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/elicitation/golden_speeds.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
 
 const fuzzy::Variable& speed() {
-  static const fuzzy::Variable kSpeed = ngtInputs()[3];
+  static const fuzzy::Variable kSpeed = support::ngtInputs()[3];
   return kSpeed;
 }
 

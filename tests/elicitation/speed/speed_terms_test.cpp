@@ -7,7 +7,8 @@
 #include "core/base/random.h"
 #include "core/fuzzy/membership.h"
 #include "elicitation/clustering/fcm.h"
-#include "elicitation/variables/ngt_variables.h"
+
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -65,7 +66,7 @@ TEST(SpeedTerms, RandomCentresKeepTheOrderAndTheMemberships) {
 }
 
 TEST(SpeedTerms, NeighboringTermsSumToOne) {
-  fuzzy::Variable speed = ngtInputs()[3];
+  fuzzy::Variable speed = support::ngtInputs()[3];
   speed.terms = speedTerms(speed, std::vector<Ramp>{{50, 100}, {130, 190}});
   EXPECT_EQ(speed.terms[0].points, (std::vector<double>{0, 0, 50, 100}));
   EXPECT_EQ(speed.terms[1].points, (std::vector<double>{50, 100, 130, 190}));

@@ -8,6 +8,7 @@
 #include "app/session/study_source.h"
 
 #include "tests/elicitation/four_people.h"
+#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 
 namespace tactus::elicitation {
@@ -16,7 +17,7 @@ namespace {
 struct Traced {
   study::Study study = support::tableStudy(1, {.nurses = 3, .rows_per_s = 30});
   BuildSettings settings;
-  BuiltModel built = buildModel(study, session::knownForms(), settings).value();
+  BuiltModel built = buildModel(study, session::knownForms(support::defaultProcedure()), settings).value();
 };
 
 const Traced& traced() {
@@ -100,7 +101,7 @@ TEST(Sources, AForceVertexIsTheVotesOfItsStep) {
 
 TEST(Sources, ARuleIsItsAnswer) {
   const auto& t = traced();
-  const auto forms = session::knownForms();
+  const auto forms = session::knownForms(support::defaultProcedure());
   for (std::size_t e = 0; e < t.built.model.experts.size(); ++e) {
     const auto& rules = t.built.model.experts[e].rules;
     for (std::size_t r = 0; r < rules.size(); ++r) {

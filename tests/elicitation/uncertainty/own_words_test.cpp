@@ -11,6 +11,7 @@
 #include "elicitation/uncertainty/force_bands.h"
 
 #include "tests/elicitation/four_people.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
@@ -111,7 +112,7 @@ TEST(OwnWords, ByEveryWayOfTheModel) {
 // Whatever people answer, in any order: the words are a model that can be evaluated, and say what is missing.
 TEST(OwnWords, OfAnyAnswersMakeAModel) {
   base::Random random(5);
-  const auto all = ngtOutput().terms;
+  const auto all = support::ngtOutput().terms;
   for (int round = 0; round < 40; ++round) {
     auto study = fourPeople();
     for (auto& one : study.judgements) {
@@ -141,7 +142,7 @@ TEST(OwnWords, ThereAreNoneWithoutJudgements) {
   const auto words = ownWords(study, builtFrom(study), {});
   EXPECT_TRUE(words[1].terms.empty());
   EXPECT_FALSE(underWords(builtFrom(study).model, words[1]));
-  EXPECT_EQ(missingWordNotes(words, ngtOutput()).size(), 2U);
+  EXPECT_EQ(missingWordNotes(words, support::ngtOutput()).size(), 2U);
   study.judgements.clear();
   const auto built = builtFrom(study);
   EXPECT_TRUE(ownWords(study, built, {}).empty());

@@ -8,10 +8,10 @@
 
 #include "app/session/study_view.h"
 #include "app/workbench/labs/speed/speed_lab.h"
-#include "elicitation/variables/ngt_variables.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -30,7 +30,7 @@ class SpeedClustersTest : public testing::Test {
     return study;
   }
   static fuzzy::Variable speed() {
-    for (const auto& input : elicitation::ngtInputs()) {
+    for (const auto& input : support::ngtInputs()) {
       if (input.id == "speed") return input;
     }
     return {};

@@ -22,6 +22,7 @@
 #include "questionnaires/form_file.h"
 
 #include "tests/gui/sample_study.h"
+#include "tests/support/default_procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -151,7 +152,7 @@ TEST_F(RehearsalTest, AWholeSessionIsInTheFileAndItsModelGivesTheAnswers) {
   ASSERT_TRUE(compiled.has_value());
 
   // Where one term of each condition is fully true, three of her answers speak, each with its whole word.
-  const study::Form form = questionnaires::ngtForceForm();
+  const study::Form form = support::ngtForceForm();
   const std::map<std::string, std::string> conditions = {
       {"lubrication", "well"}, {"neck_flexion", "large"}, {"speed", "slow"}};
   int places = 0;

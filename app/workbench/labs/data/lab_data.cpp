@@ -9,25 +9,21 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/clock.h"
+#include "core/procedure/procedure.h"
 #include "core/store/entries.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
-double usualValue(const fuzzy::Variable& input) {
-  if (input.id == "lubrication") return 1;
-  if (input.id == "neck_flexion") return 60;
-  if (input.id == "speed") return 50;
+double usualValue(const procedure::Procedure& procedure, const fuzzy::Variable& input) {
+  for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
+    if (procedure.inputs[i].id == input.id) return std::clamp(procedure.input_notes[i].usual, input.min, input.max);
+  }
   return (input.min + input.max) / 2;
 }
 
-std::size_t depthInput(const fuzzy::ForceModel& model) {
-  const auto depth = std::find_if(model.inputs.begin(), model.inputs.end(),
-                                  [](const auto& input) { return input.id == elicitation::ngtRegionInput(); });
-  return depth == model.inputs.end() ? 0 : static_cast<std::size_t>(depth - model.inputs.begin());
-}
+std::size_t depthInput(const fuzzy::ForceModel& model) { return fuzzy::wayOf(model.inputs).value_or(0); }
 
 namespace {
 
@@ -58,7 +54,7 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   out.rule_ids = std::move(view->rule_ids);
   out.study = std::move(view->study);
   out.notes = std::move(view->notes);
-  out.forms = session::knownForms();
+  out.forms = session::knownForms(procedure::of(out.study));
   // What is wrong with a measurement is told by the lab that measures; the others do without.
   if (auto aside = session::asideOf(file)) out.measured_depths = std::move(aside->measured_depths);
   if (auto ok = take(store::persons(file), out.persons); !ok) return tl::unexpected(ok.error());

@@ -25,8 +25,8 @@ namespace tactus::workbench {
 
 // Where curves are drawn before anybody chooses a place.
 
-/// The value of `input` in the paper's Fig. 11; the middle of any other input.
-double usualValue(const fuzzy::Variable& input);
+/// The value at which the procedure shows `input`; the middle of an input that it lacks.
+double usualValue(const procedure::Procedure& procedure, const fuzzy::Variable& input);
 /// The input of the depth, which is the x axis of curves; 0 without one.
 std::size_t depthInput(const fuzzy::ForceModel& model);
 

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "core/procedure/procedure.h"
 #include "core/store/study_records.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 namespace {
@@ -20,8 +20,7 @@ std::int64_t utcNow() {
 
 DepthLab::DepthLab(LabData& data, std::function<QString()> author, QObject* parent)
     : UndoSource(parent), data_(data), author_(std::move(author)) {
-  const auto inputs = elicitation::ngtInputs();
-  depth_ = *std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == "depth"; });
+  depth_ = procedure::defaultProcedure()->wayInput();
   terms_ = depth_;
   begin({elicitation::emptyMeasurement(depth_)});
   connect(&data_.connection(), &StudyConnection::opened, this, &DepthLab::read);

@@ -10,7 +10,6 @@
 #include "core/analysis/force_difference.h"
 #include "core/base/check.h"
 #include "elicitation/agreement/expert_influence.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 namespace {
@@ -284,7 +283,7 @@ void ExpertsLab::takeModel() {
   if (built_ != nullptr && values_.size() != built_->model.inputs.size()) {
     const auto& inputs = built_->model.inputs;
     values_.clear();
-    for (const fuzzy::Variable& input : inputs) values_.push_back(usualValue(input));
+    for (const fuzzy::Variable& input : inputs) values_.push_back(usualValue(built_->about(), input));
     x_input_ = depthInput(built_->model);
   }
   compared_.refresh();

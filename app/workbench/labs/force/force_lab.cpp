@@ -9,15 +9,15 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/force/judgement_grid.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/model/method_study.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
 ForceVotes forceVotes(const study::Study& study, const std::string& series, std::optional<double> end_n) {
   ForceVotes out;
-  out.words = elicitation::ngtOutput();
+  out.words = procedure::of(study).output;
   out.enrolled = static_cast<int>(study.participants.size());
   std::vector<std::string> ids;
   for (const fuzzy::Term& term : out.words.terms) ids.push_back(term.id);

@@ -7,7 +7,6 @@
 #include "app/workbench/labs/data/lab_data.h"
 #include "elicitation/agreement/expert_influence.h"
 #include "elicitation/model/method_study.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 
@@ -159,7 +158,7 @@ MethodLab::CurvesCell::Answer MethodLab::draw(const Drawn& drawn, const RunOf<Me
   curves->x_input = depthInput(*model);
   curves->at = one.at;  // empty if nothing moves
   if (curves->at.empty()) {
-    for (const fuzzy::Variable& input : model->inputs) curves->at.push_back(usualValue(input));
+    for (const fuzzy::Variable& input : model->inputs) curves->at.push_back(usualValue(found->built.about(), input));
   }
   curves->now = figures::computeCurves(found->built.model, *now, curves->x_input, curves->at);
   curves->other = figures::computeCurves(*model, *other, curves->x_input, curves->at);

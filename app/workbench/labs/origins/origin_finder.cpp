@@ -71,7 +71,8 @@ class Rows {
     const auto means = sources.strokes.empty() ? Means() : strokeMeans();
     for (const elicitation::StrokeKey& key : sources.strokes) {
       OriginRecord row{Kind::kStroke, key, 0, {}, who(key.participant), {}, {}};
-      const fuzzy::Variable* const speed = variableOf(built_.model, "speed");
+      const auto rate = fuzzy::rateOf(built_.model.inputs);
+      const fuzzy::Variable* const speed = rate ? &built_.model.inputs[*rate] : nullptr;
       row.what = OriginText::tr("%1, stroke %2")
                      .arg(speed == nullptr ? text(key.level) : wordOf(*speed, key.level))
                      .arg(key.stroke);
@@ -185,7 +186,8 @@ void answer(const VertexQuestion& asked, const BuiltModel& built, const LabStudy
                      "model was built with other settings.")
                      .arg(placeText(*variable, value));
   }
-  if (asked.variable == "speed") {
+  const fuzzy::Variable* const rate = built.about().rateInput();
+  if (rate != nullptr && asked.variable == rate->id) {
     const auto shares = elicitation::speedVertexShares(study.study, built, settings, asked.term, asked.point);
     QStringList parts;
     for (std::size_t i = 0; shares && i < shares->size(); ++i) {

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/agreement/agreement_data.h"
-#include "elicitation/variables/ngt_variables.h"
 
 namespace tactus::workbench {
 namespace {
@@ -119,7 +119,7 @@ AgreementRow rowOf(const QString& ratings, const base::Result<elicitation::Agree
 
 std::vector<AgreementRow> agreementRows(const LabStudy& study, const std::stop_token& stop) {
   std::vector<std::string> ids;
-  for (const fuzzy::Term& term : elicitation::ngtOutput().terms) ids.push_back(term.id);
+  for (const fuzzy::Term& term : procedure::of(study.study).output.terms) ids.push_back(term.id);
   return {rowOf(AgreementWords::tr("Judged forces"),
                 elicitation::agreementData(study.study.judgements, "ascending", ids), stop),
           rowOf(AgreementWords::tr("Answers to the form"),

@@ -7,7 +7,7 @@
 
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -31,14 +31,14 @@ std::vector<GridAxis> rowsOf(const fuzzy::ForceModel& model, const std::string& 
 }
 
 // In the order of the default regions; others by where they begin.
-std::vector<GridAxis> columnsOf(const fuzzy::ForceModel& model, const std::string& region_input) {
+std::vector<GridAxis> columnsOf(const procedure::Procedure& about, const fuzzy::ForceModel& model,
+                                const std::string& region_input) {
   std::map<std::string, std::pair<double, GridAxis>> found;
-  const auto known = elicitation::findDepthTerms(elicitation::kDefaultDepthTerms);
   for (const fuzzy::Variable& input : model.inputs) {
     if (input.id != region_input) continue;
     for (const fuzzy::Expert& expert : model.experts) {
       for (const fuzzy::Term& term : fuzzy::termsFor(expert, input)) {
-        const fuzzy::Term* const usual = known ? fuzzy::findTerm(known->terms, term.id) : nullptr;
+        const fuzzy::Term* const usual = fuzzy::findTerm(about.way_terms.front().terms, term.id);
         const std::vector<double>& points = usual == nullptr ? term.points : usual->points;
         const double from = points.empty() ? 0 : points.front();
         const auto [it, is_new] = found.try_emplace(term.id, from, GridAxis{input.id, term.id, labelOf(term)});
@@ -175,12 +175,12 @@ std::optional<Cell> ExpertGrids::placeOf(const std::vector<fuzzy::Condition>& co
 }
 
 ExpertGrids expertGrids(const elicitation::BuiltModel& built, const LabStudy& study) {
-  const std::string region_input = elicitation::ngtRegionInput();
   const fuzzy::ForceModel& model = built.model;
+  const std::string region_input = built.about().wayInput().id;
   ExpertGrids out;
   out.output = model.output;
   out.rows = rowsOf(model, region_input);
-  out.columns = columnsOf(model, region_input);
+  out.columns = columnsOf(built.about(), model, region_input);
   const auto depth = std::find_if(model.inputs.begin(), model.inputs.end(),
                                   [&](const fuzzy::Variable& input) { return input.id == region_input; });
   const auto numbers = figures::expertNumbers(model.experts);

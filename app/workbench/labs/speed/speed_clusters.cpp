@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "app/figures/colors.h"
-#include "elicitation/variables/ngt_variables.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 
@@ -39,9 +39,10 @@ using elicitation::SpeedCentres;
 constexpr std::size_t kBins = 36;
 constexpr std::size_t kBatch = 100;  // replicates of a participant between two looks whether to stop: 1 or 2 ms
 
-fuzzy::Variable defaultSpeed() {
-  const auto inputs = elicitation::ngtInputs();
-  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& one) { return one.id == "speed"; });
+/// The rate with the default terms of the procedure; without terms if the procedure has none.
+fuzzy::Variable rateOf(const procedure::Procedure& procedure) {
+  const fuzzy::Variable* const rate = procedure.rateInput();
+  return rate == nullptr ? fuzzy::Variable() : *rate;
 }
 
 std::vector<std::string> levelsOf(const fuzzy::Variable& speed) {
@@ -149,7 +150,7 @@ base::Result<std::vector<double>> SpeedClusters::Subject::levelMeans(const std::
   return means;
 }
 
-SpeedClusters::SpeedClusters() : speed_(defaultSpeed()) {}
+SpeedClusters::SpeedClusters() : speed_(rateOf(*procedure::defaultProcedure())) {}
 SpeedClusters::~SpeedClusters() = default;
 
 // Returns whether it came to the end.
@@ -157,6 +158,7 @@ bool SpeedClusters::take(const std::shared_ptr<const LabStudy>& study, const Kee
   if (study == study_) return true;
   subjects_.clear();
   study_ = nullptr;
+  speed_ = rateOf(procedure::of(study->study));
   samples_.emplace(study->study.speeds);
   for (const auto& participant : study->study.participants) {
     const auto samples = samples_->of(participant.code);

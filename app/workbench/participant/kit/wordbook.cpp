@@ -74,8 +74,9 @@ void Wordbook::addForms(Language language) {
   const auto put = [&](const std::string& id, const std::string& text) {
     add(QString::fromStdString(id), language, QString::fromStdString(text));
   };
-  const auto force = questionnaires::plainForceWording(code);
-  const auto usability = questionnaires::questionnaire("usability-v1", code);
+  const procedure::Procedure& about = *procedure::defaultProcedure();
+  const auto force = questionnaires::composedWording(about, about.forms.front().id, code);
+  const auto usability = questionnaires::questionnaire(about, "usability-v1", code);
   TACTUS_CHECK(force.has_value() && usability.has_value());
   put("q.instructions", force->instructions);
   for (const auto& [condition, text] : force->phrases) put("q." + condition.input + '.' + condition.term, text);

@@ -48,11 +48,11 @@ TEST(ServoScene, TheRendererMovesWhatTheModelCallsByAnotherName) {
     }
   }
   model.inputs[2].id = "way";
+  model.inputs[2].role = fuzzy::Role::kWay;
   model.inputs[3].id = "rate";
+  model.inputs[3].role = fuzzy::Role::kRate;
   std::swap(model.inputs[0], model.inputs[3]);  // speed first
-  SceneSettings settings;
-  settings.moved = {"way", "rate"};
-  const auto renamed = ServoScene::make(model, between(), settings);
+  const auto renamed = ServoScene::make(model, between());
   ASSERT_TRUE(renamed) << renamed.error().message();
   const auto original = sceneOf(support::s4Shifted(), between());
   for (const double depth_mm : {10.0, 90.0, 150.0, 300.0}) {
@@ -74,14 +74,13 @@ TEST(ServoScene, AnInputThatTheModelLacksIsNotMoved) {
   EXPECT_EQ(without_depth->depthEndMm(), std::numeric_limits<double>::infinity());
 }
 
-TEST(ServoScene, AMovedInputThatIsSwitchedOffIsACondition) {
-  SceneSettings settings;
-  settings.moved.speed.clear();
+TEST(ServoScene, AnInputOfTheRoleConditionIsNotMovedWhateverItIsCalled) {
+  auto model = support::s4Shifted();
+  model.inputs[3].role = fuzzy::Role::kCondition;
   auto conditions = between();
-  EXPECT_EQ(refusal(support::s4Shifted(), conditions, settings).message(),
-            "condition 'speed': found no value, wanted a number from 0 to 400");
+  EXPECT_EQ(refusal(model, conditions).message(), "condition 'speed': found no value, wanted a number from 0 to 400");
   conditions["speed"] = 130;
-  const auto scene = ServoScene::make(support::s4Shifted(), conditions, settings);
+  const auto scene = ServoScene::make(model, conditions);
   ASSERT_TRUE(scene);
   EXPECT_EQ((*scene)->force({90, 0}).force_n, sceneOf(support::s4Shifted(), between())->force({90, 130}).force_n);
 }
@@ -114,9 +113,6 @@ TEST(ServoScene, RefusesModelsThatItCannotRender) {
             "unit of 'depth': found 'cm', wanted mm, which is what the insertion works in");
 
   SceneSettings settings;
-  settings.moved.speed = "depth";
-  EXPECT_EQ(refusal(constantModel(0.4), {}, settings).code, ErrorCode::kValue);
-  settings = {};
   settings.fade_s = -1;
   EXPECT_EQ(refusal(constantModel(0.4), {}, settings).message(), "fade of the hand-over: found -1 s, wanted 0 to 60 s");
 }

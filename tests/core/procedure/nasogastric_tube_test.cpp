@@ -1,10 +1,11 @@
-#include "elicitation/variables/ngt_variables.h"
-
 #include <gtest/gtest.h>
 
 #include "core/fuzzy/membership.h"
+#include "core/procedure/procedure.h"
 
-namespace tactus::elicitation {
+#include "tests/support/default_procedure.h"
+
+namespace tactus::procedure {
 namespace {
 
 double sumOfMemberships(const std::vector<fuzzy::Term>& terms, double x) {
@@ -13,8 +14,8 @@ double sumOfMemberships(const std::vector<fuzzy::Term>& terms, double x) {
   return sum;
 }
 
-TEST(NgtVariables, InputsHaveTheirUnitsAndUniverses) {
-  const auto inputs = ngtInputs();
+TEST(NasogastricTube, InputsHaveTheirUnitsAndUniverses) {
+  const auto inputs = support::ngtInputs();
   ASSERT_EQ(inputs.size(), 4U);
   const char* ids[] = {"lubrication", "neck_flexion", "depth", "speed"};
   const char* units[] = {"1", "deg", "mm", "mm/s"};
@@ -26,41 +27,42 @@ TEST(NgtVariables, InputsHaveTheirUnitsAndUniverses) {
     EXPECT_EQ(inputs[i].min, 0);
     EXPECT_EQ(inputs[i].max, ends[i]);
     EXPECT_EQ(inputs[i].terms.size(), terms[i]);
+    EXPECT_EQ(inputs[i].role, fuzzy::Role::kUnsaid) << "the id says it, so model files stay as they were";
     // Every default input is a partition: its terms sum to 1 everywhere.
     for (int step = 0; step <= 200; ++step) {
       EXPECT_NEAR(sumOfMemberships(inputs[i].terms, ends[i] * step / 200), 1, 1e-13);
     }
   }
   EXPECT_EQ(inputs[3].terms[1].points, (std::vector<double>{64, 100, 120, 163}));
-  EXPECT_EQ(ngtOutput().unit, "N");
-  EXPECT_EQ(ngtOutput().max, 1.1);
-  EXPECT_EQ(ngtOutput().terms[3].points, (std::vector<double>{0.6, 0.7, 0.7, 0.8}));
+  EXPECT_EQ(support::ngtOutput().unit, "N");
+  EXPECT_EQ(support::ngtOutput().max, 1.1);
+  EXPECT_EQ(support::ngtOutput().terms[3].points, (std::vector<double>{0.6, 0.7, 0.7, 0.8}));
+  EXPECT_EQ(support::defaultProcedure().way(), 2U);
+  EXPECT_EQ(support::defaultProcedure().rate(), 3U);
 }
 
-TEST(NgtVariables, EverySetOfDepthTermsCoversTheDepth) {
-  const auto sets = depthTermSets();
+TEST(NasogastricTube, EverySetOfRegionsCoversTheDepth) {
+  const auto& sets = support::defaultProcedure().way_terms;
   ASSERT_EQ(sets.size(), 3U);
   for (const auto& set : sets) {
     for (int depth_mm = 0; depth_mm <= 600; ++depth_mm) EXPECT_NEAR(sumOfMemberships(set.terms, depth_mm), 1, 1e-13);
   }
-  EXPECT_EQ(findDepthTerms("six_regions")->terms, ngtInputs()[2].terms);
-  const auto a1 = findDepthTerms("form_a1")->terms;
+  EXPECT_EQ(support::findDepthTerms("six_regions")->terms, support::ngtInputs()[2].terms);
+  const auto a1 = support::findDepthTerms("form_a1")->terms;
   EXPECT_EQ(a1.back().points, (std::vector<double>{185, 215, 600, 600}));
   EXPECT_EQ(fuzzy::findTerm(a1, "stomach"), nullptr);
-  const auto a2 = findDepthTerms("form_a2")->terms;
+  const auto a2 = support::findDepthTerms("form_a2")->terms;
   EXPECT_EQ(fuzzy::findTerm(a2, "oropharynx"), nullptr);
   EXPECT_EQ(fuzzy::findTerm(a2, "laryngopharynx")->points, (std::vector<double>{105, 125, 185, 215}));
-  EXPECT_FALSE(findDepthTerms("seven_regions"));
+  EXPECT_FALSE(support::findDepthTerms("seven_regions"));
 }
 
 // Fig. 10 of the paper, as its text reads: (a) faster more, (b) the neck not flexed more, (c) less lubrication more.
-TEST(NgtVariables, TheDirectionsThatTheStudyDeclares) {
-  using analysis::Direction;
-  const std::vector<DeclaredDirection> wanted = {
-      {"lubrication", Direction::kFalls}, {"neck_flexion", Direction::kFalls}, {"speed", Direction::kRises}};
-  EXPECT_EQ(ngtDirections(), wanted);
-  EXPECT_EQ(ngtRegionInput(), "depth");
+TEST(NasogastricTube, TheDirectionsThatTheStudyDeclares) {
+  const Direction wanted[] = {Direction::kFalls, Direction::kFalls, Direction::kNone, Direction::kRises};
+  for (std::size_t i = 0; i < 4; ++i)
+    EXPECT_EQ(support::defaultProcedure().input_notes[i].direction, wanted[i]) << i;
 }
 
 }  // namespace
-}  // namespace tactus::elicitation
+}  // namespace tactus::procedure

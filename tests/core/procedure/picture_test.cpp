@@ -1,0 +1,97 @@
+#include <cmath>
+#include <gtest/gtest.h>
+
+#include "core/procedure/procedure.h"
+
+namespace tactus::procedure {
+namespace {
+
+const std::string kRegion = R"(<path id="region_a" d="M0 0H10V10Z"/>)";
+
+std::string svg(const std::string& inside) {
+  return R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 100 50">)" + inside + "</svg>";
+}
+
+std::string refusal(const std::string& inside) {
+  const auto read = readPicture(svg(inside), "p.svg", 0, 60, {"a"});
+  return read ? "" : read.error().message();
+}
+
+TEST(Picture, TheWayIsDividedEvenly) {
+  const auto read = readPicture(svg(R"(<path id="way" d="M0 0 L30 0 l0 30"/>)" + kRegion), "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->way_mm, (std::vector<double>{0, 30, 60}));
+  EXPECT_EQ(read->way[2].x, 30);
+  EXPECT_EQ(read->way[2].y, 30);
+  EXPECT_EQ(read->width, 100);
+  EXPECT_EQ(read->regions.at("a"), "M0 0H10V10Z");
+}
+
+TEST(Picture, TheNodesHaveTheirPlaces) {
+  const auto read = readPicture(svg(R"(<path id="way" data-mm="0 50 60" d="M0,0 10-0 10 10"/>)" + kRegion), "p.svg", 0,
+                                60, {"a"});
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->way_mm, (std::vector<double>{0, 50, 60}));
+}
+
+// A circle of radius 10 as four cubics is as long as 2 pi r to 3e-4 of it (kappa 0.5523).
+TEST(Picture, CurvesHaveTheirLength) {
+  const double k = 5.522847498;
+  const auto number = [](double value) { return std::to_string(value) + " "; };
+  const std::string d = "M10 0C10 " + number(k) + number(k) + "10 0 10S-10 " + number(k) + "-10 0 " + "-" + number(k) +
+                        "-10 0 -10 10 " + "-" + number(k) + "10 0";
+  const auto read = readPicture(svg("<path id='way' d='" + d + "'/>" + kRegion), "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(read) << read.error().message();
+  double length = 0;
+  for (std::size_t i = 1; i < read->way.size(); ++i)
+    length += std::hypot(read->way[i].x - read->way[i - 1].x, read->way[i].y - read->way[i - 1].y);
+  EXPECT_NEAR(length, 20 * 3.14159265, 0.1);
+  for (std::size_t i = 1; i < read->way_mm.size(); ++i) EXPECT_GT(read->way_mm[i], read->way_mm[i - 1]);
+}
+
+TEST(Picture, RelativeAndAbsoluteNumbersGiveTheSameWay) {
+  const auto absolute = readPicture(svg(R"(<path id="way" d="M5 5C5 10 10 10 10 5Q15 0 20 5T30 5H40V20"/>)" + kRegion),
+                                    "p.svg", 0, 60, {"a"});
+  const auto relative = readPicture(svg(R"(<path id="way" d="m5 5c0 5 5 5 5 0q5-5 10 0t10 0h10v15"/>)" + kRegion),
+                                    "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(absolute && relative);
+  ASSERT_EQ(absolute->way.size(), relative->way.size());
+  for (std::size_t i = 0; i < absolute->way.size(); ++i) {
+    EXPECT_NEAR(absolute->way[i].x, relative->way[i].x, 1e-12);
+    EXPECT_NEAR(absolute->way[i].y, relative->way[i].y, 1e-12);
+  }
+}
+
+TEST(Picture, WhatCouldRunOrLoadIsRefused) {
+  const std::string way = R"(<path id="way" d="M0 0L1 1"/>)" + kRegion;
+  for (const std::string bad :
+       {"<script>alert(1)</script>", R"-(<g onload="x()"/>)-", R"(<image href="file:///etc/passwd"/>)",
+        R"(<use xlink:href="other.svg#a"/>)", "<foreignObject/>", R"-(<rect style="fill: url(http://x/y)"/>)-",
+        "<style>@import 'x.css';</style>", R"-(<a href="javascript:x()"/>)-"}) {
+    EXPECT_NE(refusal(way + bad), "") << bad;
+  }
+  EXPECT_NE(readPicture("<!DOCTYPE svg [<!ENTITY x 'y'>]>" + svg(way), "p.svg", 0, 60, {"a"}).has_value(), true);
+  EXPECT_EQ(refusal(way + R"-(<rect fill="url(#shade)"/><use href="#way"/>)-"), "");
+}
+
+TEST(Picture, WhatIsMissingIsNamed) {
+  EXPECT_EQ(refusal(kRegion), "p.svg: path 'way': found no element with this id, wanted a path");
+  EXPECT_EQ(refusal(R"(<path id="way" d="M0 0L1 1"/>)"),
+            "p.svg: path 'region_a': found no element with this id, wanted a path");
+  EXPECT_EQ(refusal(R"-(<g transform="scale(2)"><path id="way" d="M0 0L1 1"/></g>)-" + kRegion),
+            "p.svg: path 'way': found a path that is moved by a 'transform', wanted a path whose numbers are those of "
+            "the view box");
+  EXPECT_EQ(refusal(R"(<path id="way" d="M0 0A5 5 0 0 1 9 9"/>)" + kRegion),
+            "p.svg: path 'way': found 'M0 0A5 5 0 0 1 9 9', wanted one line of moves, lines and curves (M, L, H, V, C, "
+            "S, Q, T, Z), no arcs");
+  EXPECT_EQ(refusal(R"(<path id="way" data-mm="0 61" d="M0 0L1 1"/>)" + kRegion),
+            "p.svg: data-mm of the path 'way': found '0 61', wanted 2 rising numbers from 0 to 60, one for each node of "
+            "the path");
+  EXPECT_EQ(readPicture("<html/>", "p.svg", 0, 60, {}).error().message(),
+            "p.svg: found no element svg, wanted an SVG picture");
+  EXPECT_FALSE(readPicture("", "p.svg", 0, 60, {}));
+  EXPECT_FALSE(readPicture("<svg viewBox='0 0 1 1'><path", "p.svg", 0, 60, {}));
+}
+
+}  // namespace
+}  // namespace tactus::procedure

@@ -1,0 +1,204 @@
+#include "core/procedure/procedure.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "questionnaires/questionnaire.h"
+
+#include "tests/support/temp_folder.h"
+
+namespace tactus::procedure {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json term(const char* id, std::vector<double> points) { return {{"id", id}, {"label", id}, {"points", points}}; }
+
+/// A pack with two inputs and two words.
+struct Small {
+  Json manifest = {
+      {"format", "tactus-procedure"},
+      {"version", 1},
+      {"id", "probe"},
+      {"pack_version", 2},
+      {"title", {{"fr", "Sonde"}}},
+      {"languages", {"fr"}},
+      {"about", "A probe."},
+      {"inputs",
+       {{{"id", "way"},
+         {"label", "Way"},
+         {"unit", "mm"},
+         {"min", 0},
+         {"max", 60},
+         {"role", "way"},
+         {"terms", {term("near", {0, 0, 20, 40}), term("far", {20, 40, 60, 60})}}},
+        {{"id", "gel"},
+         {"label", "Gel"},
+         {"unit", "1"},
+         {"min", 0},
+         {"max", 1},
+         {"role", "condition"},
+         {"declared_direction", "falls"},
+         {"usual", 1},
+         {"terms", {term("dry", {0, 0, 0.4, 0.6}), term("wet", {0.4, 0.6, 1, 1})}}}}},
+      {"output",
+       {{"id", "force"},
+        {"label", "Force"},
+        {"unit", "N"},
+        {"min", 0},
+        {"max", 2},
+        {"terms", {term("low", {0, 0, 0.8, 1.2}), term("high", {0.8, 1.2, 2, 2})}}}},
+      {"forms", {"form.json"}},
+      {"wordings", {"form.fr.json"}},
+      {"words", "words.json"}};
+  Json form = {{"format", "tactus-form"},
+               {"id", "probe-v1"},
+               {"version", 1},
+               {"title", "Probe"},
+               {"source", "own"},
+               {"answers", {{{"term", "low"}, {"word", "Low"}}, {{"term", "high"}, {"word", "High"}}}},
+               {"items",
+                {{{"number", 1}, {"if", {{"gel", "dry"}, {"way", "near"}}}},
+                 {{"number", 2}, {"if", {{"gel", "wet"}, {"way", "near"}}}}}}};
+  Json wording = {{"format", "tactus-form-wording"},
+                  {"form", "probe-v1"},
+                  {"form_version", 1},
+                  {"wording", "plain"},
+                  {"language", "fr"},
+                  {"title", "Sonde"},
+                  {"instructions", "Pensez."},
+                  {"question", "Quelle force ?"},
+                  {"phrases",
+                   {{"gel", {{"dry", "Sans gel."}, {"wet", "Avec gel."}}}, {"way", {{"near", "Tout près."}}}}},
+                  {"answers", {{"low", "faible"}, {"high", "forte"}}}};
+  Json words = {{"format", "tactus-words"}, {"texts", Json::object()}};
+
+  Small() {
+    for (const char* id : {"tool", "con.purpose", "you.years", "glo.way", "a.near", "a.far", "s.gel", "glo.gel",
+                           "s.gel.dry", "s.gel.wet", "w.low", "w.high"})
+      words["texts"][id] = {{"fr", "mot"}};
+  }
+
+  PackFiles files() const {
+    return {{"procedure.json", manifest.dump()},
+            {"form.json", form.dump()},
+            {"form.fr.json", wording.dump()},
+            {"words.json", words.dump()}};
+  }
+  std::string refusal() const {
+    const auto read = readProcedure(files(), "p");
+    if (!read) return read.error().message();
+    const auto worded = questionnaires::checkWordings(*read);
+    return worded ? "" : worded.error().message();
+  }
+};
+
+TEST(Procedure, SaysWhatItIs) {
+  const auto read = readProcedure(Small().files(), "p");
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->id, "probe");
+  EXPECT_EQ(read->version, 2);
+  EXPECT_EQ(read->way(), 0U);
+  EXPECT_EQ(read->rate(), std::nullopt);
+  EXPECT_EQ(read->inputs[0].role, fuzzy::Role::kWay);
+  EXPECT_EQ(read->inputs[1].role, fuzzy::Role::kUnsaid) << "what is not called depth or speed is a condition";
+  EXPECT_EQ(read->input_notes[1].direction, Direction::kFalls);
+  EXPECT_EQ(read->input_notes[1].usual, 1);
+  ASSERT_EQ(read->forms.size(), 1U);
+  EXPECT_EQ(read->forms[0].items[1].conditions,
+            (std::vector<study::ItemCondition>{{"gel", "wet"}, {"way", "near"}}));
+  const auto asked = questionnaires::questionnaire(*read, "probe-v1", "fr");
+  ASSERT_TRUE(asked) << asked.error().message();
+  EXPECT_EQ(asked->questions[0].text, "Sans gel. Tout près. Quelle force ?");
+  EXPECT_EQ(asked->choices[1].label, "forte");
+  EXPECT_EQ(questionnaires::wordingsOf(*read, "probe-v1"), std::vector<std::string>{"plain"});
+}
+
+TEST(Procedure, TheHashIsOfTheFilesThatAreNamed) {
+  const Small small;
+  auto files = small.files();
+  const auto sha256 = readProcedure(files, "p")->sha256;
+  files["notes.txt"] = "not named";
+  EXPECT_EQ(readProcedure(files, "p")->sha256, sha256);
+  files["words.json"] += " ";
+  EXPECT_NE(readProcedure(files, "p")->sha256, sha256);
+}
+
+TEST(Procedure, BrokenOnesAreRefusedInOneSentence) {
+  const auto changed = [](auto change) {
+    Small small;
+    change(small);
+    return small.refusal();
+  };
+  EXPECT_EQ(Small().refusal(), "");
+  EXPECT_EQ(readProcedure({}, "p").error().message(),
+            "p: found no procedure.json, wanted a pack: a folder or zip file with procedure.json");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][1]["role"] = "way"; }),
+            "p/procedure.json: /inputs/1/unit: found '1', wanted 'mm'");
+  EXPECT_EQ(changed([](Small& s) {
+              s.manifest["inputs"][1]["role"] = "way";
+              s.manifest["inputs"][1]["unit"] = "mm";
+            }),
+            "p/procedure.json: /inputs/1/role: found a second input of the role 'way', wanted one");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"].erase(0); }),
+            "p/procedure.json: /inputs: found no input of the role 'way', wanted one");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][0].erase("id"); }),
+            "p/procedure.json: /inputs/0: found no key 'id', wanted a key 'id' with a text that is not empty");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["colour"] = "red"; }).find(
+                "p/procedure.json: /colour: found an unknown key, wanted "),
+            0U);
+  EXPECT_EQ(changed([](Small& s) { s.manifest["words"] = "../words.json"; }),
+            "p/procedure.json: /words: found '../words.json', which leads out of the pack, wanted a file of the pack");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["forms"][0] = "no.json"; }),
+            "p/procedure.json: /forms: found 'no.json', which is not there, wanted a file of the pack");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][1]["terms"][0]["points"] = {0.9, 0, 0.4, 0.6}; }).find(
+                "p/procedure.json: /inputs/1/terms/0/points"),
+            0U);
+  EXPECT_EQ(changed([](Small& s) { s.form["items"][0]["if"]["gel"] = "moist"; }),
+            "p/form.json: /items/0/if: found 'gel moist', wanted an input of the procedure and one of its words");
+  EXPECT_EQ(changed([](Small& s) { s.form["items"][1]["if"]["gel"] = "dry"; }),
+            "p/form.json: /items/1/if: found the conditions of item 1 (gel dry, way near), wanted other conditions for "
+            "each item");
+  EXPECT_EQ(changed([](Small& s) { s.form["items"][1]["if"] = Json::object(); }),
+            "p/form.json: /items/1/if: found no conditions, wanted at least one");
+  EXPECT_EQ(changed([](Small& s) { s.form["answers"][0]["term"] = "middling"; }),
+            "p/form.json: /answers/0/term: found 'middling', wanted a word of the output");
+  EXPECT_EQ(changed([](Small& s) { s.wording["phrases"]["gel"].erase("wet"); }),
+            "probe/form.fr.json: /phrases: found no phrase for 'gel wet' of item 2, wanted a phrase for each condition");
+  EXPECT_EQ(changed([](Small& s) { s.wording["language"] = "en"; }),
+            "probe/form.fr.json: /language: found 'en', wanted one of fr");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["wordings"] = Json::array(); }),
+            "probe/procedure.json: wordings: found no wording of 'probe-v1' in 'fr', wanted one");
+  EXPECT_EQ(changed([](Small& s) { s.words["texts"].erase("w.low"); }),
+            "p/words.json: texts: found no words in 'fr' for 'w.low', wanted words for each");
+}
+
+TEST(Procedure, AFolderIsReadWithinItsLimits) {
+  const support::TempFolder folder;
+  const std::string path = folder.file("probe");
+  std::filesystem::create_directory(path);
+  for (const auto& [name, bytes] : Small().files()) std::ofstream(path + "/" + name) << bytes;
+  ASSERT_TRUE(readPackFolder(path)) << readPackFolder(path).error().message();
+  std::filesystem::create_symlink("/etc/passwd", path + "/outside");
+  EXPECT_FALSE(readPackFolder(path));
+  std::filesystem::remove(path + "/outside");
+  std::ofstream(path + "/huge.svg") << std::string(kMostFileBytes + 1, ' ');
+  EXPECT_FALSE(readPackFolder(path));
+  EXPECT_FALSE(readPackFolder(folder.file("nothing")));
+}
+
+TEST(Procedure, EveryPackOfTheProgramIsWhole) {
+  for (const std::string& id : builtInIds()) {
+    const auto procedure = builtIn(id);
+    ASSERT_NE(procedure, nullptr);
+    EXPECT_EQ(procedure->id, id);
+    const auto worded = questionnaires::checkWordings(*procedure);
+    EXPECT_TRUE(worded) << worded.error().message();
+  }
+  EXPECT_EQ(builtIn("other"), nullptr);
+}
+
+}  // namespace
+}  // namespace tactus::procedure
