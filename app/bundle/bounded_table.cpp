@@ -274,6 +274,12 @@ bool isFine(const Factors& factors) {
 
 }  // namespace
 
+double usualTableErrorN(const fuzzy::ForceModel& model) {
+  constexpr double kUsualEndN = 1.25;
+  constexpr double kShare = 0.02;
+  return model.output.max <= kUsualEndN ? kTableErrorN : kShare * model.output.max;
+}
+
 BoundedTable boundedTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, double wanted_n,
                           std::size_t most_nodes, const std::stop_token& stop) {
   const auto most = static_cast<double>(most_nodes);

@@ -64,6 +64,10 @@ TableBound tableBound(const fuzzy::ForceModel& model, const fuzzy::CompiledModel
                       double wanted_n, const std::stop_token& stop = {});
 
 inline constexpr double kTableErrorN = 0.01;
+
+/// What a table of `model` may be off where nobody says otherwise: kTableErrorN; of a force universe beyond 1.25 N two
+/// hundredths of it, which is below the just-noticeable difference of its upper half.
+double usualTableErrorN(const fuzzy::ForceModel& model);
 inline constexpr std::size_t kMostNodes = 2'000'000;
 
 struct BoundedTable {

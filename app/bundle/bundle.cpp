@@ -254,9 +254,9 @@ bool addSources(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& comp
 }
 
 /// Why the table is further off than wanted.
-std::string tableWarning(const BoundedTable& made, const BundleSettings& settings) {
+std::string tableWarning(const BoundedTable& made, double wanted_n) {
   return "table/force_table.csv may be " + base::roundedNumber(made.bound.bound_n) + " N off, more than the wanted " +
-         base::formatNumber(settings.table_error_n) + " N: " +
+         base::formatNumber(wanted_n) + " N: " +
          (made.bound.jumps ? "the force jumps, which no table follows"
                            : "a closer one has more than " + std::to_string(kMostNodes) + " nodes");
 }
@@ -264,9 +264,10 @@ std::string tableWarning(const BoundedTable& made, const BundleSettings& setting
 void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled,
               const std::vector<std::vector<double>>& points, const BundleSettings& settings,
               const exchange::Origin& origin, Bundle& bundle, Collector& collector) {
-  const BoundedTable made = boundedTable(model, compiled, settings.table_error_n, kMostNodes, settings.stop);
+  const double wanted_n = settings.table_error_n.value_or(usualTableErrorN(model));
+  const BoundedTable made = boundedTable(model, compiled, wanted_n, kMostNodes, settings.stop);
   if (settings.stop.stop_requested()) return;
-  if (made.bound.bound_n > settings.table_error_n) bundle.warnings.push_back(tableWarning(made, settings));
+  if (made.bound.bound_n > wanted_n) bundle.warnings.push_back(tableWarning(made, wanted_n));
   const ForceTable& table = made.table;
   const model_io::Promise promise = promiseOf(made, compiled, points);
   std::string lines;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
@@ -21,7 +22,7 @@ struct BundleSettings {
   std::vector<std::string> accept_holes;  ///< names of holes that may stay, beside those that the model accepts
   std::string created_utc;
   std::string generator;
-  double table_error_n = kTableErrorN;  ///< that the look-up table may have anywhere, > 0
+  std::optional<double> table_error_n = {};  ///< that the look-up table may have anywhere, > 0; nothing: the usual one
   std::stop_token stop = {};            ///< the making ends soon after a request, with kCancelled
   /// Called before each file, in the thread that makes the bundle.
   std::function<void(std::size_t done, std::size_t all)> progress = {};

@@ -199,16 +199,17 @@ struct DemoOptions {
   std::string folder;
   std::optional<std::uint64_t> seed;
   std::string reading;  ///< reading of Table A2; empty: the default
+  std::string pack;     ///< of another procedure, with experts that are invented from its pack; empty: the paper's
   bool json = false;
 };
-/// Runs the whole elicitation on the published data.
+/// Runs the whole elicitation on the published data, or on simulated experts of another procedure.
 base::Result<Output> demo(const DemoOptions& options);
 
 struct BundleOptions {
   std::string model;
   std::string out;                        ///< folder, or a zip file
   std::vector<std::string> accept_holes;  ///< names of holes that may stay
-  double table_error_n = 0.01;            ///< that the look-up table may have anywhere
+  std::optional<double> table_error_n;    ///< that the look-up table may have anywhere; nothing: the usual one
   std::string study;                      ///< study file whose sign-offs on the model go along; empty: none
   std::string sign;                       ///< file of a private key of OpenSSH; empty: no signature
   bool json = false;

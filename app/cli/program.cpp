@@ -174,6 +174,11 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--reading", o.reading, "Reading of Table A2")
                    ->check(oneOf(readingIds()))
                    ->default_str(std::string(questionnaires::kDefaultReading));
+               command
+                   .add_option("--pack", o.pack,
+                               "Another procedure, with simulated experts: a folder with a pack, or one that `tactus "
+                               "pack show` lists; default: that of the published data")
+                   ->check(notEmpty());
                addJson(command, o.json);
              });
   addBuildCommands(app, chosen);

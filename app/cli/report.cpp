@@ -1,4 +1,5 @@
 // The report of one's own study, as one page.
+#include <filesystem>
 #include <utility>
 
 #include "app/cli/commands.h"
@@ -7,6 +8,7 @@
 #include "app/cli/terminal.h"
 #include "app/demo/demo_folder.h"
 #include "app/report/study_report.h"
+#include "app/session/study_procedure.h"
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/error.h"
@@ -41,9 +43,50 @@ std::string asJson(const std::string& folder, const std::vector<demo::DemoFile>&
   return json.text();
 }
 
+/// The same job for another procedure, whose experts are invented from its pack.
+base::Result<Output> demoOfPack(const DemoOptions& options) {
+  std::error_code ignored;
+  if (std::filesystem::exists(options.folder, ignored) && !std::filesystem::is_empty(options.folder, ignored)) {
+    return base::inFile({base::ErrorCode::kIo, {}, {}, "a folder that is not empty", "a new or an empty folder"},
+                        options.folder);
+  }
+  TACTUS_TRY(const auto procedure, session::readPack(options.pack));
+  if (auto ok = base::makeFolder(options.folder); !ok) return tl::unexpected(std::move(ok).error());
+  const auto in = [&](const std::string& name) { return options.folder + "/" + name; };
+  const std::string study = in(procedure->id + "-demo.tactus");
+  TACTUS_TRY(const auto made,
+             studyNew({study, procedure->titleIn("en") + " (simulated experts, not measured)", options.pack}));
+  StudySimulateOptions simulate{study, {}};
+  simulate.group.seed = options.seed.value_or(session::kDefaultSeed);
+  TACTUS_TRY(const auto simulated, studySimulate(simulate));
+  BuildOptions build;
+  build.study = study;
+  build.out = in("averaged.tactus.json");
+  TACTUS_TRY(const auto built, cli::build(build));
+  BundleOptions bundle;
+  bundle.model = build.out;
+  bundle.out = in("export");
+  TACTUS_TRY(const auto bundled, cli::bundle(bundle));
+  ReportOptions report;
+  static_cast<BuildOptions&>(report) = build;
+  report.out = in("report.html");
+  TACTUS_TRY(const auto reported, writeReport(report));
+  const std::vector<demo::DemoFile> files = {
+      {"report.html", "what the study says, with the model to try"},
+      {procedure->id + "-demo.tactus", "the study: whole sessions of four simulated experts, and the pack"},
+      {"averaged.tactus.json", "their averaged model"},
+      {"export/", "the bundle for a simulator"}};
+  if (options.json) return Output{asJson(options.folder, files, built.warnings), {}};
+  std::string text = "Wrote a demo study of " + base::oneLine(procedure->titleIn("en")) +
+                     " (simulated experts, not measured) to " + base::oneLine(options.folder) + ":\n";
+  for (const auto& file : files) text += "  " + padded(file.path, 30, 2) + file.holds + '\n';
+  return Output{std::move(text), {}};
+}
+
 }  // namespace
 
 base::Result<Output> demo(const DemoOptions& options) {
+  if (!options.pack.empty()) return demoOfPack(options);
   TACTUS_TRY(const auto made, tactus::demo::writeDemo({options.folder, options.seed, options.reading}));
   return Output{options.json ? asJson(options.folder, made.files, made.notes) : asText(options.folder, made.files), {}};
 }

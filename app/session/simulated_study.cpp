@@ -315,6 +315,8 @@ Result<std::vector<std::string>> addSimulatedNurses(store::StudyFile& file, cons
   SessionStart start;
   if (state.current) {
     TACTUS_TRY(auto protocol, protocolOf(file, *state.current));
+    // The simulated nurses of the paper speak English, whatever languages the study offers.
+    if (protocol.settings.about().id != procedure::defaultProcedure()->id) start.language = protocol.languages.front();
     start.settings = std::move(protocol.settings);
     start.protocol = state.current->id;
   }

@@ -149,7 +149,7 @@ void BundleMaker::make(const QString& folder) {
         {},
         base::formatUtc(std::chrono::system_clock::now()),
         std::string(kGenerator),
-        bundle::kTableErrorN,
+        std::nullopt,
         stop,
         [&told](std::size_t done, std::size_t all) { told(Doing::kMaking, done, all); },
         approvals};
