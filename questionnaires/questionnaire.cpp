@@ -265,7 +265,10 @@ base::Result<void> checkWordings(const procedure::Procedure& procedure) {
     }
     const auto& languages = procedure.languages;
     if (std::find(languages.begin(), languages.end(), wording.language) == languages.end()) {
-      return base::inFile({ErrorCode::kReference, {}, "/language", base::quoted(wording.language),
+      return base::inFile({ErrorCode::kReference,
+                           {},
+                           "/language",
+                           base::quoted(wording.language),
                            "one of " + base::joined(languages, ", ")},
                           file);
     }
@@ -275,7 +278,9 @@ base::Result<void> checkWordings(const procedure::Procedure& procedure) {
                           std::any_of(wording.phrases.begin(), wording.phrases.end(),
                                       [&](const auto& phrase) { return phrase.condition == condition; });
         if (said) continue;
-        return base::inFile({ErrorCode::kReference, {}, "/phrases",
+        return base::inFile({ErrorCode::kReference,
+                             {},
+                             "/phrases",
                              "no phrase for " + base::quoted(condition.input + " " + condition.term) + " of item " +
                                  std::to_string(item.number),
                              "a phrase for each condition"},
@@ -288,8 +293,11 @@ base::Result<void> checkWordings(const procedure::Procedure& procedure) {
   }
   for (const auto& form : procedure.forms) {
     if (isPrinted(form) || std::find(worded.begin(), worded.end(), form.id) != worded.end()) continue;
-    return base::inFile({ErrorCode::kReference, {}, "wordings",
-                         "no wording of " + base::quoted(form.id) + " in " + base::quoted(first), "one"},
+    return base::inFile({ErrorCode::kReference,
+                         {},
+                         "wordings",
+                         "no wording of " + base::quoted(form.id) + " in " + base::quoted(first),
+                         "one"},
                         procedure.id + "/procedure.json");
   }
   return {};
@@ -320,7 +328,8 @@ std::vector<std::string> languagesOf(const procedure::Procedure& procedure, std:
     for (const auto& carried : kCarried) languages.emplace_back(carried.language);
     return languages;
   }
-  if (wording == kPublishedWording && isPrinted(*procedure.form(form))) languages.push_back(procedure.languages.front());
+  if (wording == kPublishedWording && isPrinted(*procedure.form(form)))
+    languages.push_back(procedure.languages.front());
   for (const Wording& one : wordingsIn(procedure)) {
     if (one.form == form && one.wording == wording) languages.push_back(one.language);
   }

@@ -286,9 +286,16 @@ base::Result<Survey> survey(const procedure::Procedure& procedure, std::string_v
   TACTUS_TRY(const auto words, questionnaire(procedure, form, language, wording));
   const study::Form* const rules = procedure.form(form);
   const bool scale = rules == nullptr;
-  Survey out{
-      words.form,  words.version,      nameOf(procedure, form, words.wording),         words.wording,           words.language,
-      words.title, words.instructions, std::string(wordsIn(language).code), choicesOf(procedure, words, scale), {}};
+  Survey out{words.form,
+             words.version,
+             nameOf(procedure, form, words.wording),
+             words.wording,
+             words.language,
+             words.title,
+             words.instructions,
+             std::string(wordsIn(language).code),
+             choicesOf(procedure, words, scale),
+             {}};
   std::vector<study::ItemCondition> common;  // to all fields of the last matrix
   for (const Question& question : words.questions) {
     SurveyField field{numbered("q", static_cast<std::size_t>(question.number)), question.number, question.text, {}};

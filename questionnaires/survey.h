@@ -73,7 +73,8 @@ struct Survey {
 
 /// The form `form` of the procedure in `language`; `wording` as for `questionnaire`. Returns an error for an unknown
 /// form, language or wording.
-base::Result<Survey> survey(const procedure::Procedure& procedure, std::string_view form, std::string_view language, std::string_view wording = {});
+base::Result<Survey> survey(const procedure::Procedure& procedure, std::string_view form, std::string_view language,
+                            std::string_view wording = {});
 
 /// Two tables that lead from responses back to answers: `field,form,item` and one column per input; `code,term,status`.
 std::string fieldTable(const Survey& survey);

@@ -23,7 +23,7 @@ struct BundleSettings {
   std::string created_utc;
   std::string generator;
   std::optional<double> table_error_n = {};  ///< that the look-up table may have anywhere, > 0; nothing: the usual one
-  std::stop_token stop = {};            ///< the making ends soon after a request, with kCancelled
+  std::stop_token stop = {};                 ///< the making ends soon after a request, with kCancelled
   /// Called before each file, in the thread that makes the bundle.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
   std::vector<model_io::Approval> approvals = {};  ///< of the model, as its history has them

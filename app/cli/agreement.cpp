@@ -51,8 +51,9 @@ Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& opt
   std::vector<std::string> notes;
   if (table.find("item")) {
     TACTUS_TRY(const auto answers, session::readAnswerTable(table, notes));
-    return rated(elicitation::agreementData(answers, options.form, session::knownForms(*procedure::defaultProcedure()), terms), "answers",
-                 options.file, std::move(notes));
+    return rated(
+        elicitation::agreementData(answers, options.form, session::knownForms(*procedure::defaultProcedure()), terms),
+        "answers", options.file, std::move(notes));
   }
   if (table.find("series") || table.find("term")) {
     TACTUS_TRY(const auto judgements, session::readJudgementTable(table, notes));

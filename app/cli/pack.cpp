@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/commands.h"
+#include "app/cli/study_commands.h"
 #include "app/report/printed_form.h"
 #include "app/session/study_procedure.h"
 #include "app/webform/pictures.h"
@@ -34,9 +34,7 @@ std::string range(const fuzzy::Variable& variable) {
 }
 
 std::string_view directionOf(procedure::Direction direction) {
-  return direction == procedure::Direction::kFalls   ? "falls"
-         : direction == procedure::Direction::kRises ? "rises"
-                                                     : "";
+  return direction == procedure::Direction::kFalls ? "falls" : direction == procedure::Direction::kRises ? "rises" : "";
 }
 
 /// Places in the universe of `variable` where no term, or none above one half, holds: a person would find no word.
@@ -116,7 +114,8 @@ std::string summary(const Procedure& procedure) {
                     std::to_string(procedure.wayInput().terms.size()) + " regions, " +
                     std::to_string(procedure.output.terms.size()) + " words for the force, ";
   std::vector<std::string> forms;
-  for (const auto& form : procedure.forms) forms.push_back(form.id + " (" + std::to_string(form.items.size()) + " items)");
+  for (const auto& form : procedure.forms)
+    forms.push_back(form.id + " (" + std::to_string(form.items.size()) + " items)");
   out += base::joined(forms, ", ") + "\n  languages " + base::joined(procedure.languages, ", ");
   return out + "\n  SHA-256 " + procedure.sha256 + "\n";
 }

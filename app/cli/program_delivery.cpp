@@ -112,9 +112,10 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
         command.add_option("--accept-hole", o.accept_holes, "Name of a hole that may stay; as often as needed")
             ->check(notEmpty());
         command
-            .add_option("--table-error", o.table_error_n,
-                        "The most that the look-up table may be off, in N; default: 0.01, of a force beyond 1.25 N 2 % of "
-                        "its largest")
+            .add_option(
+                "--table-error", o.table_error_n,
+                "The most that the look-up table may be off, in N; default: 0.01, of a force beyond 1.25 N 2 % of "
+                "its largest")
             ->check(numberThat("a number of newtons above 0", [](double x) { return x > 0; }));
         command.add_option("--study", o.study, "Study file whose sign-offs on the model go along")->check(notEmpty());
         command.add_option("--sign", o.sign, "Private key of OpenSSH to sign with: ssh-keygen writes the signature")

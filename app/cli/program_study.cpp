@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "app/cli/command_line.h"
-#include "app/cli/commands.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_seal.h"
 #include "app/planning/study_plan.h"
 #include "app/session/simulated_study.h"
@@ -38,7 +38,8 @@ void addPackCommands(CLI::App& app, Chosen& chosen) {
   addCommand(pack, chosen, "show", "Inputs, words, regions and items of a pack; alone: the procedures of the program",
              packShow, [addPack](CLI::App& command, PackOptions& o) {
                addPack(command, o, kAny);
-               command.add_flag("--texts", o.texts, "The ids of the participant's screens with their words, as a table");
+               command.add_flag("--texts", o.texts,
+                                "The ids of the participant's screens with their words, as a table");
                addJson(command, o.json);
              });
   addCommand(pack, chosen, "preview", "Its forms as pages and on paper, its pictures with each region lit", packPreview,
@@ -58,7 +59,10 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
   addCommand(study, chosen, "new", "Make a study file", studyNew, [](CLI::App& command, StudyNewOptions& o) {
     addFile(command, o.file);
     command.add_option("--name", o.name, "Name of the study; by default the file's")->check(notEmpty());
-    command.add_option("--pack", o.pack, "What it is about: a folder with a pack, or a procedure that `tactus pack show` lists; default: the first of these")
+    command
+        .add_option("--pack", o.pack,
+                    "What it is about: a folder with a pack, or a procedure that `tactus pack show` lists; default: "
+                    "the first of these")
         ->check(notEmpty());
     addJson(command, o.json);
   });

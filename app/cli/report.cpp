@@ -2,9 +2,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/cli/commands.h"
 #include "app/cli/output_file.h"
 #include "app/cli/study_build.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/terminal.h"
 #include "app/demo/demo_folder.h"
 #include "app/report/study_report.h"

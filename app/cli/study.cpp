@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/session/data_checks.h"
 #include "app/session/export_folder.h"
@@ -26,7 +26,8 @@ std::string infoAsText(const std::string& file, const store::StudyInfo& info, co
                      base::oneLine(info.program) + "\n  version of the file " + std::to_string(info.version) +
                      "\n  id " + toText(info.id) + '\n';
   if (about.id != procedure::defaultProcedure()->id)
-    text += "  procedure " + about.id + ", version " + std::to_string(about.version) + ", SHA-256 " + about.sha256 + '\n';
+    text +=
+        "  procedure " + about.id + ", version " + std::to_string(about.version) + ", SHA-256 " + about.sha256 + '\n';
   for (const auto& count : info.counts) text += "  " + count.table + ' ' + std::to_string(count.rows) + '\n';
   if (info.protocol_version > 0) {
     text += "  protocol: version " + std::to_string(info.protocol_version) +
@@ -110,8 +111,8 @@ Result<Output> studyInfo(const StudyInfoOptions& options) {
   TACTUS_TRY(const auto procedure, session::procedureIn(file));
   const procedure::Procedure& about = procedure::orDefault(procedure);
   auto notices = noticesOf(file);
-  std::string text = options.json ? infoAsJson(options.file, info, about, notices)
-                                  : infoAsText(options.file, info, about);
+  std::string text =
+      options.json ? infoAsJson(options.file, info, about, notices) : infoAsText(options.file, info, about);
   return Output{std::move(text), std::move(notices)};
 }
 
@@ -175,8 +176,8 @@ Result<Output> studySimulate(const StudySimulateOptions& options) {
     json.beginObject().key("file").value(options.file).key("simulated").values(*added).key("notices").values(warnings);
     return Output{json.endObject().text(), std::move(warnings)};
   }
-  return Output{"Added " + std::to_string(added->size()) + " simulated experts to " + base::oneLine(options.file) + ": " +
-                    base::joined(*added, ", ") + "\n",
+  return Output{"Added " + std::to_string(added->size()) + " simulated experts to " + base::oneLine(options.file) +
+                    ": " + base::joined(*added, ", ") + "\n",
                 std::move(warnings)};
 }
 

@@ -2,7 +2,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/cli/commands.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/webform/answers.h"
 #include "core/base/json/json_writer.h"

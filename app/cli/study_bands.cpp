@@ -5,10 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "app/cli/output_file.h"
 #include "app/cli/study_build.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/terminal.h"
 #include "core/analysis/force_difference.h"
 #include "core/base/error.h"
@@ -80,8 +80,7 @@ Result<Found> findBands(const StudyBandsOptions& options, const StudyBuild& made
   out.words = bands.ownWords();
   out.under_words = bands.underOwnWords();
   TACTUS_TRY(out.disagreement, elicitation::wordsAndRules(study, made.built, made.settings));
-  out.intervals = elicitation::wordIntervals(study.judgements, made.settings.series,
-                                             made.built.about().output.terms);
+  out.intervals = elicitation::wordIntervals(study.judgements, made.settings.series, made.built.about().output.terms);
   return out;
 }
 

@@ -1,6 +1,6 @@
 // The method study: does a choice of the method matter here?
-#include "app/cli/commands.h"
 #include "app/cli/study_build.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/terminal.h"
 #include "app/session/study_source.h"
 #include "core/base/error.h"

@@ -4,9 +4,9 @@
 #include <random>
 #include <utility>
 
-#include "app/cli/commands.h"
 #include "app/cli/findings_text.h"
 #include "app/cli/study_build.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/dataset/dataset.h"
 #include "app/session/data_checks.h"

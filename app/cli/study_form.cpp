@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "app/cli/commands.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/report/printed_form.h"
 #include "app/session/session_notes.h"
@@ -142,8 +142,7 @@ Result<Output> studyResponses(const StudyFormOptions& options, const AskedForm& 
     return tl::unexpected(
         base::Error{base::ErrorCode::kData, options.responses, {}, "no row with an answer", "at least one"});
   }
-  if (auto ok = session::writeTables(tables, options.out); !ok)
-    return tl::unexpected(ok.error());
+  if (auto ok = session::writeTables(tables, options.out); !ok) return tl::unexpected(ok.error());
   const auto is_answered = [](const study::Answer& one) { return one.status == study::Answer::Status::kAnswered; };
   const auto answered = std::count_if(tables.answers.begin(), tables.answers.end(), is_answered);
   if (!options.json) {
@@ -210,7 +209,8 @@ base::Result<std::vector<Survey>> surveysOf(AskedForm& asked, const std::string&
 
 using NamedFiles = std::vector<std::pair<std::string, std::string>>;
 
-/// The usual picture with the regions that the form asks about; with those of the first form for one without conditions.
+/// The usual picture with the regions that the form asks about; with those of the first form for one without
+/// conditions.
 std::string regionsPicture(const AskedForm& asked) {
   const procedure::Procedure& about = asked.protocol.settings.about();
   const study::Form* const form = about.form(asked.form);

@@ -1,7 +1,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/cli/commands.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/cli/commands.h"
 #include "app/cli/output_file.h"
 #include "app/cli/study_build.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/terminal.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"

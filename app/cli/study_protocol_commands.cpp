@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/cli/commands.h"
+#include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
 #include "app/session/protocol_values.h"
 #include "app/session/study_protocol.h"

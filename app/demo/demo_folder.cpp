@@ -40,7 +40,8 @@ elicitation::BuildSettings settingsNow(std::uint64_t seed) {
 Result<report::S4Reading> s4In(const questionnaires::TableReading& reading, study::Study study, std::uint64_t seed) {
   TACTUS_TRY(auto rules, questionnaires::s4Rules(reading.id));
   study.rules = std::move(rules);
-  TACTUS_TRY(const auto built, elicitation::buildModel(study, session::knownForms(procedure::of(study)), settingsNow(seed)));
+  TACTUS_TRY(const auto built,
+             elicitation::buildModel(study, session::knownForms(procedure::of(study)), settingsNow(seed)));
   TACTUS_TRY(auto model, elicitation::expertModel(built.model, "S4"));
   return report::S4Reading{reading.title, reading.assumes, std::move(model)};
 }
@@ -203,13 +204,13 @@ Result<DemoFolder> writeDemo(const DemoSettings& settings, const std::function<v
   const auto study = runStudy(folder, seed, reading);
   if (!study) return tl::unexpected(study.error());
   begin(DemoPart::kModel);
-  TACTUS_TRY(const auto built, elicitation::buildModel(*study, session::knownForms(procedure::of(*study)), settingsNow(seed)));
+  TACTUS_TRY(const auto built,
+             elicitation::buildModel(*study, session::knownForms(procedure::of(*study)), settingsNow(seed)));
   begin(DemoPart::kReport);
   TACTUS_TRY(const auto page, demoReport(*study, built, reading, seed));
 
   begin(DemoPart::kFiles);
-  if (auto ok = session::writeTables(*study, folder + "/study"); !ok)
-    return tl::unexpected(ok.error());
+  if (auto ok = session::writeTables(*study, folder + "/study"); !ok) return tl::unexpected(ok.error());
   TACTUS_TRY(auto models, writeModels(built, folder));
   TACTUS_TRY(const auto scenarios, writeScenarios(folder));
   if (auto ok = base::writeFileAtomically(folder + "/report.html", page); !ok) return tl::unexpected(ok.error());

@@ -250,7 +250,8 @@ Result<std::vector<std::vector<double>>> planPoints(const Questions& questions, 
   for (std::size_t i = 1; out.size() < count; ++i) {
     std::vector<double> point;
     for (std::size_t k = 0; k < inputs.size(); ++k) {
-      const double high = fuzzy::roleOf(inputs[k]) == fuzzy::Role::kRate ? std::min(kFastestMmS, inputs[k].max) : inputs[k].max;
+      const double high =
+          fuzzy::roleOf(inputs[k]) == fuzzy::Role::kRate ? std::min(kFastestMmS, inputs[k].max) : inputs[k].max;
       point.push_back(inputs[k].min + (high - inputs[k].min) * halton(i, kBases[k]));
     }
     const bool inside =

@@ -202,9 +202,11 @@ void addErrors(HtmlPage& page, const ReportContext& context, const SealedCurve& 
               .body = {},
               .note = "JND: just-noticeable difference around the force of the reference."};
   if (curve.signed_model) {
-    table.body.push_back(errorRow(context.in.built.about(), "Signed off before the opening", *curve.signed_model, curve));
+    table.body.push_back(
+        errorRow(context.in.built.about(), "Signed off before the opening", *curve.signed_model, curve));
   }
-  table.body.push_back(errorRow(context.in.built.about(), "Built from the data of this report", context.in.built.model, curve));
+  table.body.push_back(
+      errorRow(context.in.built.about(), "Built from the data of this report", context.in.built.model, curve));
   page.table(table);
 }
 

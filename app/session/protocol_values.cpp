@@ -226,7 +226,8 @@ ProtocolLoad loadOf(const StudyProtocol& protocol) {
   for (const Block block : settings.blocks) {
     if (block == Block::kSpeed) load.strokes = static_cast<int>(settings.speed.levels.size()) * settings.speed.strokes;
     if (block == Block::kForm) {
-      if (const auto form = questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front()))
+      if (const auto form =
+              questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front()))
         load.questions = static_cast<int>(form->questions.size());
     }
     if (block != Block::kForce) continue;

@@ -1,13 +1,12 @@
 #include "app/session/session.h"
 
-#include "app/session/study_procedure.h"
-
 #include <algorithm>
 #include <chrono>
 #include <utility>
 
 #include "app/session/judged_forces.h"
 #include "app/session/session_state.h"
+#include "app/session/study_procedure.h"
 #include "core/base/error.h"
 #include "core/store/batch.h"
 #include "core/store/entries.h"

@@ -240,7 +240,8 @@ double expectedMinutes(const SessionSettings& settings) {
       stimuli += (force.ladder.count() + force.ladder_catches) * ladders;
       if (force.random) stimuli += force.random_steps.count() * force.random_repeats * (1 + force.catch_share);
       seconds += kStimulusS * stimuli;
-    } else if (const auto form = questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front())) {
+    } else if (const auto form =
+                   questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front())) {
       seconds += kItemS * static_cast<double>(form->questions.size());
     }
   }
@@ -258,7 +259,9 @@ Result<void> validate(const SessionSettings& settings) {
       case Block::kSpeed: ok = experiments::validate(settings.speed); break;
       case Block::kForce: ok = experiments::validate(settings.force); break;
       case Block::kForm:
-        if (const auto form = questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front()); !form) {
+        if (const auto form =
+                questionnaires::questionnaire(settings.about(), settings.form, settings.about().languages.front());
+            !form) {
           ok = tl::unexpected(form.error());
         }
         break;

@@ -1,13 +1,12 @@
 #include "app/session/session_state.h"
 
-#include "app/session/study_procedure.h"
-
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "app/session/session_notes.h"
+#include "app/session/study_procedure.h"
 #include "core/base/error.h"
 #include "core/base/json/json_members.h"
 #include "core/store/entries.h"

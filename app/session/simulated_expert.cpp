@@ -15,7 +15,7 @@ using procedure::Procedure;
 // What simulated strokes can be: the speeds of Table 1, from which slower ones are stretched in time.
 constexpr double kSlowestMmS = 30;
 constexpr double kFastestMmS = 300;
-constexpr double kOwnWords = 0.4;  // standard deviation of an answer, in words
+constexpr double kOwnWords = 0.4;          // standard deviation of an answer, in words
 constexpr double kSpreadOfStrokes = 0.35;  // standard deviation as a share of the mean, the middle of Table 1
 
 /// Where the word `k` of `terms` passes into the next one.
@@ -38,7 +38,8 @@ SimulatedLevel levelAt(const std::string& level, double mean_mm_s, std::uint64_t
   const auto slow = [stretch](Recording& recording) {
     for (double& time : recording.time_s) time *= stretch;
   };
-  for (auto* const recordings : {&out.strokes, &out.practice}) std::for_each(recordings->begin(), recordings->end(), slow);
+  for (auto* const recordings : {&out.strokes, &out.practice})
+    std::for_each(recordings->begin(), recordings->end(), slow);
   slow(out.too_short);
   return out;
 }
@@ -57,7 +58,8 @@ std::map<std::string, std::vector<double>> effectsOf(const Procedure& procedure,
                                                                     : random.uniform(-kNotDeclared, kNotDeclared);
     const auto& terms = input.terms;
     for (std::size_t k = 0; k < terms.size(); ++k) {
-      const double place = terms.size() < 2 ? 0 : 2 * static_cast<double>(k) / static_cast<double>(terms.size() - 1) - 1;
+      const double place =
+          terms.size() < 2 ? 0 : 2 * static_cast<double>(k) / static_cast<double>(terms.size() - 1) - 1;
       effects.push_back(i == procedure.way() ? random.uniform(0.25, 0.75) * words : sign * words * place);
     }
   }
@@ -102,7 +104,10 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
     }
     level += kOwnWords * person.normal();
     const double place = std::clamp(std::round(level), 0.0, highest);
-    out.answers.push_back({{}, form.id, item.number, form.answers[static_cast<std::size_t>(place)].term,
+    out.answers.push_back({{},
+                           form.id,
+                           item.number,
+                           form.answers[static_cast<std::size_t>(place)].term,
                            study::Answer::Status::kAnswered});
   }
   return out;

@@ -267,7 +267,8 @@ NurseTraits likeOneOfThem(std::string_view model, double spread, std::uint64_t s
   responder.beyond_from_n *= forces;
   responder.noise = spread / kLargestSpread;
   responder.lapse *= spread / kLargestSpread;
-  NurseTraits nurse = nurseWith(std::move(responder), simulatedAnswers(procedure::defaultProcedure()->forms.front(), answers_seed));
+  NurseTraits nurse =
+      nurseWith(std::move(responder), simulatedAnswers(procedure::defaultProcedure()->forms.front(), answers_seed));
   std::uint64_t cell = 0;
   for (auto target : experiments::publishedSpeeds()) {
     ++cell;

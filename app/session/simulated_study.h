@@ -90,8 +90,8 @@ base::Result<store::StudyFile> makeSimulatedNgtStudy(const std::string& path, st
                                                      std::string_view reading = questionnaires::kDefaultReading,
                                                      const std::string& program = {});
 
-/// Simulated nurses for a rehearsal of a study: not the paper's four, but others like them; of another procedure experts
-/// invented from its pack (simulatedExpert).
+/// Simulated nurses for a rehearsal of a study: not the paper's four, but others like them; of another procedure
+/// experts invented from its pack (simulatedExpert).
 struct SimulatedGroup {
   static constexpr int kMost = 50;
 

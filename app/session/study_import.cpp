@@ -1,5 +1,4 @@
 #include "app/session/study_import.h"
-#include "app/session/study_procedure.h"
 
 #include <algorithm>
 #include <map>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include "app/session/session_state.h"
+#include "app/session/study_procedure.h"
 #include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/file.h"

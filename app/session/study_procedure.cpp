@@ -58,7 +58,8 @@ Result<StudyProtocol> withPack(const StudyProtocol& protocol, const Procedure& p
   return base::inFile(std::move(out).error(), procedure.id + "/procedure.json");
 }
 
-/// Strokes of a procedure whose slow is slower begin and end at lower speeds: `slow` of nasogastric tubes ends at 100 mm/s.
+/// Strokes of a procedure whose slow is slower begin and end at lower speeds: `slow` of nasogastric tubes ends at 100
+/// mm/s.
 void fitStrokes(const fuzzy::Variable& rate, experiments::StrokeSettings& stroke) {
   constexpr double kUsualSlowMmS = 100;
   const double share = std::min(1.0, rate.terms.front().points[3] / kUsualSlowMmS);
@@ -118,7 +119,10 @@ Result<ProcedurePtr> readPack(const std::string& name) {
   if (auto carried = procedure::builtIn(name)) return carried;
   std::error_code ignored;
   if (!std::filesystem::is_directory(name, ignored)) {
-    return base::inFile({ErrorCode::kReference, {}, {}, "no folder and no procedure of this name",
+    return base::inFile({ErrorCode::kReference,
+                         {},
+                         {},
+                         "no folder and no procedure of this name",
                          "a folder with procedure.json, or one of " + base::joined(procedure::builtInIds(), ", ")},
                         name);
   }
@@ -197,9 +201,9 @@ Result<void> requireSameProcedure(const store::StudyFile& one, const std::string
   const auto text = [](const Procedure& of) {
     return base::quoted(of.id) + " (pack " + std::to_string(of.version) + ", " + of.sha256.substr(0, 12) + ")";
   };
-  return base::inFile({ErrorCode::kMismatch, {}, "procedure", text(theirs),
-                       text(ours) + ", that of the study it is merged into"},
-                      other);
+  return base::inFile(
+      {ErrorCode::kMismatch, {}, "procedure", text(theirs), text(ours) + ", that of the study it is merged into"},
+      other);
 }
 
 }  // namespace tactus::session

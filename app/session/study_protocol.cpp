@@ -36,8 +36,9 @@ Result<void> validateLanguages(const StudyProtocol& protocol) {
     const auto is_of = [&](const auto& list) { return std::find(list.begin(), list.end(), language) != list.end(); };
     const bool is_default = about.id == procedure::defaultProcedure()->id;
     if (is_default ? !is_of(kScreenLanguages) : !is_of(about.languages)) {
-      return fail(ErrorCode::kReference, place, "no screens in it",
-                  "one of " + (is_default ? base::joined(kScreenLanguages, ", ") : base::joined(about.languages, ", ")));
+      return fail(
+          ErrorCode::kReference, place, "no screens in it",
+          "one of " + (is_default ? base::joined(kScreenLanguages, ", ") : base::joined(about.languages, ", ")));
     }
     if (has(protocol.settings, Block::kForm) && std::find(known.begin(), known.end(), language) == known.end()) {
       return fail(ErrorCode::kReference, place, "no wording of " + base::quoted(protocol.settings.form),
@@ -98,12 +99,12 @@ Result<void> validate(const StudyProtocol& protocol) {
 
 std::string toJson(const StudyProtocol& protocol, const procedure::Procedure* kept) {
   Json json = {{"settings", Json::parse(toJson(protocol.settings))},
-                     {"languages", protocol.languages},
-                     {"consent_version", protocol.consent_version},
-                     {"consent", protocol.consent},
-                     {"statements", protocol.statements},
-                     {"contact", protocol.contact},
-                     {"device", deviceJson(protocol.device)}};
+               {"languages", protocol.languages},
+               {"consent_version", protocol.consent_version},
+               {"consent", protocol.consent},
+               {"statements", protocol.statements},
+               {"contact", protocol.contact},
+               {"device", deviceJson(protocol.device)}};
   const auto& procedure = protocol.settings.procedure;
   if (procedure != nullptr && procedure != procedure::defaultProcedure()) {
     json["procedure"] = {{"id", procedure->id}, {"pack_version", procedure->version}, {"sha256", procedure->sha256}};

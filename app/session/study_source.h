@@ -53,8 +53,8 @@ std::vector<study::Form> knownForms(const procedure::Procedure& procedure);
 /// that they are of; null: the pack in the folder `procedure` beside them, or the default one.
 base::Result<study::StudyTables> readTables(const std::string& folder, ProcedurePtr procedure = nullptr);
 
-/// Writes the tables of `study` into `folder` (csv_tables.h), with its pack beside them in the folder `procedure` unless
-/// it is the default one.
+/// Writes the tables of `study` into `folder` (csv_tables.h), with its pack beside them in the folder `procedure`
+/// unless it is the default one.
 base::Result<void> writeTables(const study::Study& study, const std::string& folder);
 
 /// Reads the study at `path`: a folder like readTables, or the data for elicitation from a study file (study_view.h)

@@ -1,5 +1,4 @@
 #include "app/session/study_view.h"
-#include "app/session/study_procedure.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +14,7 @@
 #include "app/session/session_settings.h"
 #include "app/session/session_state.h"
 #include "app/session/setup_certificate.h"
+#include "app/session/study_procedure.h"
 #include "core/base/check.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"

@@ -77,7 +77,6 @@ constexpr std::array<std::pair<const char*, const char*>, 17> kSeriesWords = {
      {"absteigend", experiments::kDescending},
      {"random_order", experiments::kRandom}}};
 
-
 void readJudgements(study::Study& study, std::vector<std::string>& notes) {
   Words series(study::kJudgementsTable);
   for (const char* id : {experiments::kAscending, experiments::kDescending, experiments::kRandom}) series.add(id);

@@ -171,7 +171,8 @@ std::vector<Picture> pictures(const procedure::Procedure& procedure) {
       PictureRegion& region = one.regions.emplace_back();
       region.id = term.id;
       region.outline = picture.regions.at(term.id);
-      const double middle_mm = std::clamp((term.points[1] + term.points[2]) / 2, picture.way_mm.front(), picture.way_mm.back());
+      const double middle_mm =
+          std::clamp((term.points[1] + term.points[2]) / 2, picture.way_mm.front(), picture.way_mm.back());
       const auto next = std::upper_bound(picture.way_mm.begin(), picture.way_mm.end() - 1, middle_mm);
       region.end = static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - picture.way_mm.begin() - 1, 0));
       region.tip = procedure::placeAt(picture, middle_mm);
@@ -228,9 +229,11 @@ std::string postureOf(const procedure::Procedure& procedure, const study::ItemCo
     // The drawings stand in the order of the words of the input that is drawn as a pose.
     for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
       const auto& terms = procedure.inputs[i].terms;
-      if (procedure.inputs[i].id != condition.input || procedure.input_notes[i].picture != procedure::LevelPicture::kPose)
+      if (procedure.inputs[i].id != condition.input ||
+          procedure.input_notes[i].picture != procedure::LevelPicture::kPose)
         continue;
-      const auto term = std::find_if(terms.begin(), terms.end(), [&](const auto& one) { return one.id == condition.term; });
+      const auto term =
+          std::find_if(terms.begin(), terms.end(), [&](const auto& one) { return one.id == condition.term; });
       const auto place = static_cast<std::size_t>(term - terms.begin());
       if (place < all.size()) return all[place].posture;
     }

@@ -71,8 +71,8 @@ void addLanguage(const FormLanguage& language, JsonWriter& json) {
 std::size_t levelOf(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
   for (const auto& input : procedure.inputs) {
     if (input.id != condition.input) continue;
-    const auto term = std::find_if(input.terms.begin(), input.terms.end(),
-                                   [&](const auto& one) { return one.id == condition.term; });
+    const auto term =
+        std::find_if(input.terms.begin(), input.terms.end(), [&](const auto& one) { return one.id == condition.term; });
     return static_cast<std::size_t>(term - input.terms.begin()) + 1;
   }
   return 1;
@@ -91,7 +91,10 @@ void addItems(const FormContent& content, JsonWriter& json) {
           json.key("region").value(condition.term);
         } else {
           json.key("input").value(condition.input).key("term").value(condition.term);
-          json.key("posture").value(postureOf(content.about(), condition)).key("level").value(levelOf(content.about(), condition));
+          json.key("posture")
+              .value(postureOf(content.about(), condition))
+              .key("level")
+              .value(levelOf(content.about(), condition));
         }
       }
     }
@@ -110,9 +113,12 @@ void addGlossary(const FormContent& content, JsonWriter& json) {
   for (std::size_t i = 0; i < about.inputs.size(); ++i) {
     const auto picture = about.input_notes[i].picture;
     if (i == about.way() || picture == procedure::LevelPicture::kPose) continue;
-    json.key(about.inputs[i].id).beginObject().key("shape").value(picture == procedure::LevelPicture::kDrops    ? "drop"
-                                                                  : picture == procedure::LevelPicture::kArrows ? "arrow"
-                                                                                                                : "bar");
+    json.key(about.inputs[i].id)
+        .beginObject()
+        .key("shape")
+        .value(picture == procedure::LevelPicture::kDrops    ? "drop"
+               : picture == procedure::LevelPicture::kArrows ? "arrow"
+                                                             : "bar");
     json.key("of").value(about.inputs[i].terms.size()).endObject();
   }
   json.endObject();

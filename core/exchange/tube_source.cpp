@@ -131,7 +131,8 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& ori
                "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"fp-contract=off\")\n"
                "#elif defined(__clang__)\n#pragma STDC FP_CONTRACT OFF\n#endif\n\n" +
                numbersText(model, inputs, "static const double ") +
-               filled(kTubeStartInC, {{"@INPUTS@", filling.places + (inputs.speed ? "" : "\n  (void)speed_mm_s;")}}) + std::string(kTubeBody);
+               filled(kTubeStartInC, {{"@INPUTS@", filling.places + (inputs.speed ? "" : "\n  (void)speed_mm_s;")}}) +
+               std::string(kTubeBody);
   return out;
 }
 

@@ -31,8 +31,9 @@ Result<PackFiles> filesOf(const std::string& folder) {
     TACTUS_TRY(auto bytes, base::readFile(path, kMostFileBytes));
     all += bytes.size();
     if (all > kMostPackBytes || files.size() >= kMostFiles) {
-      return base::inFile({ErrorCode::kLimit, {}, {}, "more than 16 MiB or 500 files", "a pack: procedure.json and what it names"},
-                          folder);
+      return base::inFile(
+          {ErrorCode::kLimit, {}, {}, "more than 16 MiB or 500 files", "a pack: procedure.json and what it names"},
+          folder);
     }
     files.emplace(it->path().lexically_relative(folder).generic_string(), std::move(bytes));
   }

@@ -214,16 +214,16 @@ class PathReader {
     const char kind = relative ? static_cast<char>(command - 'a' + 'A') : command;
     static constexpr std::pair<char, std::size_t> kCounts[] = {{'M', 2}, {'L', 2}, {'H', 1}, {'V', 1}, {'C', 6},
                                                                {'S', 4}, {'Q', 4}, {'T', 2}, {'Z', 0}};
-    const auto* const count = std::find_if(std::begin(kCounts), std::end(kCounts),
-                                           [kind](const auto& one) { return one.first == kind; });
+    const auto* const count =
+        std::find_if(std::begin(kCounts), std::end(kCounts), [kind](const auto& one) { return one.first == kind; });
     if (count == std::end(kCounts)) return false;
     if (count->second == 0) return n.empty();  // closed: the way and an outline end where they began
     if (n.empty() || n.size() % count->second != 0) return false;
     for (std::size_t i = 0; i < n.size(); i += count->second) {
       const Point from = relative ? here() : Point{};
       const auto point = [&](std::size_t k) { return Point{from.x + n[i + k], from.y + n[i + k + 1]}; };
-      const bool smooth = (kind == 'S' && (last_ == 'C' || last_ == 'S')) ||
-                          (kind == 'T' && (last_ == 'Q' || last_ == 'T'));
+      const bool smooth =
+          (kind == 'S' && (last_ == 'C' || last_ == 'S')) || (kind == 'T' && (last_ == 'Q' || last_ == 'T'));
       if (!smooth) handle_ = here();
       switch (kind) {
         case 'M':
@@ -352,8 +352,8 @@ Result<Picture> readPicture(std::string_view svg, const std::string& file, doubl
   if (!base::isUtf8(svg))
     return base::inFile({ErrorCode::kSyntax, {}, {}, "bytes that are not UTF-8", "an SVG picture"}, file);
   if (hasLinkedStyle(base::lowered(svg))) {
-    return base::inFile({ErrorCode::kValue, {}, {}, "a style that links to another file", "a picture that needs no other file"},
-                        file);
+    return base::inFile(
+        {ErrorCode::kValue, {}, {}, "a style that links to another file", "a picture that needs no other file"}, file);
   }
   const auto elements = Elements(svg).read();
   if (!elements) return base::inFile(elements.error(), file);

@@ -1,5 +1,5 @@
-// A procedure as data: what is inserted, along which way, in which words experts speak of it. A procedure is read from a
-// pack, a folder of files (docs/procedure-packs.md). The code outside the packs knows no particular procedure.
+// A procedure as data: what is inserted, along which way, in which words experts speak of it. A procedure is read from
+// a pack, a folder of files (docs/procedure-packs.md). The code outside the packs knows no particular procedure.
 #pragma once
 
 #include <cstddef>
@@ -47,7 +47,7 @@ inline constexpr LevelPicture kLevelPictures[] = {LevelPicture::kBars, LevelPict
 /// What a pack says of one input beside its variable.
 struct InputNotes {
   Direction direction = Direction::kNone;
-  double usual = 0;                                        ///< where curves along another input are shown
+  double usual = 0;  ///< where curves along another input are shown
   LevelPicture picture = LevelPicture::kBars;
 };
 
@@ -77,8 +77,8 @@ struct Picture {
   std::string file;                ///< path in the pack
   study::ItemCondition pose = {};  ///< the condition that it shows; empty: the usual one
   double left = 0, top = 0, width = 0, height = 0;
-  std::vector<Point> way;           ///< close points, from where the tip enters to the end of the universe
-  std::vector<double> way_mm;       ///< the place of each point, rising
+  std::vector<Point> way;                      ///< close points, from where the tip enters to the end of the universe
+  std::vector<double> way_mm;                  ///< the place of each point, rising
   std::map<std::string, std::string> regions;  ///< `d` of the outline of each region, by its id
   std::string svg;                             ///< the whole picture
 };
@@ -104,9 +104,9 @@ struct Procedure {
   std::vector<fuzzy::Variable> inputs;  ///< the way has the terms of its first set
   std::vector<InputNotes> input_notes;  ///< one per input
   fuzzy::Variable output;
-  std::vector<TermSet> way_terms;  ///< at least one
-  std::vector<study::Form> forms;  ///< at least one, the first is that of a new study
-  std::vector<std::string> wordings;  ///< paths of the wordings of the forms (questionnaires/questionnaire.h)
+  std::vector<TermSet> way_terms;      ///< at least one
+  std::vector<study::Form> forms;      ///< at least one, the first is that of a new study
+  std::vector<std::string> wordings;   ///< paths of the wordings of the forms (questionnaires/questionnaire.h)
   std::map<std::string, Texts> words;  ///< of the participant's screens: id of the text, then by language
   std::vector<Picture> pictures;       ///< none: a bar of regions stands for the body
   std::vector<Step> steps;
@@ -170,7 +170,7 @@ inline const Procedure& of(const study::Study& study) { return orDefault(study.p
 fuzzy::NamedJson modelSetting(const Procedure& procedure);
 
 struct ModelProcedure {
-  std::string id;                              ///< empty if it cannot be read
+  std::string id;                               ///< empty if it cannot be read
   std::map<std::string, Direction> directions;  ///< declared ones, by input
 };
 

@@ -41,8 +41,7 @@ bool isId(std::string_view id, char separator) {
 void readId(JsonMembers& json, std::string& id, char separator) {
   json.text(required("id"), id);
   if (id.empty() || isId(id, separator)) return;
-  json.refuse("id", base::quoted(id),
-              "at most 40 small letters, digits and '" + std::string(1, separator) + "'");
+  json.refuse("id", base::quoted(id), "at most 40 small letters, digits and '" + std::string(1, separator) + "'");
 }
 
 Texts readTexts(JsonMembers& json, std::string_view key) {
@@ -169,9 +168,11 @@ std::vector<Landmark> readLandmarks(JsonMembers& json, Problem& error) {
 /// Paths of files that must be in the pack.
 void wantFile(JsonMembers& json, std::string_view key, const std::string& path, const PackFiles& files) {
   if (path.empty() || files.contains(path)) return;
-  const bool outside = path.starts_with('/') || path.find("..") != std::string::npos || path.find('\\') != std::string::npos;
-  json.refuse(key, outside ? base::quoted(path) + ", which leads out of the pack" : base::quoted(path) + ", which is not there",
-              "a file of the pack", ErrorCode::kReference);
+  const bool outside =
+      path.starts_with('/') || path.find("..") != std::string::npos || path.find('\\') != std::string::npos;
+  json.refuse(
+      key, outside ? base::quoted(path) + ", which leads out of the pack" : base::quoted(path) + ", which is not there",
+      "a file of the pack", ErrorCode::kReference);
 }
 
 /// A manifest before the files that it names are read.
@@ -274,9 +275,9 @@ void readItems(JsonMembers& json, const Procedure& procedure, const TermSet& reg
       if (earlier.number == item.number)
         members.refuse("number", std::to_string(item.number) + " again", "each number once");
       if (earlier.conditions == item.conditions) {
-        members.refuse("if", "the conditions of item " + std::to_string(earlier.number) + " (" +
-                                 inWords(item.conditions) + ")",
-                       "other conditions for each item");
+        members.refuse(
+            "if", "the conditions of item " + std::to_string(earlier.number) + " (" + inWords(item.conditions) + ")",
+            "other conditions for each item");
       }
     }
     form.items.push_back(std::move(item));
@@ -378,7 +379,10 @@ Result<void> checkWords(const Procedure& procedure, const std::string& file) {
     if (found == procedure.words.end() || !found->second.contains(first)) missing.push_back(id);
   }
   if (missing.empty()) return {};
-  return base::inFile({ErrorCode::kSchema, {}, "texts", "no words in " + base::quoted(first) + " for " + base::listed(missing),
+  return base::inFile({ErrorCode::kSchema,
+                       {},
+                       "texts",
+                       "no words in " + base::quoted(first) + " for " + base::listed(missing),
                        "words for each"},
                       file);
 }
@@ -424,12 +428,14 @@ std::vector<std::string> Procedure::inputIds() const {
 }
 
 const TermSet* Procedure::wayTerms(std::string_view set) const {
-  const auto found = std::find_if(way_terms.begin(), way_terms.end(), [&](const TermSet& one) { return one.id == set; });
+  const auto found =
+      std::find_if(way_terms.begin(), way_terms.end(), [&](const TermSet& one) { return one.id == set; });
   return found == way_terms.end() ? nullptr : &*found;
 }
 
 const study::Form* Procedure::form(std::string_view form_id) const {
-  const auto found = std::find_if(forms.begin(), forms.end(), [&](const study::Form& one) { return one.id == form_id; });
+  const auto found =
+      std::find_if(forms.begin(), forms.end(), [&](const study::Form& one) { return one.id == form_id; });
   return found == forms.end() ? nullptr : &*found;
 }
 
@@ -444,21 +450,22 @@ std::string packSha256(const PackFiles& files) {
 Result<Procedure> readProcedure(PackFiles files, const std::string& name) {
   const auto manifest = files.find(std::string(kManifest));
   if (manifest == files.end()) {
-    return base::inFile({ErrorCode::kReference, {}, {}, "no procedure.json", "a pack: a folder or zip file with procedure.json"},
-                        name);
+    return base::inFile(
+        {ErrorCode::kReference, {}, {}, "no procedure.json", "a pack: a folder or zip file with procedure.json"}, name);
   }
   const auto in = [&](std::string_view path) { return name + "/" + std::string(path); };
   Named named;
   TACTUS_TRY(Procedure out, base::readJson(manifest->second, in(kManifest), [&](JsonMembers& json, Problem& error) {
-    return readManifest(json, error, files, named);
-  }));
+               return readManifest(json, error, files, named);
+             }));
   if (auto ok = checkVariables(out); !ok) return base::inFile(std::move(ok).error(), in(kManifest));
   for (const std::string& path : named.forms) {
     TACTUS_TRY(auto form, base::readJson(files.at(path), in(path), [&](JsonMembers& json, Problem& error) {
-      return readForm(json, out, error);
-    }));
+                 return readForm(json, out, error);
+               }));
     if (out.form(form.id) != nullptr) {
-      return base::inFile({ErrorCode::kReference, {}, "/id", base::quoted(form.id) + " again", "each form once"}, in(path));
+      return base::inFile({ErrorCode::kReference, {}, "/id", base::quoted(form.id) + " again", "each form once"},
+                          in(path));
     }
     out.forms.push_back(std::move(form));
   }

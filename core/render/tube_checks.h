@@ -14,8 +14,8 @@ namespace tactus::render {
 
 /// The inputs of a model that is felt with the way and the rate of the tip free.
 struct TubeInputs {
-  std::size_t depth = 0;             ///< the way
-  std::optional<std::size_t> speed;  ///< the rate; nothing: the force does not depend on it
+  std::size_t depth = 0;                ///< the way
+  std::optional<std::size_t> speed;     ///< the rate; nothing: the force does not depend on it
   std::vector<std::size_t> conditions;  ///< all others, in the order of the model
 };
 

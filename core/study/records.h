@@ -117,7 +117,7 @@ struct Form {
   std::string id;
   int version = 1;
   std::string title;
-  std::string source;  ///< origin of the wording
+  std::string source;               ///< origin of the wording
   std::string depth_terms;          ///< id of the set of terms of the way that the form knows
   std::vector<AnswerWord> answers;  ///< from the smallest force to the largest
   std::vector<FormItem> items;

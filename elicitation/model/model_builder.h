@@ -94,8 +94,8 @@ struct BuildSettings {
 /// A model and its intermediate results.
 struct BuiltModel {
   std::shared_ptr<const procedure::Procedure> procedure;  ///< of the study; null: as there
-  fuzzy::ForceModel model;                ///< validated
-  std::vector<ParticipantSpeeds> speeds;  ///< one per participant with speeds
+  fuzzy::ForceModel model;                                ///< validated
+  std::vector<ParticipantSpeeds> speeds;                  ///< one per participant with speeds
   std::vector<double> speed_weights;      ///< one per entry of `speeds` with Averaging::kWeightedMean, else empty
   std::vector<Ramp> averaged_ramps;       ///< empty if the default speed terms are used
   std::vector<VoteStep> votes;            ///< empty if the default force terms are used

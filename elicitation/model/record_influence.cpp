@@ -9,9 +9,9 @@
 #include "core/analysis/force_probe.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/noticeable_force.h"
-#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {

@@ -255,8 +255,8 @@ Result<void> joinForm(const procedure::Procedure& about, ExpertRules& expert, co
         {ErrorCode::kData,
          {},
          "participant " + expert.participant.code,
-         "forms with different depth terms (" + expert.forms.front() + ": " + labelOf(about, expert.depth_terms) + "; " +
-             form.id + ": " + labelOf(about, set) + ")",
+         "forms with different depth terms (" + expert.forms.front() + ": " + labelOf(about, expert.depth_terms) +
+             "; " + form.id + ": " + labelOf(about, set) + ")",
          "forms with the same depth terms"},
         cell,
         quoted(form.id) + " after " + quoted(expert.forms.front()) + " for participant " + expert.participant.code);
@@ -313,15 +313,16 @@ Result<void> addGiven(ExpertRules& expert, const study::Study& study, std::span<
   if (!expert.rules.empty() && expert.depth_terms.empty()) {
     expert.depth_terms = inferDepthTerms(about, expert.rules);
     expert.depth_terms_inferred = true;
-    notes.push_back(
-        "The given rules of participant " + expert.participant.code +
-        " name no form; by the regions they use they get these depth terms: " + labelOf(about, expert.depth_terms) + ".");
+    notes.push_back("The given rules of participant " + expert.participant.code +
+                    " name no form; by the regions they use they get these depth terms: " +
+                    labelOf(about, expert.depth_terms) + ".");
   }
   return {};
 }
 
 Result<void> addAnswered(const procedure::Procedure& about, ExpertRules& expert,
-                         const std::vector<study::Answer>& answers, std::span<const study::Form> forms, std::span<const std::string> output_terms) {
+                         const std::vector<study::Answer>& answers, std::span<const study::Form> forms,
+                         std::span<const std::string> output_terms) {
   for (const auto& form : forms) {
     std::vector<study::Answer> own;
     for (const auto& answer : answers) {
@@ -330,7 +331,8 @@ Result<void> addAnswered(const procedure::Procedure& about, ExpertRules& expert,
     if (own.empty()) continue;
     TACTUS_TRY(const auto answered, rulesFromAnswers(own, form, output_terms));
     if (answered.rules.empty()) continue;
-    if (auto ok = joinForm(about, expert, form, {study::kAnswersTable, answered.origins.front().line, "form"}); !ok) return ok;
+    if (auto ok = joinForm(about, expert, form, {study::kAnswersTable, answered.origins.front().line, "form"}); !ok)
+      return ok;
     expert.rules.insert(expert.rules.end(), answered.rules.begin(), answered.rules.end());
     expert.origins.insert(expert.origins.end(), answered.origins.begin(), answered.origins.end());
     expert.missing.insert(expert.missing.end(), answered.missing.begin(), answered.missing.end());
@@ -370,7 +372,8 @@ Result<StudyRules> studyRules(const study::Study& study, std::span<const study::
       out.notes.push_back("Participant " + participant.code +
                           " has both given rules and answers; the given rules are used.");
     } else if (expert.rules.empty()) {
-      if (auto ok = addAnswered(procedure::of(study), expert, answers, forms, output_terms); !ok) return tl::unexpected(ok.error());
+      if (auto ok = addAnswered(procedure::of(study), expert, answers, forms, output_terms); !ok)
+        return tl::unexpected(ok.error());
     }
     if (expert.rules.empty()) {
       out.notes.push_back("Participant " + participant.code + " has no rules and is not an expert of the model.");

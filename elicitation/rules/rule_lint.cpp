@@ -122,11 +122,10 @@ std::vector<RuleFinding> findingsOfModel(const RuleContext& context, const analy
 namespace {
 
 bool isAgainst(const RuleContext& context, const analysis::NeighborStep& step) {
-  return std::any_of(context.directions.begin(), context.directions.end(),
-                     [&](const DeclaredDirection& declared) {
-                       return declared.input == context.model.inputs[step.input].id &&
-                              step.levels * static_cast<int>(declared.direction) < 0;
-                     });
+  return std::any_of(context.directions.begin(), context.directions.end(), [&](const DeclaredDirection& declared) {
+    return declared.input == context.model.inputs[step.input].id &&
+           step.levels * static_cast<int>(declared.direction) < 0;
+  });
 }
 
 bool isJump(const RuleContext& context, const analysis::NeighborStep& step) {
@@ -365,8 +364,8 @@ std::vector<DeclaredDirection> declaredDirections(const fuzzy::ForceModel& model
   std::vector<DeclaredDirection> out;
   for (const auto& [input, declared] : procedure::procedureOf(model).directions) {
     if (declared == procedure::Direction::kNone) continue;
-    out.push_back({input, declared == procedure::Direction::kFalls ? analysis::Direction::kFalls
-                                                                   : analysis::Direction::kRises});
+    out.push_back(
+        {input, declared == procedure::Direction::kFalls ? analysis::Direction::kFalls : analysis::Direction::kRises});
   }
   return out;
 }

@@ -34,7 +34,7 @@ std::vector<DeclaredDirection> declaredDirections(const fuzzy::ForceModel& model
 struct RuleLintSettings {
   std::optional<std::vector<DeclaredDirection>> directions;  ///< nothing: those of the model's procedure
   std::optional<std::string> region_input;                   ///< nothing: the way; empty: no regions
-  int jump_levels = 3;          ///< levels between neighboring answers that make a finding
+  int jump_levels = 3;                                       ///< levels between neighboring answers that make a finding
   double noticeable_times = 2;  ///< just-noticeable differences between experts that make a finding
 };
 

@@ -224,7 +224,8 @@ Result<Sources> sourcesOfVertex(const study::Study& study, const BuiltModel& bui
     }
     return out;
   }
-  if (found != &model.output && fuzzy::roleOf(*found) == fuzzy::Role::kWay && settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
+  if (found != &model.output && fuzzy::roleOf(*found) == fuzzy::Role::kWay &&
+      settings.depths == DepthsFrom::kMeasured && settings.measured_depths) {
     return without(measuredSentence(*settings.measured_depths));
   }
   return without("The terms of " + found->id + " are defaults of the program.");

@@ -9,9 +9,9 @@
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/force/force_voting.h"
-#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {

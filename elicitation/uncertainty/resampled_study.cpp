@@ -6,9 +6,9 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/force/force_terms_from.h"
 #include "elicitation/uncertainty/force_bands.h"
-#include "core/procedure/procedure.h"
 
 namespace tactus::elicitation {
 namespace {

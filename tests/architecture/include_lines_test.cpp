@@ -27,12 +27,10 @@ const std::map<std::string, Permission>& permissions() {
   const std::set<std::string> base = {"core/base", "core/base/json", "core/base/tables", "core/base/files"};
   const std::set<std::string> haptics = {"core/haptics/device", "core/haptics/safety", "core/haptics/sources",
                                          "core/haptics/servo"};
-  const std::set<std::string> elicitation = {"elicitation/clustering", "elicitation/speed",       "elicitation/force",
-                                             "elicitation/rules",      "elicitation/agreement",   "elicitation/model",
-                                             "elicitation/uncertainty", "elicitation/depth",
-                                             "elicitation/tracing"};
-  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/contracts", "core/study",
-                                       "core/procedure"};
+  const std::set<std::string> elicitation = {"elicitation/clustering",  "elicitation/speed",     "elicitation/force",
+                                             "elicitation/rules",       "elicitation/agreement", "elicitation/model",
+                                             "elicitation/uncertainty", "elicitation/depth",     "elicitation/tracing"};
+  const std::set<std::string> model = {"core/fuzzy", "core/analysis", "core/contracts", "core/study", "core/procedure"};
   const auto joined = [](std::set<std::string> folders, std::initializer_list<std::set<std::string>> more) {
     for (const auto& set : more) folders.insert(set.begin(), set.end());
     return folders;
@@ -149,8 +147,11 @@ const std::map<std::string, Permission>& permissions() {
                 "questionnaires"},
                {base, model, elicitation}),
         {kJson}}},
-      {"app/dataset", {joined({"app/session", "core/procedure", "core/store", "core/study", "questionnaires"}, {base}), {}}},
-      {"app/webform", {joined({"app/session", "core/fuzzy", "core/procedure", "core/store", "core/study", "questionnaires"}, {base}), {}}},
+      {"app/dataset",
+       {joined({"app/session", "core/procedure", "core/store", "core/study", "questionnaires"}, {base}), {}}},
+      {"app/webform",
+       {joined({"app/session", "core/fuzzy", "core/procedure", "core/store", "core/study", "questionnaires"}, {base}),
+        {}}},
       {"app/simulation", {joined({"core/fuzzy", "core/render", "core/haptics/simulated"}, {base, haptics}), {}}},
       {"app/devices",
        {joined({"core/haptics/simulated", "core/haptics/haply", "core/haptics/hid", "core/haptics/openhaptics"},

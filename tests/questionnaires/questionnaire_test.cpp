@@ -115,8 +115,8 @@ TEST(Questionnaire, UnknownOnesAreRefusedWithTheKnown) {
   EXPECT_NE(language.error().message().find("en, de"), std::string::npos) << language.error().message();
   EXPECT_TRUE(languagesOf(support::defaultProcedure(), "other").empty());
   EXPECT_EQ(languagesOf(support::defaultProcedure(), "ngt-force-v1", "published"), std::vector<std::string>{"en"});
-  for (const auto& unknown :
-       {questionnaire(support::defaultProcedure(), "ngt-force-v1", "en", "plainer"), questionnaire(support::defaultProcedure(), "usability-v1", "en", "plain")})
+  for (const auto& unknown : {questionnaire(support::defaultProcedure(), "ngt-force-v1", "en", "plainer"),
+                              questionnaire(support::defaultProcedure(), "usability-v1", "en", "plain")})
     EXPECT_FALSE(unknown.has_value());
   EXPECT_FALSE(questionnaire(support::defaultProcedure(), "ngt-force-v1", "zh-Hant", "published").has_value());
 }

@@ -15,7 +15,8 @@ using Status = study::Answer::Status;
 
 std::vector<Survey> forceSurveys() {
   std::vector<Survey> out;
-  for (const std::string& language : languagesOf(support::defaultProcedure(), "ngt-force-v1")) out.push_back(*survey(support::defaultProcedure(), "ngt-force-v1", language));
+  for (const std::string& language : languagesOf(support::defaultProcedure(), "ngt-force-v1"))
+    out.push_back(*survey(support::defaultProcedure(), "ngt-force-v1", language));
   return out;
 }
 

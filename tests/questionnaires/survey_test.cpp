@@ -149,7 +149,8 @@ TEST(SurveyForm, RedcapRows) {
   EXPECT_EQ(table.cell(2, 5), "1, Very small | 2, Small | 3, Medium | 4, Large | 5, Very large | 9, I can't tell");
   EXPECT_EQ(table.cell(2, 4),
             "The tube is poorly lubricated. The tip of the tube is in the nasal cavity. How large is the force?");
-  const auto published = tableOf(redcapDictionary(*survey(support::defaultProcedure(), "ngt-force-v1", "en", "published")));
+  const auto published =
+      tableOf(redcapDictionary(*survey(support::defaultProcedure(), "ngt-force-v1", "en", "published")));
   EXPECT_EQ(published.cell(2, 5), "1, Very Small | 2, Small | 3, Medium | 4, Large | 5, Very Large | 9, I can't tell");
   EXPECT_EQ(published.cell(2, 4), support::ngtForceForm().items[0].text);
 }

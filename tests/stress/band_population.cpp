@@ -139,8 +139,8 @@ std::vector<double> populationForces(elicitation::ForceTermsFrom force_terms) {
     const auto counts = elicitation::countVotes(study.judgements, "ascending", ids);
     TACTUS_CHECK(counts.has_value());
     const auto votes = elicitation::vote(*counts, kPeople);
-    auto terms = elicitation::forceTermsFrom(force_terms, support::ngtOutput(), study.judgements, "ascending",
-                                             votes, std::nullopt);
+    auto terms = elicitation::forceTermsFrom(force_terms, support::ngtOutput(), study.judgements, "ascending", votes,
+                                             std::nullopt);
     TACTUS_CHECK(terms.has_value());
     model.output = terms->output;
     const auto compiled = fuzzy::compile(model);

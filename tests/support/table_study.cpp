@@ -1,4 +1,3 @@
-#include "tests/support/default_procedure.h"
 #include "tests/support/table_study.h"
 
 #include <algorithm>
@@ -10,6 +9,8 @@
 #include "app/session/simulated_nurse.h"
 #include "app/session/study_source.h"
 #include "core/base/random.h"
+
+#include "tests/support/default_procedure.h"
 
 namespace tactus::support {
 namespace {

@@ -22,8 +22,8 @@ QString headingOf(const QUrl& url) {
 QList<GuidePage> guidePages() {
   carryGuide();
   QList<GuidePage> pages;
-  for (const char* name :
-       {"bench", "researcher-path", "researcher-session", "labs-speed", "researcher-build", "own-procedure", "nurse", "simulator"}) {
+  for (const char* name : {"bench", "researcher-path", "researcher-session", "labs-speed", "researcher-build",
+                           "own-procedure", "nurse", "simulator"}) {
     const QUrl url(QStringLiteral("qrc:/tactus/docs/guide/%1.md").arg(QLatin1String(name)));
     pages << GuidePage{url, headingOf(url)};
   }

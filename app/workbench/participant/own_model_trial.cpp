@@ -88,8 +88,7 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   settings.created_utc = base::formatUtc(now);
   settings.generator = kGenerator;
   const auto forms = session::knownForms(procedure::of(view.study));
-  TACTUS_TRY(const auto built,
-             elicitation::buildModel(dataOf(std::move(view.study), code), forms, settings));
+  TACTUS_TRY(const auto built, elicitation::buildModel(dataOf(std::move(view.study), code), forms, settings));
   const fuzzy::ForceModel& model = built.model;
   TACTUS_TRY(const auto compiled, fuzzy::compile(model));
 

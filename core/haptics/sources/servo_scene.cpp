@@ -58,8 +58,8 @@ base::Result<std::vector<std::optional<double>>> fixedInputs(const ForceModel& m
   const auto unknown = std::find_if(conditions.begin(), conditions.end(), [&](const Conditions::value_type& condition) {
     return std::find(wanted.begin(), wanted.end(), condition.first) == wanted.end();
   });
-  const bool is_moved = (depth != nullptr && depth->id == unknown->first) ||
-                        (speed != nullptr && speed->id == unknown->first);
+  const bool is_moved =
+      (depth != nullptr && depth->id == unknown->first) || (speed != nullptr && speed->id == unknown->first);
   return base::fail(
       ErrorCode::kReference, "condition " + base::quoted(unknown->first),
       is_moved ? "an input that the hand moves" : "no such input in the model",

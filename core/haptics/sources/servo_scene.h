@@ -15,7 +15,8 @@
 
 namespace tactus::haptics {
 
-/// Values of the conditions by input id: of all inputs but the way and the rate, which the renderer moves. A value outside its universe is clamped.
+/// Values of the conditions by input id: of all inputs but the way and the rate, which the renderer moves. A value
+/// outside its universe is clamped.
 using Conditions = std::map<std::string, double>;
 
 struct SceneSettings {

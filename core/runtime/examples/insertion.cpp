@@ -16,7 +16,8 @@ int main(int argc, char** argv) {
     std::map<std::string, double> conditions;
     for (std::size_t i = 0; i < model.inputs(); ++i) {
       const std::string id = model.inputId(i);
-      if (std::string_view(model.inputRole(i)) == "condition") conditions[id] = (model.inputMin(i) + model.inputMax(i)) / 2;
+      if (std::string_view(model.inputRole(i)) == "condition")
+        conditions[id] = (model.inputMin(i) + model.inputMax(i)) / 2;
     }
     tactus::Tube tube(model.scene(conditions));
     std::printf("time_s,position_mm,depth_mm,force_n\n");

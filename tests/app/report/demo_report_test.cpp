@@ -33,10 +33,12 @@ const std::string& page() {
     for (const auto& reading : questionnaires::s4Readings()) {
       auto in_reading = study;
       in_reading.rules = questionnaires::s4Rules(reading.id).value();
-      const auto built = elicitation::buildModel(in_reading, session::knownForms(support::defaultProcedure()), settings());
+      const auto built =
+          elicitation::buildModel(in_reading, session::knownForms(support::defaultProcedure()), settings());
       readings.push_back({reading.title, reading.assumes, elicitation::expertModel(built->model, "S4").value()});
     }
-    const auto built = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), settings()).value();
+    const auto built =
+        elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), settings()).value();
     const DemoReportInputs inputs{.study = study,
                                   .built = built,
                                   .readings = readings,

@@ -31,8 +31,9 @@ study::Study recorded(int nurses = 3) {
 
 /// The report of a study, as the command makes it.
 std::string pageOf(const study::Study& study, elicitation::BuildSettings build = studySettings()) {
-  const auto built = elicitation::hasRules(study) ? elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), build)
-                                                  : elicitation::buildTerms(study, build);
+  const auto built = elicitation::hasRules(study)
+                         ? elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), build)
+                         : elicitation::buildTerms(study, build);
   EXPECT_TRUE(built) << built.error().message();
   const auto page = studyReport({.study = study,
                                  .built = *built,
@@ -137,7 +138,8 @@ TEST(StudyReport, HasTheMethodStudyAndMeasuredDepths) {
 // Two answers, 5 and 6: mean 5.5, deviation with n - 1 the root of one half.
 TEST(StudyReport, HasTheUsabilityScaleWhereItWasAnswered) {
   const auto study = recorded(1);
-  const auto built = elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), studySettings()).value();
+  const auto built =
+      elicitation::buildModel(study, session::knownForms(support::defaultProcedure()), studySettings()).value();
   const auto page = studyReport({.study = study,
                                  .built = built,
                                  .settings = {},

@@ -57,7 +57,8 @@ TEST(WebPage, AsksTheSameAsTheOtherMediaInEachLanguage) {
   ASSERT_EQ(data["languages"].size(), 3U);
   EXPECT_EQ(data["items"].size(), 45U);
   for (const PageJson& language : data["languages"]) {
-    const auto asked = questionnaires::questionnaire(support::defaultProcedure(), "ngt-force-v1", language["id"].get<std::string>());
+    const auto asked =
+        questionnaires::questionnaire(support::defaultProcedure(), "ngt-force-v1", language["id"].get<std::string>());
     ASSERT_TRUE(asked.has_value());
     for (const auto& question : asked->questions) {
       const std::string situation = language["items"][std::to_string(question.number)];

@@ -60,8 +60,7 @@ TEST(NasogastricTube, EverySetOfRegionsCoversTheDepth) {
 // Fig. 10 of the paper, as its text reads: (a) faster more, (b) the neck not flexed more, (c) less lubrication more.
 TEST(NasogastricTube, TheDirectionsThatTheStudyDeclares) {
   const Direction wanted[] = {Direction::kFalls, Direction::kFalls, Direction::kNone, Direction::kRises};
-  for (std::size_t i = 0; i < 4; ++i)
-    EXPECT_EQ(support::defaultProcedure().input_notes[i].direction, wanted[i]) << i;
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(support::defaultProcedure().input_notes[i].direction, wanted[i]) << i;
 }
 
 }  // namespace

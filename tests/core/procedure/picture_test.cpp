@@ -28,8 +28,8 @@ TEST(Picture, TheWayIsDividedEvenly) {
 }
 
 TEST(Picture, TheNodesHaveTheirPlaces) {
-  const auto read = readPicture(svg(R"(<path id="way" data-mm="0 50 60" d="M0,0 10-0 10 10"/>)" + kRegion), "p.svg", 0,
-                                60, {"a"});
+  const auto read =
+      readPicture(svg(R"(<path id="way" data-mm="0 50 60" d="M0,0 10-0 10 10"/>)" + kRegion), "p.svg", 0, 60, {"a"});
   ASSERT_TRUE(read) << read.error().message();
   EXPECT_EQ(read->way_mm, (std::vector<double>{0, 50, 60}));
 }
@@ -52,8 +52,8 @@ TEST(Picture, CurvesHaveTheirLength) {
 TEST(Picture, RelativeAndAbsoluteNumbersGiveTheSameWay) {
   const auto absolute = readPicture(svg(R"(<path id="way" d="M5 5C5 10 10 10 10 5Q15 0 20 5T30 5H40V20"/>)" + kRegion),
                                     "p.svg", 0, 60, {"a"});
-  const auto relative = readPicture(svg(R"(<path id="way" d="m5 5c0 5 5 5 5 0q5-5 10 0t10 0h10v15"/>)" + kRegion),
-                                    "p.svg", 0, 60, {"a"});
+  const auto relative =
+      readPicture(svg(R"(<path id="way" d="m5 5c0 5 5 5 5 0q5-5 10 0t10 0h10v15"/>)" + kRegion), "p.svg", 0, 60, {"a"});
   ASSERT_TRUE(absolute && relative);
   ASSERT_EQ(absolute->way.size(), relative->way.size());
   for (std::size_t i = 0; i < absolute->way.size(); ++i) {
@@ -84,9 +84,10 @@ TEST(Picture, WhatIsMissingIsNamed) {
   EXPECT_EQ(refusal(R"(<path id="way" d="M0 0A5 5 0 0 1 9 9"/>)" + kRegion),
             "p.svg: path 'way': found 'M0 0A5 5 0 0 1 9 9', wanted one line of moves, lines and curves (M, L, H, V, C, "
             "S, Q, T, Z), no arcs");
-  EXPECT_EQ(refusal(R"(<path id="way" data-mm="0 61" d="M0 0L1 1"/>)" + kRegion),
-            "p.svg: data-mm of the path 'way': found '0 61', wanted 2 rising numbers from 0 to 60, one for each node of "
-            "the path");
+  EXPECT_EQ(
+      refusal(R"(<path id="way" data-mm="0 61" d="M0 0L1 1"/>)" + kRegion),
+      "p.svg: data-mm of the path 'way': found '0 61', wanted 2 rising numbers from 0 to 60, one for each node of "
+      "the path");
   EXPECT_EQ(readPicture("<html/>", "p.svg", 0, 60, {}).error().message(),
             "p.svg: found no element svg, wanted an SVG picture");
   EXPECT_FALSE(readPicture("", "p.svg", 0, 60, {}));

@@ -18,41 +18,40 @@ Json term(const char* id, std::vector<double> points) { return {{"id", id}, {"la
 
 /// A pack with two inputs and two words.
 struct Small {
-  Json manifest = {
-      {"format", "tactus-procedure"},
-      {"version", 1},
-      {"id", "probe"},
-      {"pack_version", 2},
-      {"title", {{"fr", "Sonde"}}},
-      {"languages", {"fr"}},
-      {"about", "A probe."},
-      {"inputs",
-       {{{"id", "way"},
-         {"label", "Way"},
-         {"unit", "mm"},
-         {"min", 0},
-         {"max", 60},
-         {"role", "way"},
-         {"terms", {term("near", {0, 0, 20, 40}), term("far", {20, 40, 60, 60})}}},
-        {{"id", "gel"},
-         {"label", "Gel"},
-         {"unit", "1"},
-         {"min", 0},
-         {"max", 1},
-         {"role", "condition"},
-         {"declared_direction", "falls"},
-         {"usual", 1},
-         {"terms", {term("dry", {0, 0, 0.4, 0.6}), term("wet", {0.4, 0.6, 1, 1})}}}}},
-      {"output",
-       {{"id", "force"},
-        {"label", "Force"},
-        {"unit", "N"},
-        {"min", 0},
-        {"max", 2},
-        {"terms", {term("low", {0, 0, 0.8, 1.2}), term("high", {0.8, 1.2, 2, 2})}}}},
-      {"forms", {"form.json"}},
-      {"wordings", {"form.fr.json"}},
-      {"words", "words.json"}};
+  Json manifest = {{"format", "tactus-procedure"},
+                   {"version", 1},
+                   {"id", "probe"},
+                   {"pack_version", 2},
+                   {"title", {{"fr", "Sonde"}}},
+                   {"languages", {"fr"}},
+                   {"about", "A probe."},
+                   {"inputs",
+                    {{{"id", "way"},
+                      {"label", "Way"},
+                      {"unit", "mm"},
+                      {"min", 0},
+                      {"max", 60},
+                      {"role", "way"},
+                      {"terms", {term("near", {0, 0, 20, 40}), term("far", {20, 40, 60, 60})}}},
+                     {{"id", "gel"},
+                      {"label", "Gel"},
+                      {"unit", "1"},
+                      {"min", 0},
+                      {"max", 1},
+                      {"role", "condition"},
+                      {"declared_direction", "falls"},
+                      {"usual", 1},
+                      {"terms", {term("dry", {0, 0, 0.4, 0.6}), term("wet", {0.4, 0.6, 1, 1})}}}}},
+                   {"output",
+                    {{"id", "force"},
+                     {"label", "Force"},
+                     {"unit", "N"},
+                     {"min", 0},
+                     {"max", 2},
+                     {"terms", {term("low", {0, 0, 0.8, 1.2}), term("high", {0.8, 1.2, 2, 2})}}}},
+                   {"forms", {"form.json"}},
+                   {"wordings", {"form.fr.json"}},
+                   {"words", "words.json"}};
   Json form = {{"format", "tactus-form"},
                {"id", "probe-v1"},
                {"version", 1},
@@ -62,17 +61,17 @@ struct Small {
                {"items",
                 {{{"number", 1}, {"if", {{"gel", "dry"}, {"way", "near"}}}},
                  {{"number", 2}, {"if", {{"gel", "wet"}, {"way", "near"}}}}}}};
-  Json wording = {{"format", "tactus-form-wording"},
-                  {"form", "probe-v1"},
-                  {"form_version", 1},
-                  {"wording", "plain"},
-                  {"language", "fr"},
-                  {"title", "Sonde"},
-                  {"instructions", "Pensez."},
-                  {"question", "Quelle force ?"},
-                  {"phrases",
-                   {{"gel", {{"dry", "Sans gel."}, {"wet", "Avec gel."}}}, {"way", {{"near", "Tout près."}}}}},
-                  {"answers", {{"low", "faible"}, {"high", "forte"}}}};
+  Json wording = {
+      {"format", "tactus-form-wording"},
+      {"form", "probe-v1"},
+      {"form_version", 1},
+      {"wording", "plain"},
+      {"language", "fr"},
+      {"title", "Sonde"},
+      {"instructions", "Pensez."},
+      {"question", "Quelle force ?"},
+      {"phrases", {{"gel", {{"dry", "Sans gel."}, {"wet", "Avec gel."}}}, {"way", {{"near", "Tout près."}}}}},
+      {"answers", {{"low", "faible"}, {"high", "forte"}}}};
   Json words = {{"format", "tactus-words"}, {"texts", Json::object()}};
 
   Small() {
@@ -107,8 +106,7 @@ TEST(Procedure, SaysWhatItIs) {
   EXPECT_EQ(read->input_notes[1].direction, Direction::kFalls);
   EXPECT_EQ(read->input_notes[1].usual, 1);
   ASSERT_EQ(read->forms.size(), 1U);
-  EXPECT_EQ(read->forms[0].items[1].conditions,
-            (std::vector<study::ItemCondition>{{"gel", "wet"}, {"way", "near"}}));
+  EXPECT_EQ(read->forms[0].items[1].conditions, (std::vector<study::ItemCondition>{{"gel", "wet"}, {"way", "near"}}));
   const auto asked = questionnaires::questionnaire(*read, "probe-v1", "fr");
   ASSERT_TRUE(asked) << asked.error().message();
   EXPECT_EQ(asked->questions[0].text, "Sans gel. Tout près. Quelle force ?");
@@ -146,15 +144,17 @@ TEST(Procedure, BrokenOnesAreRefusedInOneSentence) {
             "p/procedure.json: /inputs: found no input of the role 'way', wanted one");
   EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][0].erase("id"); }),
             "p/procedure.json: /inputs/0: found no key 'id', wanted a key 'id' with a text that is not empty");
-  EXPECT_EQ(changed([](Small& s) { s.manifest["colour"] = "red"; }).find(
-                "p/procedure.json: /colour: found an unknown key, wanted "),
+  EXPECT_EQ(changed([](Small& s) {
+              s.manifest["colour"] = "red";
+            }).find("p/procedure.json: /colour: found an unknown key, wanted "),
             0U);
   EXPECT_EQ(changed([](Small& s) { s.manifest["words"] = "../words.json"; }),
             "p/procedure.json: /words: found '../words.json', which leads out of the pack, wanted a file of the pack");
   EXPECT_EQ(changed([](Small& s) { s.manifest["forms"][0] = "no.json"; }),
             "p/procedure.json: /forms: found 'no.json', which is not there, wanted a file of the pack");
-  EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][1]["terms"][0]["points"] = {0.9, 0, 0.4, 0.6}; }).find(
-                "p/procedure.json: /inputs/1/terms/0/points"),
+  EXPECT_EQ(changed([](Small& s) {
+              s.manifest["inputs"][1]["terms"][0]["points"] = {0.9, 0, 0.4, 0.6};
+            }).find("p/procedure.json: /inputs/1/terms/0/points"),
             0U);
   EXPECT_EQ(changed([](Small& s) { s.form["items"][0]["if"]["gel"] = "moist"; }),
             "p/form.json: /items/0/if: found 'gel moist', wanted an input of the procedure and one of its words");
@@ -165,8 +165,9 @@ TEST(Procedure, BrokenOnesAreRefusedInOneSentence) {
             "p/form.json: /items/1/if: found no conditions, wanted at least one");
   EXPECT_EQ(changed([](Small& s) { s.form["answers"][0]["term"] = "middling"; }),
             "p/form.json: /answers/0/term: found 'middling', wanted a word of the output");
-  EXPECT_EQ(changed([](Small& s) { s.wording["phrases"]["gel"].erase("wet"); }),
-            "probe/form.fr.json: /phrases: found no phrase for 'gel wet' of item 2, wanted a phrase for each condition");
+  EXPECT_EQ(
+      changed([](Small& s) { s.wording["phrases"]["gel"].erase("wet"); }),
+      "probe/form.fr.json: /phrases: found no phrase for 'gel wet' of item 2, wanted a phrase for each condition");
   EXPECT_EQ(changed([](Small& s) { s.wording["language"] = "en"; }),
             "probe/form.fr.json: /language: found 'en', wanted one of fr");
   EXPECT_EQ(changed([](Small& s) { s.manifest["wordings"] = Json::array(); }),

@@ -5,7 +5,6 @@
 
 #include "tests/support/default_procedure.h"
 
-
 namespace tactus::elicitation {
 namespace {
 

@@ -84,14 +84,14 @@ TEST(ForceTerms, NoRoomMeansNoTerm) {
 TEST(ForceTerms, AMissingTopTermLiesOneStepAbove) {
   // All say "beyond" at 0.8 N and above: large ends at 0.7 N, very large begins there.
   const auto terms = forceTerms(support::ngtOutput(), won({{0.1, 0},
-                                                  {0.2, 0},
-                                                  {0.3, 1},
-                                                  {0.4, 1},
-                                                  {0.5, 2},
-                                                  {0.6, 3},
-                                                  {0.7, 3},
-                                                  {0.8, std::nullopt},
-                                                  {0.9, std::nullopt}}));
+                                                           {0.2, 0},
+                                                           {0.3, 1},
+                                                           {0.4, 1},
+                                                           {0.5, 2},
+                                                           {0.6, 3},
+                                                           {0.7, 3},
+                                                           {0.8, std::nullopt},
+                                                           {0.9, std::nullopt}}));
   ASSERT_TRUE(terms);
   EXPECT_TRUE(terms->absent.empty());
   EXPECT_EQ(terms->interpolated, (std::vector<std::string>{"very_large"}));

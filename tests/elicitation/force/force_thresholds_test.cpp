@@ -24,8 +24,8 @@ ThresholdTerms found(const std::vector<study::ForceJudgement>& judgements, std::
   for (const auto& term : support::ngtOutput().terms) ids.push_back(term.id);
   const auto counts = countVotes(judgements, "ascending", ids);
   EXPECT_TRUE(counts);
-  auto terms =
-      thresholdTerms(support::ngtOutput(), judgements, "ascending", vote(*counts, countParticipants(judgements)), end_n);
+  auto terms = thresholdTerms(support::ngtOutput(), judgements, "ascending",
+                              vote(*counts, countParticipants(judgements)), end_n);
   EXPECT_TRUE(terms);
   return std::move(*terms);
 }

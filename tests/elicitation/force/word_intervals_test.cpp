@@ -3,14 +3,15 @@
 
 #include <gtest/gtest.h>
 
-
 #include "tests/elicitation/four_people.h"
 #include "tests/support/default_procedure.h"
 
 namespace tactus::elicitation {
 namespace {
 
-std::vector<WordInterval> ofFour() { return wordIntervals(fourPeople().judgements, "ascending", support::ngtOutput().terms); }
+std::vector<WordInterval> ofFour() {
+  return wordIntervals(fourPeople().judgements, "ascending", support::ngtOutput().terms);
+}
 
 TEST(WordIntervals, GoFromTheLowestToTheHighestForceCalledSo) {
   const auto intervals = ofFour();

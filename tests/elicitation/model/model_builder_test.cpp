@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-
 #include "tests/elicitation/model/small_study.h"
 #include "tests/support/default_procedure.h"
 

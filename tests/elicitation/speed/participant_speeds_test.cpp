@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include "tests/elicitation/golden_speeds.h"
 #include "tests/support/default_procedure.h"
 

@@ -88,8 +88,8 @@ TACTUS_API double tactus_model_expert_weight(const tactus_model* model, size_t e
 
 /* The words of an input, such as the regions of `depth`, in the order of the file. A label that the file lacks is the
  * id. Texts live as long as the model; null where there is no such term. Thread: any. Real-time safe: yes. */
-/* "way": how deep the tip is, mm; "rate": how fast it moves, mm/s; "condition": any other input. A tube (below) moves the
- * first two. Null for an input that the model has not. */
+/* "way": how deep the tip is, mm; "rate": how fast it moves, mm/s; "condition": any other input. A tube (below) moves
+ * the first two. Null for an input that the model has not. */
 TACTUS_API const char* tactus_model_input_role(const tactus_model* model, size_t input);
 TACTUS_API size_t tactus_model_input_terms(const tactus_model* model, size_t input); /* at most 64 */
 TACTUS_API const char* tactus_model_term_id(const tactus_model* model, size_t input, size_t term);

@@ -32,7 +32,8 @@ class TactusForceFeedback : public sofa::component::haptics::ForceFeedback {
       std::vector<std::pair<std::string, double>> fixed;
       for (std::size_t i = 0, next = 0; i < model.inputs(); ++i) {
         const std::string id = model.inputId(i);
-        if (std::string_view(model.inputRole(i)) == "condition") fixed.emplace_back(id, d_conditions.getValue().at(next++));
+        if (std::string_view(model.inputRole(i)) == "condition")
+          fixed.emplace_back(id, d_conditions.getValue().at(next++));
       }
       tube_ = std::make_unique<tactus::Tube>(model.scene(fixed));
     } catch (const std::exception& wrong) {
