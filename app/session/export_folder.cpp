@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "app/session/study_export.h"
+#include "app/session/study_source.h"
 #include "app/session/trials.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
@@ -169,7 +170,7 @@ bool isOurs(const fs::path& path) {
   if (below == "records/recordings" || below == "records/models") {
     return study::parseRecordId(path.stem().string()).has_value();
   }
-  return knownFiles().contains(path.generic_string());
+  return knownFiles().contains(path.generic_string()) || *path.begin() == fs::path(kPackFolder);
 }
 
 Error notFree(const fs::path& folder, std::string found) {

@@ -75,6 +75,8 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
   out.profile.handedness = "right";
   const auto& words = procedure.output.terms;
   const double forces = std::exp(spread * person.normal());
+  out.words.clear();
+  for (const auto& word : words) out.words.push_back(word.id);
   for (std::size_t k = 0; k + 1 < words.size(); ++k)
     out.responder.threshold_n.push_back(forces * boundaryAfter(words, k));
   out.responder.beyond_from_n = forces * procedure.output.max;

@@ -168,7 +168,7 @@ SimulatedNurse::SimulatedNurse(NurseTraits traits, std::uint64_t seed, PassTime 
     : traits_(std::move(traits)),
       seed_(seed),
       pass_time_(pass_time ? std::move(pass_time) : [](double) {}),
-      responder_(traits_.responder, experiments::publishedVoteTerms()) {
+      responder_(traits_.responder, traits_.words) {
   for (const auto& record : judged) {
     auto random =
         randomFor("judge " + record.series + ' ' + std::to_string(record.step) + ' ' + std::to_string(record.attempt));

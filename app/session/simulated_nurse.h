@@ -14,6 +14,7 @@
 #include "app/session/simulated_strokes.h"
 #include "core/base/random.h"
 #include "core/study/records.h"
+#include "experiments/published_tables.h"
 
 namespace tactus::session {
 
@@ -74,6 +75,7 @@ struct NurseTraits {
   study::ProfileRecord profile;                  ///< without its entry
   std::map<std::string, SimulatedLevel> levels;  ///< by the term id of each speed in the session
   ResponderTraits responder;
+  std::vector<std::string> words = experiments::publishedVoteTerms();  ///< ids, from the smallest force
   std::vector<study::Answer> answers;  ///< to the items of the form; an item without an answer is skipped
   double stops_early = 0.08;           ///< share of strokes whose first attempt is too short
   double holds_still = 0.08;           ///< share of forces whose first attempt is judged without moving forward

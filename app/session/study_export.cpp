@@ -6,6 +6,7 @@
 
 #include "app/session/export_folder.h"
 #include "app/session/shareable.h"
+#include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "app/session/trials.h"
 #include "core/base/error.h"
@@ -258,6 +259,7 @@ class Exporter {
     if (auto note = virtualNote(view.study); !note.empty()) codebook_.notes.push_back(std::move(note));
     inputs_ = inputsOf(view.study);
     if (auto ok = study::writeStudyFolder(view.study, inputs_, folder_); !ok) return ok;
+    if (auto ok = writePack(view.study, folder_); !ok) return ok;
     if (options_.shareable) {
       if (auto ok = addBands(path(study::kParticipantsTable), bands); !ok) return ok;
     }

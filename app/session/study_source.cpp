@@ -166,13 +166,6 @@ std::vector<study::Form> knownForms(const procedure::Procedure& procedure) {
   return forms;
 }
 
-namespace {
-
-/// Of a folder with tables: its pack.
-constexpr std::string_view kPackFolder = "procedure";
-
-}  // namespace
-
 base::Result<study::StudyTables> readTables(const std::string& folder, ProcedurePtr procedure) {
   const auto pack = std::filesystem::path(folder) / kPackFolder;
   std::error_code ignored;
@@ -188,8 +181,12 @@ base::Result<study::StudyTables> readTables(const std::string& folder, Procedure
 }
 
 base::Result<void> writeTables(const study::Study& study, const std::string& folder) {
+  if (auto ok = study::writeStudyFolder(study, procedure::of(study).inputIds(), folder); !ok) return ok;
+  return writePack(study, folder);
+}
+
+base::Result<void> writePack(const study::Study& study, const std::string& folder) {
   const procedure::Procedure& about = procedure::of(study);
-  if (auto ok = study::writeStudyFolder(study, about.inputIds(), folder); !ok) return ok;
   if (&about == procedure::defaultProcedure().get()) return {};
   for (const auto& [name, bytes] : about.files) {
     const auto path = std::filesystem::path(folder) / kPackFolder / name;

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/session/study_procedure.h"
@@ -52,6 +53,12 @@ std::vector<study::Form> knownForms(const procedure::Procedure& procedure);
 /// Reads the tables of a folder (csv_tables.h); accepts everyday spellings (table_words.h). `procedure`: of the study
 /// that they are of; null: the pack in the folder `procedure` beside them, or the default one.
 base::Result<study::StudyTables> readTables(const std::string& folder, ProcedurePtr procedure = nullptr);
+
+/// Of a folder with the tables of a study: its pack.
+inline constexpr std::string_view kPackFolder = "procedure";
+
+/// Writes the pack of `study` into the folder `procedure` below `folder`; nothing of the default procedure.
+base::Result<void> writePack(const study::Study& study, const std::string& folder);
 
 /// Writes the tables of `study` into `folder` (csv_tables.h), with its pack beside them in the folder `procedure`
 /// unless it is the default one.
