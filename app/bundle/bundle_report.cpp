@@ -145,29 +145,41 @@ std::string curves(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& c
   return plot.svg();
 }
 
-/// Over the depth at the cores of the words of the speed; without them, over each input.
+/// The input whose words tell the curves apart: the rate, else the first condition.
+std::optional<std::size_t> variedInput(const fuzzy::ForceModel& model) {
+  if (const auto rate = fuzzy::rateOf(model.inputs)) return rate;
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    if (fuzzy::roleOf(model.inputs[i]) == fuzzy::Role::kCondition) return i;
+  }
+  return std::nullopt;
+}
+
+/// Over the way at the cores of the words of another input; without them, over each input.
 void addCurves(report::HtmlPage& page, const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
-  const auto depth = inputNamed(model, "depth");
-  const auto speed = inputNamed(model, "speed");
+  const auto depth = fuzzy::wayOf(model.inputs);
+  const auto varied = variedInput(model);
   std::vector<double> point = middleWords(model);
   report::Figure figure;
-  if (depth && speed) {
-    const fuzzy::Variable& words = model.inputs[*speed];
+  if (depth && varied) {
+    const fuzzy::Variable& words = model.inputs[*varied];
     const std::size_t count = std::min(words.terms.size(), kMostPanels);
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t term = count == 1 ? 0 : k * (words.terms.size() - 1) / (count - 1);
-      point[*speed] = coreMiddle(words, words.terms[term]);
-      figure.panels.push_back({labelOf(words.terms[term]) + ", " + shortly(point[*speed]) + " " + words.unit,
+      point[*varied] = coreMiddle(words, words.terms[term]);
+      const std::string unit = words.unit == "1" ? "" : " " + words.unit;
+      figure.panels.push_back({labelOf(words.terms[term]) + ", " + shortly(point[*varied]) + unit,
                                curves(model, compiled, *depth, point)});
     }
-    point[*depth] = point[*speed] = 0;
+    point[*depth] = point[*varied] = 0;
     std::vector<std::string> others;
     for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-      if (i == *depth || i == *speed) continue;
+      if (i == *depth || i == *varied) continue;
       const std::string unit = model.inputs[i].unit == "1" ? "" : " " + model.inputs[i].unit;
       others.push_back(base::lowered(labelOf(model.inputs[i])) + " " + shortly(point[i]) + unit);
     }
-    figure.caption = "The force over the depth at the middle of " + std::to_string(count) + " words of the speed" +
+    const bool rate = fuzzy::roleOf(words) == fuzzy::Role::kRate;
+    const std::string of = rate ? std::string("the speed") : "“" + labelOf(words) + "”";
+    figure.caption = "The force over the depth at the middle of " + std::to_string(count) + " words of " + of +
                      (others.empty() ? "." : "; " + base::joined(others, ", ") + ".");
   } else {
     for (std::size_t i = 0; i < std::min(model.inputs.size(), kMostPanels); ++i)
@@ -253,14 +265,14 @@ std::vector<Markup> stepTexts(const Bundle& bundle, const fuzzy::CompiledModel& 
 }
 
 void addSlopes(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled, std::vector<Markup>& items) {
-  for (const char* const id : {"depth", "speed"}) {
-    const auto input = inputNamed(model, id);
+  for (const fuzzy::Role role : {fuzzy::Role::kWay, fuzzy::Role::kRate}) {
+    const bool depth = role == fuzzy::Role::kWay;
+    const auto input = depth ? fuzzy::wayOf(model.inputs) : fuzzy::rateOf(model.inputs);
     const auto slope = input ? largestSlope(model, compiled, *input) : std::nullopt;
     if (!slope) continue;
-    const bool depth = std::string_view(id) == "depth";
     const std::string unit = depth ? model.output.unit + "/" + model.inputs[*input].unit
                                    : model.output.unit + " per " + model.inputs[*input].unit;
-    items.emplace_back("Largest slope over the " + std::string(id) + (depth ? ", dF/dx: " : ", dF/dv: ") +
+    items.emplace_back(std::string("Largest slope over the ") + (depth ? "depth, dF/dx: " : "speed, dF/dv: ") +
                        shortly(slope->slope) + " " + unit + " at " + placeText(model, slope->point) +
                        (depth ? " (what the device must render as stiffness)." : " (as damping)."));
   }

@@ -46,13 +46,6 @@ std::string shortly(double value) {
   return {text, end.ptr};
 }
 
-std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, std::string_view id) {
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (model.inputs[i].id == id) return i;
-  }
-  return std::nullopt;
-}
-
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term) {
   const auto within = [&](double x) { return std::clamp(x, variable.min, variable.max); };
   switch (term.shape) {
@@ -72,7 +65,7 @@ std::vector<double> middleWords(const fuzzy::ForceModel& model) {
 
 std::vector<RegionNumbers> regionNumbers(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
   constexpr int kPositions = 6000;
-  const auto input = inputNamed(model, "depth");
+  const auto input = fuzzy::wayOf(model.inputs);
   if (!input) return {};
   const fuzzy::Variable& depth = model.inputs[*input];
   std::vector<fuzzy::MembershipFunction> words;

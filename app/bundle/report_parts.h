@@ -19,13 +19,12 @@ namespace tactus::bundle {
 /// The label; without one the id.
 const std::string& labelOf(const fuzzy::Variable& variable);
 const std::string& labelOf(const fuzzy::Term& term);
-std::optional<std::size_t> inputNamed(const fuzzy::ForceModel& model, std::string_view id);
 /// The middle of a term's core inside the universe.
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
 /// The middle of the middle word of each input.
 std::vector<double> middleWords(const fuzzy::ForceModel& model);
 
-/// A part of the depth where one word is the truest.
+/// A part of the way where one word is the truest.
 struct RegionNumbers {
   std::string label;
   double from_mm = 0;
@@ -34,7 +33,7 @@ struct RegionNumbers {
   std::optional<double> highest_n;
   double apart_n = 0;  ///< the largest difference of two experts at these points
 };
-/// In the order of the depth. Nothing without the input `depth`.
+/// In the order of the way. Nothing without a way.
 std::vector<RegionNumbers> regionNumbers(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled);
 
 /// A slope of the average along an input.

@@ -20,16 +20,13 @@
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
+#include "core/procedure/procedure.h"
 #include "core/study/csv_tables.h"
 #include "core/study/table_line.h"
 
 namespace tactus::dataset {
 namespace {
 
-constexpr std::string_view kName = "Forces of nasogastric tube insertion as experts feel them";
-constexpr std::string_view kMeasured =
-    "Insertion strokes at speeds that were asked for, forces judged in words, answers about the force in each "
-    "situation, and rules given directly, for a force model of nasogastric tube insertion.";
 constexpr std::string_view kLeftOut =
     "Only what counts is here: no practice, no stroke that was not accepted, no judgement that is not scored, no "
     "corrected record. Participants have new codes in a random order. Years of experience are bands. Dates, times of "
@@ -47,13 +44,33 @@ tl::unexpected<base::Error> refused(const std::string& path, std::string wanted)
 
 }  // namespace
 
+namespace {
+
+/// The procedure within a sentence.
+std::string procedureOf(const study::Study& study) {
+  std::string title = procedure::of(study).titleIn("en");
+  // Two capitals begin a short name such as MRI.
+  if (title.size() > 1 && title[0] >= 'A' && title[0] <= 'Z' && title[1] >= 'a') title[0] += 'a' - 'A';
+  return title;
+}
+
+std::string measuredIn(const study::Study& study) {
+  return std::string(procedure::of(study).rate() ? "Insertion strokes at speeds that were asked for, forces"
+                                                 : "Forces") +
+         " judged in words, answers about the force in each situation, and rules given directly, for a force model "
+         "of " +
+         procedureOf(study) + ".";
+}
+
+}  // namespace
+
 std::string PublishedStudy::name() const {
-  return std::string(kName) + (simulated.empty() ? "" : " (with simulated data)") +
+  return "Forces of " + procedureOf(study()) + " as experts feel them" + (simulated.empty() ? "" : " (with simulated data)") +
          (without_force.empty() ? "" : " (VIRTUAL)");
 }
 
 std::string PublishedStudy::description() const {
-  return std::string(kMeasured) + (simulated.empty() ? "" : " " + simulated) +
+  return measuredIn(study()) + (simulated.empty() ? "" : " " + simulated) +
          (without_force.empty() ? "" : " " + without_force);
 }
 
@@ -61,7 +78,7 @@ std::string PublishedStudy::readme(std::string_view layout) const {
   std::string text = name() + "\n\n";
   if (!simulated.empty()) text += simulated + "\n\n";
   if (!without_force.empty()) text += without_force + "\n\n";
-  text += std::string(kMeasured) + "\n\n" + std::string(layout) + "\n\n";
+  text += measuredIn(study()) + "\n\n" + std::string(layout) + "\n\n";
   text += std::string(kLeftOut) + "\n\n" + std::string(kToEnter) + "\n\nWritten by " + version + ".\n";
   return text;
 }

@@ -9,22 +9,20 @@
 #include <string_view>
 
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::figures {
 namespace {
 
 constexpr std::array<Rgb, 4> kRamp = {{{0x2C, 0x3E, 0x8C}, {0x1F, 0x7A, 0xA8}, {0x35, 0xA8, 0x8A}, {0xE9, 0xA8, 0x20}}};
 
-struct Region {
-  std::string_view id;
-  Rgb color;
-};
-constexpr std::array<Region, 6> kRegions = {{{"nasal_cavity", {0x8C, 0x6D, 0x46}},
-                                             {"nasopharynx", {0x6B, 0x7F, 0x3F}},
-                                             {"oropharynx", {0x3E, 0x82, 0x73}},
-                                             {"laryngopharynx", {0x4A, 0x78, 0xA6}},
-                                             {"esophagus", {0x7C, 0x6B, 0xAA}},
-                                             {"stomach", {0xA3, 0x61, 0x7F}}}};
+/// Of the regions in the order of the way; the next one is the first again.
+constexpr std::array<Rgb, 6> kRegions = {{{0x8C, 0x6D, 0x46},
+                                          {0x6B, 0x7F, 0x3F},
+                                          {0x3E, 0x82, 0x73},
+                                          {0x4A, 0x78, 0xA6},
+                                          {0x7C, 0x6B, 0xAA},
+                                          {0xA3, 0x61, 0x7F}}};
 constexpr Rgb kWhite = {0xFF, 0xFF, 0xFF};
 constexpr double kTintOfAPart = 0.09;
 constexpr int kMostTints = 2;  // a lighter one would be lost on a white card
@@ -52,12 +50,38 @@ double luminance(const Rgb& color) {
   return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
 }
 
-/// The region that `id` is, or is a part of: `oropharynx_2` of `oropharynx`.
-const Region* regionOf(std::string_view id) {
-  const auto found = std::find_if(kRegions.begin(), kRegions.end(), [id](const Region& region) {
-    return id.starts_with(region.id) && (id.size() == region.id.size() || id[region.id.size()] == '_');
+using Regions = std::vector<std::string>;
+
+/// The regions of each procedure that the program carries, in the order of the way.
+const std::vector<Regions>& knownRegions() {
+  static const std::vector<Regions> known = [] {
+    std::vector<Regions> out;
+    for (const std::string& id : procedure::builtInIds()) {
+      auto& regions = out.emplace_back();
+      for (const fuzzy::Term& term : procedure::builtIn(id)->wayInput().terms) regions.push_back(term.id);
+    }
+    return out;
+  }();
+  return known;
+}
+
+/// The place of the region that `id` is, or is a part of: `oropharynx_2` of `oropharynx`.
+std::optional<std::size_t> placeIn(const Regions& regions, std::string_view id) {
+  const auto found = std::find_if(regions.begin(), regions.end(), [id](const std::string& region) {
+    return id.starts_with(region) && (id.size() == region.size() || id[region.size()] == '_');
   });
-  return found == kRegions.end() ? nullptr : &*found;
+  return found == regions.end() ? std::nullopt : std::optional<std::size_t>(found - regions.begin());
+}
+
+/// The regions of the procedure that knows most of `terms`; the first one of equals.
+const Regions& regionsFor(const std::vector<fuzzy::Term>& terms) {
+  const auto known = [&terms](const Regions& regions) {
+    return std::count_if(terms.begin(), terms.end(),
+                         [&regions](const fuzzy::Term& term) { return placeIn(regions, term.id).has_value(); });
+  };
+  const auto& all = knownRegions();
+  return *std::max_element(all.begin(), all.end(),
+                           [&](const Regions& one, const Regions& other) { return known(one) < known(other); });
 }
 
 }  // namespace
@@ -101,11 +125,13 @@ Rgb forceRamp(double share) {
 }
 
 Rgb regionColor(const std::vector<fuzzy::Term>& terms, std::size_t index) {
-  const Region* region = regionOf(terms[index].id);
-  if (region == nullptr) return kRegions[index % kRegions.size()].color;
+  const Regions& regions = regionsFor(terms);
+  const auto place = placeIn(regions, terms[index].id);
+  const Rgb color = kRegions[place.value_or(index) % kRegions.size()];
+  if (!place) return color;
   const auto before = std::count_if(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(index),
-                                    [&](const fuzzy::Term& term) { return regionOf(term.id) == region; });
-  return mixed(region->color, kWhite, kTintOfAPart * static_cast<double>(before % (kMostTints + 1)));
+                                    [&](const fuzzy::Term& term) { return placeIn(regions, term.id) == place; });
+  return mixed(color, kWhite, kTintOfAPart * static_cast<double>(before % (kMostTints + 1)));
 }
 
 Rgb termColor(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms, std::size_t index) {

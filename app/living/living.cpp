@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -78,12 +79,8 @@ std::string checksOf(const fuzzy::ForceModel& model, const fuzzy::CompiledModel&
   return out;
 }
 
-/// The place of the input with this id, or -1.
-int placeOf(const fuzzy::ForceModel& model, std::string_view id) {
-  const auto found =
-      std::find_if(model.inputs.begin(), model.inputs.end(), [&](const auto& input) { return input.id == id; });
-  return found == model.inputs.end() ? -1 : static_cast<int>(found - model.inputs.begin());
-}
+/// The index, or -1.
+int orNone(const std::optional<std::size_t>& index) { return index ? static_cast<int>(*index) : -1; }
 
 void addColors(const fuzzy::ForceModel& model, JsonWriter& json) {
   json.key("colors").beginArray(kInline);
@@ -101,7 +98,8 @@ void addColors(const fuzzy::ForceModel& model, JsonWriter& json) {
 /// What the scripts need beside the model; JSON in which no text ends the script, in HTML and in XML.
 std::string contentOf(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
   JsonWriter json;
-  json.beginObject().key("region").value(placeOf(model, "depth")).key("speed").value(placeOf(model, "speed"));
+  json.beginObject().key("region").value(orNone(fuzzy::wayOf(model.inputs)));
+  json.key("speed").value(orNone(fuzzy::rateOf(model.inputs)));
   addColors(model, json);
   json.key("tube");
   if (const auto tube = render::tubeInputs(model)) {

@@ -54,6 +54,18 @@ struct ClaimSubjects {
   std::string highest_peak_expert = "S2";  ///< the expert whose peak is the highest according to the paper
 };
 
+/// A setting of the paper's figures: the values of all its inputs but the depth.
+struct PaperSetting {
+  double lubrication = 1;       ///< 0 to 1
+  double neck_flexion_deg = 0;  ///< 0 to 90
+  double speed_mm_s = 0;
+};
+/// The same as a point of `model`, whose inputs are the paper's, in any order; 0 on the way.
+std::vector<double> pointAt(const fuzzy::ForceModel& model, const PaperSetting& setting);
+
+/// Setting of Fig. 11: lubrication 1, neck flexion 60 deg, 50 mm/s.
+inline constexpr PaperSetting kFig11{1, 60, 50};
+
 /// All statements in the order of the paper: for the published expert, for the mean, and for each expert if the paper
 /// speaks of all of them. Refused: a model without the four inputs of the study, or without the published expert.
 base::Result<std::vector<Claim>> checkClaims(const fuzzy::ForceModel& model, const ClaimSubjects& subjects);
@@ -69,6 +81,9 @@ struct ClaimContext {
   std::string highest_peak_expert;
 
   const fuzzy::Variable& input(std::string_view id) const;
+  ForceCurve curve(const PaperSetting& setting, std::optional<std::size_t> expert) const {
+    return curves.curve(pointAt(model, setting), expert);
+  }
   ClaimBasis basisOf(std::size_t expert) const {
     return expert == published_expert ? ClaimBasis::kPublishedRules : ClaimBasis::kSimulated;
   }
@@ -80,9 +95,6 @@ std::vector<Claim> claimsOfOrder(const ClaimContext& context);
 std::vector<Claim> claimsOfProfile(const ClaimContext& context);
 /// Statements about Fig. 11: how the curves of the experts compare.
 std::vector<Claim> claimsOfAgreement(const ClaimContext& context);
-
-/// Setting of Fig. 11: lubrication 1, neck flexion 60 deg, 50 mm/s.
-inline constexpr CurveSetting kFig11{1, 60, 50};
 
 /// The curve of Fig. 11 of one expert or of the mean.
 struct Profile {

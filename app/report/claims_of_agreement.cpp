@@ -147,7 +147,7 @@ Verdict similarProfiles(const ClaimContext& context, const Candidates& candidate
 Verdict meanOfExperts(const ClaimContext& context, const Candidates& candidates) {
   Verdict verdict = emptyVerdict("mean");
   double worst_n = 0;
-  const ForceCurve mean = context.curves.curve(kFig11, std::nullopt);
+  const ForceCurve mean = context.curve(kFig11, std::nullopt);
   std::vector<double> weight;
   for (const Candidate& candidate : candidates) weight.push_back(candidate.expert.weight);
   weight = fuzzy::normalizedWeights(weight);
@@ -192,7 +192,7 @@ Verdict tryOnAll(const ClaimContext& context, const Candidates& all, Statement s
 std::vector<Claim> claimsOfAgreement(const ClaimContext& context) {
   Candidates candidates;
   for (std::size_t i = 0; i < context.model.experts.size(); ++i) {
-    candidates.push_back({context.model.experts[i], context.curves.curve(kFig11, i)});
+    candidates.push_back({context.model.experts[i], context.curve(kFig11, i)});
   }
   return {{"11c",
            "The peak of " + context.highest_peak_expert + " is the highest.",

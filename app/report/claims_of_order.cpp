@@ -131,7 +131,7 @@ struct OrderStatement {
   std::string statement;
   std::string input;                   ///< id of the input that is varied
   std::vector<std::string> terms;      ///< its terms, in the order in which the force should fall
-  std::vector<CurveSetting> settings;  ///< one per value
+  std::vector<PaperSetting> settings;  ///< one per value
   std::string setting_text;
 };
 
@@ -238,7 +238,7 @@ std::string opposingRules(const ClaimContext& context, const fuzzy::Expert& expe
 std::vector<ForceCurve> curvesOf(const ClaimContext& context, const OrderStatement& statement,
                                  std::optional<std::size_t> expert) {
   std::vector<ForceCurve> curves;
-  for (const CurveSetting& setting : statement.settings) curves.push_back(context.curves.curve(setting, expert));
+  for (const PaperSetting& setting : statement.settings) curves.push_back(context.curve(setting, expert));
   return curves;
 }
 

@@ -1,7 +1,6 @@
 #include "app/report/force_curves.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "app/figures/force_curves.h"
@@ -9,76 +8,45 @@
 
 namespace tactus::report {
 
-namespace {
-
-using base::ErrorCode;
-
-constexpr std::size_t kInputs = 4;
-
-base::Result<std::size_t> placeOf(const fuzzy::ForceModel& model, std::string_view id) {
-  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    if (model.inputs[i].id == id) return i;
-  }
-  return base::fail(ErrorCode::kReference, "/inputs", "no input " + base::quoted(id),
-                    "the inputs lubrication, neck_flexion, depth and speed");
-}
-
-}  // namespace
-
 base::Result<ForceCurves> ForceCurves::of(const fuzzy::ForceModel& model) {
   TACTUS_TRY(auto compiled, fuzzy::compile(model));
-  if (model.inputs.size() != kInputs) {
-    return base::fail(ErrorCode::kSchema, "/inputs", std::to_string(model.inputs.size()) + " inputs",
-                      "the four inputs lubrication, neck_flexion, depth and speed");
+  const auto way = fuzzy::wayOf(model.inputs);
+  if (!way) {
+    return base::fail(base::ErrorCode::kReference, "/inputs", "no input of the role `way`",
+                      "an input along which the tip moves");
   }
-  ForceCurves curves(std::move(compiled));
-  struct Slot {
-    std::string_view id;
-    std::size_t ForceCurves::*place;
-  };
-  const std::array<Slot, kInputs> slots = {{{"lubrication", &ForceCurves::lubrication_},
-                                            {"neck_flexion", &ForceCurves::neck_flexion_},
-                                            {"depth", &ForceCurves::depth_},
-                                            {"speed", &ForceCurves::speed_}}};
-  for (const Slot& slot : slots) {
-    TACTUS_TRY(const auto place, placeOf(model, slot.id));
-    curves.*slot.place = place;
-  }
-  const fuzzy::Variable& depth = model.inputs[curves.depth_];
+  ForceCurves curves(std::move(compiled), *way);
+  const fuzzy::Variable& depth = model.inputs[*way];
   const auto steps = static_cast<std::size_t>(std::ceil(depth.max - depth.min));
   for (std::size_t i = 0; i <= steps; ++i) {
     curves.even_mm_.push_back(std::min(depth.min + static_cast<double>(i), depth.max));
   }
-  curves.plotted_mm_ = figures::samplePositions(model, curves.depth_);
+  curves.plotted_mm_ = figures::samplePositions(model, *way);
   return curves;
 }
 
-std::optional<double> ForceCurves::force(const CurveSetting& setting, double depth_mm,
+std::optional<double> ForceCurves::force(std::vector<double> at, double depth_mm,
                                          std::optional<std::size_t> expert) const {
-  std::array<double, kInputs> inputs{};
-  inputs[lubrication_] = setting.lubrication;
-  inputs[neck_flexion_] = setting.neck_flexion_deg;
-  inputs[depth_] = depth_mm;
-  inputs[speed_] = setting.speed_mm_s;
-  const fuzzy::Evaluation out = expert ? compiled_.evaluateExpert(*expert, inputs) : compiled_.evaluate(inputs);
+  at[way_] = depth_mm;
+  const fuzzy::Evaluation out = expert ? compiled_.evaluateExpert(*expert, at) : compiled_.evaluate(at);
   if (!out.fired) return std::nullopt;
   return out.force_n;
 }
 
-ForceCurve ForceCurves::at(const std::vector<double>& depths_mm, const CurveSetting& setting,
-                           std::optional<std::size_t> expert) const {
+ForceCurve ForceCurves::along(const std::vector<double>& depths_mm, std::vector<double> at,
+                              std::optional<std::size_t> expert) const {
   ForceCurve out;
   out.reserve(depths_mm.size());
-  for (const double depth_mm : depths_mm) out.push_back({depth_mm, force(setting, depth_mm, expert)});
+  for (const double depth_mm : depths_mm) out.push_back({depth_mm, force(at, depth_mm, expert)});
   return out;
 }
 
-ForceCurve ForceCurves::curve(const CurveSetting& setting, std::optional<std::size_t> expert) const {
-  return at(even_mm_, setting, expert);
+ForceCurve ForceCurves::curve(const std::vector<double>& at, std::optional<std::size_t> expert) const {
+  return along(even_mm_, at, expert);
 }
 
-ForceCurve ForceCurves::plotted(const CurveSetting& setting, std::optional<std::size_t> expert) const {
-  return at(plotted_mm_, setting, expert);
+ForceCurve ForceCurves::plotted(const std::vector<double>& at, std::optional<std::size_t> expert) const {
+  return along(plotted_mm_, at, expert);
 }
 
 Series toSeries(const ForceCurve& curve) {

@@ -12,45 +12,38 @@
 
 namespace tactus::report {
 
-/// The values of all inputs but the depth.
-struct CurveSetting {
-  double lubrication = 1;       ///< 0 to 1
-  double neck_flexion_deg = 0;  ///< 0 to 90
-  double speed_mm_s = 0;
-};
-
 struct CurvePoint {
   double depth_mm = 0;
   std::optional<double> force_n;  ///< nothing if no rule fires
 };
 using ForceCurve = std::vector<CurvePoint>;
 
-/// Evaluates a model with the inputs `lubrication`, `neck_flexion`, `depth` and `speed` in any order.
+/// Evaluates a model along its way. `at` holds one value for each input; that of the way is not used.
 class ForceCurves {
  public:
-  /// Compiles `model`. Refused: an invalid model, or a model with other inputs.
+  /// Compiles `model`. Refused: an invalid model, or a model without an input of the role `way`.
   static base::Result<ForceCurves> of(const fuzzy::ForceModel& model);
 
   /// The force of one expert (index into the model's experts); without an expert the averaged force.
-  std::optional<double> force(const CurveSetting& setting, double depth_mm, std::optional<std::size_t> expert) const;
+  std::optional<double> force(std::vector<double> at, double depth_mm, std::optional<std::size_t> expert) const;
 
   /// The force over the depth's universe at even places, one point every mm.
-  ForceCurve curve(const CurveSetting& setting, std::optional<std::size_t> expert) const;
+  ForceCurve curve(const std::vector<double>& at, std::optional<std::size_t> expert) const;
   /// The same for a plot, at the places of figures::samplePositions: kinks, jumps and ends of gaps are exact.
-  ForceCurve plotted(const CurveSetting& setting, std::optional<std::size_t> expert) const;
+  ForceCurve plotted(const std::vector<double>& at, std::optional<std::size_t> expert) const;
 
   double depthMin() const { return even_mm_.front(); }
   double depthMax() const { return even_mm_.back(); }
   const fuzzy::CompiledModel& compiled() const { return compiled_; }
 
  private:
-  explicit ForceCurves(fuzzy::CompiledModel compiled) : compiled_(std::move(compiled)) {}
-  ForceCurve at(const std::vector<double>& depths_mm, const CurveSetting& setting,
-                std::optional<std::size_t> expert) const;
+  ForceCurves(fuzzy::CompiledModel compiled, std::size_t way) : compiled_(std::move(compiled)), way_(way) {}
+  ForceCurve along(const std::vector<double>& depths_mm, std::vector<double> at,
+                   std::optional<std::size_t> expert) const;
 
   fuzzy::CompiledModel compiled_;
-  std::size_t lubrication_ = 0, neck_flexion_ = 0, depth_ = 0, speed_ = 0;  ///< indices of the inputs
-  std::vector<double> even_mm_, plotted_mm_;                                ///< places along the depth
+  std::size_t way_;                           ///< index of the input
+  std::vector<double> even_mm_, plotted_mm_;  ///< places along the depth
 };
 
 /// The curve as a series for a plot.

@@ -1,28 +1,15 @@
 #include "app/report/regions.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
 #include "core/base/check.h"
+#include "core/base/text.h"
 
 namespace tactus::report {
 
 namespace {
-
-struct DefaultRegion {
-  std::string_view id, code, label;
-  double to_mm;
-};
-
-// Limits: Callesen 2021, Watanabe and Masui 1999, Stoneham 1993, Li 1994; the middle of what they found.
-constexpr std::array<DefaultRegion, 6> kRegions = {{{"nasal_cavity", "NC", "Nasal cavity", 70},
-                                                    {"nasopharynx", "NP", "Nasopharynx", 115},
-                                                    {"oropharynx", "OP", "Oropharynx", 150},
-                                                    {"laryngopharynx", "LP", "Laryngopharynx", 200},
-                                                    {"esophagus", "ES", "Esophagus", 440},
-                                                    {"stomach", "ST", "Stomach", 600}}};
 
 // A depth this close to a limit is said to be at the border.
 constexpr double kBorderMm = 3;
@@ -39,22 +26,48 @@ std::optional<double> crossing(const fuzzy::Term* left, const fuzzy::Term* right
   return (d * rise + a * fall) / (fall + rise);
 }
 
+/// The list in which the terms of `way` are found.
+const std::vector<fuzzy::Term>& listOf(const procedure::Procedure& procedure, const fuzzy::Variable& way) {
+  const auto& sets = procedure.way_terms;
+  const auto found = std::find_if(sets.begin(), sets.end(), [&way](const procedure::TermSet& set) {
+    return std::all_of(way.terms.begin(), way.terms.end(),
+                       [&set](const fuzzy::Term& term) { return fuzzy::findTerm(set.terms, term.id) != nullptr; });
+  });
+  return found == sets.end() ? sets.front().terms : found->terms;
+}
+
+/// The pack's own code, else the first letters of two words, else the first two letters.
+std::string codeOf(const procedure::Procedure& procedure, const fuzzy::Term& region) {
+  const auto own = procedure.words.find("short." + region.id);
+  if (own != procedure.words.end()) return procedure::textIn(own->second, "en");
+  const std::string& label = region.label;
+  if (label.empty()) return region.id;
+  const std::size_t first = base::firstCharacter(label).bytes;
+  std::size_t second = label.find(' ');
+  second = second == std::string::npos ? first : second + 1;
+  if (second >= label.size()) return label;
+  std::string code = label.substr(0, first) + label.substr(second, base::firstCharacter(label.substr(second)).bytes);
+  std::transform(code.begin(), code.end(), code.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - ('a' - 'A')) : c; });
+  return code;
+}
+
 }  // namespace
 
-std::vector<Region> depthRegions(const fuzzy::Variable& depth) {
+std::vector<Region> wayRegions(const procedure::Procedure& procedure, const fuzzy::Variable& way) {
+  const std::vector<fuzzy::Term>& list = listOf(procedure, way);
   std::vector<Region> out;
-  double from_mm = depth.min;
-  for (std::size_t i = 0; i < kRegions.size(); ++i) {
-    const bool last = i + 1 == kRegions.size();
-    double to_mm = last ? depth.max : kRegions[i].to_mm;
-    if (!last) {
-      to_mm = crossing(fuzzy::findTerm(depth.terms, kRegions[i].id), fuzzy::findTerm(depth.terms, kRegions[i + 1].id))
-                  .value_or(to_mm);
+  double from_mm = way.min;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    double to_mm = way.max;
+    if (i + 1 < list.size()) {
+      to_mm = crossing(fuzzy::findTerm(way.terms, list[i].id), fuzzy::findTerm(way.terms, list[i + 1].id))
+                  .value_or(crossing(&list[i], &list[i + 1]).value_or(from_mm));
     }
     to_mm = std::max(to_mm, from_mm);
-    out.push_back({.id = std::string(kRegions[i].id),
-                   .code = std::string(kRegions[i].code),
-                   .label = std::string(kRegions[i].label),
+    out.push_back({.id = list[i].id,
+                   .code = codeOf(procedure, list[i]),
+                   .label = list[i].label,
                    .from_mm = from_mm,
                    .to_mm = to_mm});
     from_mm = to_mm;

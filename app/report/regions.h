@@ -1,10 +1,11 @@
-// The anatomical regions along the depth, for plots and for statements about a region.
+// The regions along the way, for plots and for statements about a region.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "core/fuzzy/force_model.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::report {
 
@@ -17,12 +18,12 @@ struct Region {
   double to_mm = 0;
 };
 
-/// The six regions from nasal cavity to stomach. A boundary comes from the terms of `depth` if both neighbors exist
-/// (trapezoids or triangles); otherwise it is the default 70, 115, 150, 200 or 440 mm, the midpoints of published
-/// landmarks of adults. The first region begins and the last one ends with the universe.
-std::vector<Region> depthRegions(const fuzzy::Variable& depth);
+/// The regions of the first list of terms of `procedure` that has every term of `way`, an input of a model. A boundary
+/// comes from the terms of `way` if both neighbors exist there (trapezoids or triangles), otherwise from the list. The
+/// first region begins and the last one ends with the universe.
+std::vector<Region> wayRegions(const procedure::Procedure& procedure, const fuzzy::Variable& way);
 
-/// The region `id` in that list; it must be one of the six.
+/// The region `id` in that list; it must be there.
 const Region& regionOf(const std::vector<Region>& regions, std::string_view id);
 
 /// The location of `depth_mm` in words: `laryngopharynx`, or near a boundary `border of laryngopharynx and esophagus`.

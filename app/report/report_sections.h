@@ -18,6 +18,7 @@ struct ReportContext {
   const StudyReportInputs& in;
   const DemoReportInputs* demo = nullptr;  ///< what only the demo's report has; null in the report of another study
   const ForceCurves* curves = nullptr;     ///< of the averaged model; null without experts
+  std::vector<double> usual = {};          ///< the usual value of each input: the setting of curves along the way
   std::vector<Region> regions = {};
   std::vector<Claim> claims = {};                                        ///< of the demo
   std::optional<elicitation::StudySpeedIntervals> speed_intervals = {};  ///< absent if there are too few strokes
@@ -25,6 +26,9 @@ struct ReportContext {
   /// Whether the data of a participant, or of any one, are simulated.
   bool simulated(const std::string& participant) const;
   bool simulated() const;
+  const procedure::Procedure& about() const { return in.built.about(); }
+  /// Whether the study is about the procedure of the paper, so that its figures can be compared.
+  bool ofPaper() const { return about().id == procedure::defaultProcedure()->id; }
 };
 
 /// Participants and experts that are drawn one by one; with more of them only some, or the range of all.
@@ -35,8 +39,10 @@ inline constexpr std::size_t kMostDrawn = 12;
 Markup marks(const ReportContext& context, std::initializer_list<Badge> list);
 /// The intervals of the speeds; nothing without speeds, or with too few strokes to draw from.
 std::optional<elicitation::StudySpeedIntervals> speedIntervals(const StudyReportInputs& inputs);
-/// The depth of the model.
+/// The way of the model.
 const fuzzy::Variable& depthVariable(const fuzzy::ForceModel& model);
+/// The usual value of each input of `built`.
+std::vector<double> usualPoint(const elicitation::BuiltModel& built);
 
 // study_report.cpp: what both reports have in the same order
 /// From the strokes and judgements to the vertices of the terms.
@@ -76,7 +82,7 @@ void addReferences(HtmlPage& page, const ReportContext& context);
 // sections_speed.cpp
 void addSpeeds(HtmlPage& page, const ReportContext& context);
 void addClusters(HtmlPage& page, const ReportContext& context);
-/// The input `speed` of the built model.
+/// The input of the built model that is the rate; it must have one.
 const fuzzy::Variable& speedVariable(const ReportContext& context);
 // sections_clusters.cpp: the tables of addClusters
 void addClusterTables(HtmlPage& page, const ReportContext& context);
@@ -120,12 +126,19 @@ void addBuildNotes(HtmlPage& page, const ReportContext& context);
 /// The common axes of all force-depth plots, so that readers can compare figures.
 PlotAxis depthAxis(const ReportContext& context);
 PlotAxis forceAxis(const ReportContext& context);
+/// `NC nasal cavity, NP nasopharynx, …`.
+std::string regionCodes(const std::vector<Region>& regions);
 /// Shades every second region and writes the names along the top.
 void markRegions(SvgPlot& plot, const std::vector<Region>& regions);
 /// A plot over the depth at the conditions of the curves, with its regions marked. `height`: px.
 SvgPlot depthPlot(const ReportContext& context, const std::string& title, double height, const PlotAxis& y);
 /// `tube lubrication 0.90, neck flexion angle 35 deg, …`: a point of the input space.
 std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point);
+/// The same of all inputs but the way and those of `without`.
+std::string settingText(const ReportContext& context, const std::vector<double>& point,
+                        const std::vector<std::size_t>& without = {});
+/// ` at <the usual values>`; empty for a model of the way alone.
+std::string atUsual(const ReportContext& context);
 /// The line of expert `index`, with its own color and dash.
 LineLook expertLook(std::size_t index);
 

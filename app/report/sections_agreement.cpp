@@ -128,7 +128,7 @@ void addItemTable(HtmlPage& page, const ReportContext& context, const study::For
     std::string column;
     for (const auto& condition : item->conditions) {
       const std::string label = labelOf(context, condition.input, condition.term);
-      if (condition.input == "depth") {
+      if (condition.input == depthVariable(context.in.built.model).id) {
         column = label;
       } else {
         std::string input = condition.input;

@@ -14,27 +14,32 @@ using base::formatFixed;
 using elicitation::Interval;
 using elicitation::ParticipantSpeeds;
 
-constexpr std::size_t kValues = 7;  // three centers and the four ends of two ramps
+std::size_t termCount(const ReportContext& context) { return speedVariable(context).terms.size(); }
 
-bool hasThreeTerms(const ParticipantSpeeds& subject) {
-  return subject.centres.size() == 3 && subject.ramps.size() == 2;
+/// Whether the participant has a center for each term of the speed and a ramp between neighbors.
+bool hasAllTerms(const ReportContext& context, const ParticipantSpeeds& subject) {
+  return subject.centres.size() == termCount(context) && subject.ramps.size() + 1 == subject.centres.size();
 }
 
-bool startsGroup(std::size_t value) { return value == 0 || value == 3 || value == 5; }
+/// Whether the value at this place begins a group: the centers, then the two ends of each ramp.
+bool startsGroup(const ReportContext& context, std::size_t value) {
+  const std::size_t terms = termCount(context);
+  return value == 0 || (value >= terms && (value - terms) % 2 == 0);
+}
 
-std::vector<std::vector<Cell>> valueHead() {
-  return {{{.text = ""},
-           {.text = "Centers", .columns = 3, .group_start = true},
-           {.text = "Ramp slow, medium", .columns = 2, .group_start = true},
-           {.text = "Ramp medium, fast", .columns = 2, .group_start = true}},
-          {{.text = "Participant"},
-           numberCell("slow", true),
-           numberCell("medium"),
-           numberCell("fast"),
-           numberCell("p", true),
-           numberCell("q"),
-           numberCell("p", true),
-           numberCell("q")}};
+std::vector<std::vector<Cell>> valueHead(const ReportContext& context) {
+  const auto& terms = speedVariable(context).terms;
+  const auto name = [&terms](std::size_t i) { return base::lowered(terms[i].label); };
+  std::vector<Cell> groups = {{.text = ""},
+                              {.text = "Centers", .columns = static_cast<int>(terms.size()), .group_start = true}};
+  std::vector<Cell> values = {{.text = "Participant"}};
+  for (std::size_t i = 0; i < terms.size(); ++i) values.push_back(numberCell(name(i), i == 0));
+  for (std::size_t i = 0; i + 1 < terms.size(); ++i) {
+    groups.push_back({.text = "Ramp " + name(i) + ", " + name(i + 1), .columns = 2, .group_start = true});
+    values.push_back(numberCell("p", true));
+    values.push_back(numberCell("q"));
+  }
+  return {std::move(groups), std::move(values)};
 }
 
 Table clusterTable(const ReportContext& context) {
@@ -42,33 +47,39 @@ Table clusterTable(const ReportContext& context) {
                          marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Fuzzy C-Means of each participant’s samples, in mm/s. A ramp falls from 1 at p to 0 "
                          "at q; the next term rises there.",
-              .head = valueHead(),
+              .head = valueHead(context),
               .body = {}};
-  std::array<std::vector<double>, kValues> columns;
+  std::vector<std::vector<double>> columns(3 * termCount(context) - 2);
   for (const ParticipantSpeeds& subject : context.in.built.speeds) {
-    if (!hasThreeTerms(subject)) continue;
-    const std::array<double, kValues> values = {subject.centres[0], subject.centres[1], subject.centres[2],
-                                                subject.ramps[0].p, subject.ramps[0].q, subject.ramps[1].p,
-                                                subject.ramps[1].q};
+    if (!hasAllTerms(context, subject)) continue;
+    std::vector<double> values = subject.centres;
+    for (const auto& ramp : subject.ramps) values.insert(values.end(), {ramp.p, ramp.q});
     std::vector<Cell> row = {headingCell(subject.participant)};
-    for (std::size_t i = 0; i < kValues; ++i) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
       columns[i].push_back(values[i]);
-      row.push_back(numberCell(formatFixed(values[i], 1), startsGroup(i)));
+      row.push_back(numberCell(formatFixed(values[i], 1), startsGroup(context, i)));
     }
     table.body.push_back(std::move(row));
   }
   if (!columns[0].empty()) {
     std::vector<Cell> row = {headingCell("Mean")};
-    for (std::size_t i = 0; i < kValues; ++i) {
-      row.push_back(numberCell(strong(formatFixed(base::mean(columns[i]), 1)), startsGroup(i)));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      row.push_back(numberCell(strong(formatFixed(base::mean(columns[i]), 1)), startsGroup(context, i)));
     }
     table.body.push_back(std::move(row));
   }
   return table;
 }
 
-Cell intervalCell(const Interval& interval, std::size_t value) {
-  return numberCell(formatFixed(interval.low, 1) + "–" + formatFixed(interval.high, 1), startsGroup(value));
+Cell intervalCell(const Interval& interval, bool group_start) {
+  return numberCell(formatFixed(interval.low, 1) + "–" + formatFixed(interval.high, 1), group_start);
+}
+
+void addRamps(std::vector<Cell>& row, const std::vector<elicitation::RampInterval>& ramps) {
+  for (const elicitation::RampInterval& ramp : ramps) {
+    row.push_back(intervalCell(ramp.p, true));
+    row.push_back(intervalCell(ramp.q, false));
+  }
 }
 
 Table intervalTable(const ReportContext& context) {
@@ -77,24 +88,22 @@ Table intervalTable(const ReportContext& context) {
                          std::to_string(intervals.replicates) +
                          " draws of whole strokes within each level, with replacement; Student’s t times the standard "
                          "deviation of the draws, widened for few strokes; in mm/s.",
-              .head = valueHead(),
+              .head = valueHead(context),
               .body = {}};
   for (std::size_t who = 0; who < context.in.built.speeds.size(); ++who) {
     const ParticipantSpeeds& subject = context.in.built.speeds[who];
-    if (!hasThreeTerms(subject)) continue;
+    if (!hasAllTerms(context, subject)) continue;
     const auto& own = intervals.participants[who];
-    table.body.push_back({headingCell(subject.participant), intervalCell(own.centres[0], 0),
-                          intervalCell(own.centres[1], 1), intervalCell(own.centres[2], 2),
-                          intervalCell(own.ramps[0].p, 3), intervalCell(own.ramps[0].q, 4),
-                          intervalCell(own.ramps[1].p, 5), intervalCell(own.ramps[1].q, 6)});
+    std::vector<Cell> row = {headingCell(subject.participant)};
+    for (std::size_t i = 0; i < own.centres.size(); ++i) row.push_back(intervalCell(own.centres[i], i == 0));
+    addRamps(row, own.ramps);
+    table.body.push_back(std::move(row));
   }
-  if (intervals.averaged.size() == 2) {
-    table.body.push_back({headingCell("Mean"),
-                          {.text = "", .columns = 3, .group_start = true},
-                          intervalCell(intervals.averaged[0].p, 3),
-                          intervalCell(intervals.averaged[0].q, 4),
-                          intervalCell(intervals.averaged[1].p, 5),
-                          intervalCell(intervals.averaged[1].q, 6)});
+  if (!intervals.averaged.empty() && intervals.averaged.size() + 1 == termCount(context)) {
+    std::vector<Cell> row = {headingCell("Mean"),
+                             {.text = "", .columns = static_cast<int>(termCount(context)), .group_start = true}};
+    addRamps(row, intervals.averaged);
+    table.body.push_back(std::move(row));
   }
   table.note =
       "Samples within a stroke hang together, so strokes are drawn, not samples: intervals from single samples would "
@@ -114,34 +123,35 @@ std::string pText(const elicitation::LevelTrend& trend) {
 }
 
 Table levelTable(const ReportContext& context) {
+  const fuzzy::Variable& speed = speedVariable(context);
+  std::vector<Cell> groups = {{.text = "", .columns = 2},
+                              {.text = "Speed", .columns = 3, .group_start = true},
+                              {.text = "% nearest to the center",
+                               .columns = static_cast<int>(speed.terms.size()),
+                               .group_start = true},
+                              {.text = "Agreement", .columns = 2, .group_start = true},
+                              {.text = "Order of strokes", .columns = 2, .group_start = true},
+                              {.text = "", .group_start = true}};
+  std::vector<Cell> values = {{.text = "Participant"},
+                              {.text = "Level"},
+                              numberCell("mean", true),
+                              numberCell("SD"),
+                              numberCell("d′ to next")};
+  for (std::size_t i = 0; i < speed.terms.size(); ++i)
+    values.push_back(numberCell(base::lowered(speed.terms[i].label), i == 0));
+  for (Cell& cell : std::array<Cell, 5>{numberCell("adj. Rand", true), numberCell("accuracy"), numberCell("J", true),
+                                        numberCell("p"), Cell{.text = "Reads as", .group_start = true}}) {
+    values.push_back(std::move(cell));
+  }
   Table table{.caption = strong("Levels against clusters.") + " " +
                          marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Commanded levels, measured speeds, and the clusters of the samples. Speeds in mm/s.",
-              .head = {{{.text = "", .columns = 2},
-                        {.text = "Speed", .columns = 3, .group_start = true},
-                        {.text = "% nearest to the center", .columns = 3, .group_start = true},
-                        {.text = "Agreement", .columns = 2, .group_start = true},
-                        {.text = "Order of strokes", .columns = 2, .group_start = true},
-                        {.text = "", .group_start = true}},
-                       {{.text = "Participant"},
-                        {.text = "Level"},
-                        numberCell("mean", true),
-                        numberCell("SD"),
-                        numberCell("d′ to next"),
-                        numberCell("slow", true),
-                        numberCell("medium"),
-                        numberCell("fast"),
-                        numberCell("adj. Rand", true),
-                        numberCell("accuracy"),
-                        numberCell("J", true),
-                        numberCell("p"),
-                        {.text = "Reads as", .group_start = true}}},
+              .head = {std::move(groups), std::move(values)},
               .body = {},
               .wide = true};
-  const fuzzy::Variable& speed = speedVariable(context);
   for (const ParticipantSpeeds& subject : context.in.built.speeds) {
     const auto& found = subject.diagnostics;
-    if (!hasThreeTerms(subject)) continue;
+    if (!hasAllTerms(context, subject)) continue;
     for (std::size_t k = 0; k < found.levels.size(); ++k) {
       const auto& level = found.levels[k];
       std::vector<Cell> row = {headingCell(k == 0 ? subject.participant : ""),
@@ -314,7 +324,7 @@ std::string rampPlot(const ReportContext& context) {
 
 const fuzzy::Variable& speedVariable(const ReportContext& context) {
   const auto& inputs = context.in.built.model.inputs;
-  return *std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
+  return inputs[fuzzy::rateOf(inputs).value()];
 }
 
 void addClusters(HtmlPage& page, const ReportContext& context) {

@@ -22,9 +22,36 @@ struct FeltRun {
   simulation::RunSummary summary;
 };
 
-std::optional<FeltRun> feel(std::string_view scenario_json, const fuzzy::ForceModel& model) {
-  const auto scenario = simulation::parseScenario(scenario_json);
+/// The scenario of the paper's procedure, in the way and under the usual conditions of `context`.
+void adapt(simulation::Scenario& scenario, const ReportContext& context) {
+  constexpr double kStartShare = 0.25;   // of the way, where the one stroke begins
+  constexpr double kPushedShare = 1.1;   // of the way, in all strokes of a placement
+  constexpr double kStrokeShare = 0.15;  // of the way, at most in one stroke
+  const auto& inputs = context.in.built.model.inputs;
+  const fuzzy::Variable& way = depthVariable(context.in.built.model);
+  const double length_mm = way.max - way.min;
+  scenario.events.clear();
+  scenario.conditions.clear();
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (fuzzy::roleOf(inputs[i]) == fuzzy::Role::kCondition) scenario.conditions[inputs[i].id] = context.usual[i];
+  }
+  if (scenario.start_depth_mm > 0) scenario.start_depth_mm = kStartShare * length_mm;
+  double strokes = 0;
+  for (const auto& step : scenario.motion) {
+    strokes += step.kind == simulation::MotionStep::Kind::kStroke && step.length_mm > 0 ? 1 : 0;
+  }
+  const double longest_mm = std::min(kStrokeShare, kPushedShare / strokes) * length_mm;
+  for (auto& step : scenario.motion) {
+    if (step.kind == simulation::MotionStep::Kind::kStroke && step.length_mm != 0)
+      step.length_mm = std::copysign(std::min(std::abs(step.length_mm), longest_mm), step.length_mm);
+  }
+}
+
+std::optional<FeltRun> feel(std::string_view scenario_json, const ReportContext& context) {
+  auto scenario = simulation::parseScenario(scenario_json);
   if (!scenario) return std::nullopt;
+  if (!context.ofPaper()) adapt(*scenario, context);
+  const fuzzy::ForceModel& model = context.in.built.model;
   FeltRun run;
   const auto summary = simulation::runScenario(
       *scenario, model,
@@ -123,13 +150,20 @@ std::string placementDepthPlot(const FeltRun& run, const ReportContext& context)
   return plot.svg();
 }
 
+/// The input that is the rate, if there is one.
+std::vector<std::size_t> rateInputs(const fuzzy::ForceModel& model) {
+  const auto rate = fuzzy::rateOf(model.inputs);
+  return rate ? std::vector<std::size_t>{*rate} : std::vector<std::size_t>{};
+}
+
 }  // namespace
 
 void addFeel(HtmlPage& page, const ReportContext& context) {
   const auto& model = context.in.built.model;
-  const auto stroke = feel(simulation::oneStrokeScenarioJson(), model);
-  const auto placement = feel(simulation::placementScenarioJson(), model);
+  const auto stroke = feel(simulation::oneStrokeScenarioJson(), context);
+  const auto placement = feel(simulation::placementScenarioJson(), context);
   if (!stroke || !placement) return;
+  const std::string usual = settingText(context, context.usual, rateInputs(model));
   const auto friction = model.renderer.value_or(fuzzy::RendererParameters{});
   page.section("What the hand feels");
   page.paragraph(
@@ -148,8 +182,12 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
   page.figure({.caption = strong(context.demo != nullptr ? "Fig. 18, computed." : "A whole placement.") + " " +
                           badges({Badge::kComputed, Badge::kSimulated}) + " A whole placement in " +
                           std::to_string(felt.strokes) +
-                          " strokes at lubrication 0.8; after 4.5 s the neck is flexed from 20 to 80 deg within a "
-                          "second. The tube advanced " +
+                          " strokes" +
+                          (context.ofPaper() ? std::string(" at lubrication 0.8; after 4.5 s the neck is flexed from 20 "
+                                                           "to 80 deg within a second")
+                           : usual.empty()   ? std::string()
+                                             : " at " + usual) +
+                          ". The tube advanced " +
                           base::formatFixed(felt.depth_mm, 0) + " mm of the " + base::formatFixed(felt.planned_mm, 0) +
                           " mm that the hand wanted to push: the rest is the give of tube and hand before each slip. "
                           "Largest resistance " +

@@ -100,15 +100,51 @@ std::vector<Cell> weightRow(const elicitation::WeightedModel& one) {
 
 }  // namespace
 
-std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+namespace {
+
+std::string valueText(const fuzzy::Variable& input, double value) {
+  const int decimals = input.max - input.min > 10 ? 0 : 2;
+  return base::lowered(input.label) + " " + base::formatFixed(value, decimals) +
+         (input.unit == "1" ? "" : " " + input.unit);
+}
+
+/// `more gel less force, more speed more`, as the procedure declares; empty if it declares none.
+std::string declaredText(const ReportContext& context) {
+  if (context.ofPaper()) return "better lubrication less force, a flexed neck less, more speed more";
   std::vector<std::string> parts;
-  for (std::size_t i = 0; i < point.size(); ++i) {
-    const auto& input = model.inputs[i];
-    const int decimals = input.max - input.min > 10 ? 0 : 2;
-    parts.push_back(base::lowered(input.label) + " " + base::formatFixed(point[i], decimals) +
-                    (input.unit == "1" ? "" : " " + input.unit));
+  const procedure::Procedure& about = context.about();
+  for (std::size_t i = 0; i < about.inputs.size(); ++i) {
+    const auto direction = about.input_notes[i].direction;
+    if (direction == procedure::Direction::kNone) continue;
+    parts.push_back("more " + base::lowered(about.inputs[i].label) +
+                    (direction == procedure::Direction::kFalls ? " less" : " more") + (parts.empty() ? " force" : ""));
   }
   return base::joined(parts, ", ");
+}
+
+}  // namespace
+
+std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < point.size(); ++i) parts.push_back(valueText(model.inputs[i], point[i]));
+  return base::joined(parts, ", ");
+}
+
+std::string settingText(const ReportContext& context, const std::vector<double>& point,
+                        const std::vector<std::size_t>& without) {
+  const auto& inputs = context.in.built.model.inputs;
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const bool left_out = std::find(without.begin(), without.end(), i) != without.end();
+    if (!left_out && fuzzy::roleOf(inputs[i]) != fuzzy::Role::kWay) parts.push_back(valueText(inputs[i], point[i]));
+  }
+  return base::joined(parts, ", ");
+}
+
+std::string atUsual(const ReportContext& context) {
+  if (context.ofPaper()) return " at 50 mm/s, lubrication 1, neck flexion 60 deg";
+  const std::string text = settingText(context, context.usual);
+  return text.empty() ? text : " at " + text;
 }
 
 void addFindings(HtmlPage& page, const ReportContext& context) {
@@ -121,11 +157,14 @@ void addFindings(HtmlPage& page, const ReportContext& context) {
     page.paragraph("The lint found nothing in the rules of this model.");
     return;
   }
+  const std::string declared = declaredText(context);
   page.paragraph(
       "Places in the rules to look at together with the expert. None of them is an error, and nothing was changed. The "
       "force is the one at stake: how far the force jumps there, or how far two experts or two answers are apart; “≥” "
-      "marks the largest one of many settings looked at. The declared directions (better lubrication less force, a "
-      "flexed neck less, more speed more) follow the text of the paper and are no law.");
+      "marks the largest one of many settings looked at." +
+      (declared.empty() ? std::string()
+                        : " The declared directions (" + declared + ") follow the " +
+                              (context.ofPaper() ? "text of the paper" : "procedure") + " and are no law."));
   Table table{.caption = strong("Findings.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " By kind, the largest force first." +
                          (context.demo != nullptr ? " Rules of " + context.demo->published_expert +

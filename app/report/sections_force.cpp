@@ -5,6 +5,7 @@
 #include "app/report/palette.h"
 #include "app/report/report_sections.h"
 #include "app/report/surface_plot.h"
+#include "core/analysis/rule_table.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 
@@ -14,21 +15,21 @@ namespace {
 
 constexpr std::array<Dash, 4> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDashDot, Dash::kDotted};
 
-std::string regionCodes(const std::vector<Region>& regions) {
-  std::vector<std::string> parts;
-  for (const Region& region : regions) parts.push_back(region.code + " " + base::lowered(region.label));
-  return base::joined(parts, ", ");
-}
-
 /// One of the families of curves: the averaged force at several values of one input.
 struct Family {
   std::string heading;
   std::string setting;
-  std::vector<std::pair<std::string, CurveSetting>> curves;
+  std::vector<std::pair<std::string, std::vector<double>>> curves;
 };
 
-std::vector<Family> families() {
-  return {
+/// Those of Fig. 10 of the paper.
+std::vector<Family> paperFamilies(const fuzzy::ForceModel& model) {
+  struct PaperFamily {
+    std::string heading;
+    std::string setting;
+    std::vector<std::pair<std::string, PaperSetting>> curves;
+  };
+  const std::vector<PaperFamily> families = {
       {"(a) Lubrication",
        "neck flexion 90 deg, 30 mm/s",
        {{"0", {0, 90, 30}}, {"0.25", {0.25, 90, 30}}, {"0.5", {0.5, 90, 30}}, {"1", {1, 90, 30}}}},
@@ -38,11 +39,49 @@ std::vector<Family> families() {
       {"(c) Insertion speed",
        "lubrication 1, neck flexion 90 deg",
        {{"30 mm/s", {1, 90, 30}}, {"80 mm/s", {1, 90, 80}}, {"110 mm/s", {1, 90, 110}}, {"200 mm/s", {1, 90, 200}}}}};
+  std::vector<Family> out;
+  for (const PaperFamily& family : families) {
+    out.push_back({family.heading, family.setting, {}});
+    for (const auto& [name, setting] : family.curves) out.back().curves.emplace_back(name, pointAt(model, setting));
+  }
+  return out;
+}
+
+/// Each input but the way in the middle of each of its words, the others at their usual values.
+std::vector<Family> familiesOf(const ReportContext& context) {
+  const fuzzy::ForceModel& model = context.in.built.model;
+  if (context.ofPaper()) return paperFamilies(model);
+  std::vector<Family> out;
+  char letter = 'a';
+  for (std::size_t i = 0; i < model.inputs.size(); ++i) {
+    const fuzzy::Variable& input = model.inputs[i];
+    if (fuzzy::roleOf(input) == fuzzy::Role::kWay) continue;
+    Family family{std::string("(") + letter++ + ") " + input.label, settingText(context, context.usual, {i}), {}};
+    for (const fuzzy::Term& term : input.terms) {
+      std::vector<double> point = context.usual;
+      point[i] = analysis::peakPosition(term, input.min, input.max);
+      family.curves.emplace_back(term.label, std::move(point));
+    }
+    out.push_back(std::move(family));
+  }
+  return out;
+}
+
+/// `lubrication, neck flexion and speed`.
+std::string listedInputs(const ReportContext& context) {
+  std::vector<std::string> names;
+  for (const fuzzy::Variable& input : context.in.built.model.inputs) {
+    if (fuzzy::roleOf(input) != fuzzy::Role::kWay) names.push_back(base::lowered(input.label));
+  }
+  if (names.size() < 2) return base::joined(names, "");
+  const std::string last = names.back();
+  names.pop_back();
+  return base::joined(names, ", ") + " and " + last;
 }
 
 std::string familyPlot(const ReportContext& context, const Family& family) {
   SvgPlot plot({.title = family.heading + ": force over depth",
-                .description = "Averaged model at " + family.setting + ".",
+                .description = family.setting.empty() ? "Averaged model." : "Averaged model at " + family.setting + ".",
                 .width = 940,
                 .height = 300,
                 .x = depthAxis(context),
@@ -71,14 +110,12 @@ std::vector<figures::Interval> holesOf(const ForceCurve& curve) {
   return figures::silentIntervals(depths_mm, forces);
 }
 
-constexpr CurveSetting kExpertsSetting{1, 60, 50};
-
 /// The range of many experts' forces and the middle 80 % of them.
-void drawRange(SvgPlot& plot, const ForceCurves& curves, std::size_t experts) {
+void drawRange(SvgPlot& plot, const ReportContext& context, std::size_t experts) {
   Series lowest, low, high, highest;
   std::vector<std::vector<double>> forces_n;
   for (std::size_t e = 0; e < experts; ++e) {
-    const ForceCurve curve = curves.curve(kExpertsSetting, e);
+    const ForceCurve curve = context.curves->curve(context.usual, e);
     forces_n.resize(curve.size());
     for (std::size_t i = 0; i < curve.size(); ++i) {
       if (e == 0) {
@@ -108,12 +145,20 @@ std::string inMillimeters(double depth_mm) { return base::formatFixed(depth_mm, 
 }  // namespace
 
 PlotAxis depthAxis(const ReportContext& context) {
-  return {.label = "Insertion depth (mm)", .min = context.curves->depthMin(), .max = context.curves->depthMax()};
+  return {.label = depthVariable(context.in.built.model).label + " (mm)",
+          .min = context.curves->depthMin(),
+          .max = context.curves->depthMax()};
 }
 
 PlotAxis forceAxis(const ReportContext& context) {
   const fuzzy::Variable& force = context.in.built.model.output;
-  return {.label = "Insertion force (N)", .min = force.min, .max = force.max};
+  return {.label = force.label + " (N)", .min = force.min, .max = force.max};
+}
+
+std::string regionCodes(const std::vector<Region>& regions) {
+  std::vector<std::string> parts;
+  for (const Region& region : regions) parts.push_back(region.code + " " + base::lowered(region.label));
+  return base::joined(parts, ", ");
 }
 
 void markRegions(SvgPlot& plot, const std::vector<Region>& regions) {
@@ -127,28 +172,38 @@ LineLook expertLook(std::size_t index) {
 }
 
 void addSurface(HtmlPage& page, const ReportContext& context) {
+  const auto& inputs = context.in.built.model.inputs;
+  const auto rate = fuzzy::rateOf(inputs);
+  if (!rate) return;
   page.section("Force over depth and speed");
   constexpr double kDepthSteps = 120;
   constexpr int kSpeedSteps = 32;
-  const auto& inputs = context.in.built.model.inputs;
-  const auto speed = std::find_if(inputs.begin(), inputs.end(), [](const auto& input) { return input.id == "speed"; });
+  const fuzzy::Variable* const speed = &inputs[*rate];
+  std::vector<double> at = context.ofPaper() ? pointAt(context.in.built.model, {1, 45, 0}) : context.usual;
+  const std::string others = settingText(context, at, {*rate});
   SurfaceGrid grid;
   const double step_mm = (context.curves->depthMax() - context.curves->depthMin()) / kDepthSteps;
   for (int i = 0; i <= static_cast<int>(kDepthSteps); ++i) grid.x.push_back(context.curves->depthMin() + i * step_mm);
   for (int j = 0; j <= kSpeedSteps; ++j) grid.y.push_back(speed->min + (speed->max - speed->min) * j / kSpeedSteps);
   for (const double depth_mm : grid.x) {
     for (const double speed_mm_s : grid.y) {
-      grid.z.push_back(context.curves->force({1, 45, speed_mm_s}, depth_mm, std::nullopt));
+      at[*rate] = speed_mm_s;
+      grid.z.push_back(context.curves->force(at, depth_mm, std::nullopt));
     }
   }
   page.figure({.caption = strong(context.demo != nullptr ? "Fig. 9, recomputed." : "Force over depth and speed.") +
                           " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                          " Averaged force over depth and speed at lubrication 1 and neck flexion 45 deg." +
+                          " Averaged force over depth and speed" +
+                          (context.ofPaper() ? std::string(" at lubrication 1 and neck flexion 45 deg")
+                           : others.empty() ? std::string()
+                                            : " at " + others) +
+                          "." +
                           (context.demo != nullptr ? " Three of the four experts are simulated. The numbers behind the "
                                                      "paper's figure are not published."
                                                    : ""),
                .panels = {{.svg = surfacePlot({.title = "Averaged force over depth and speed",
-                                               .description = "Lubrication 1, neck flexion 45 deg.",
+                                               .description = context.ofPaper() ? "Lubrication 1, neck flexion 45 deg."
+                                                                                : others,
                                                .width = 940,
                                                .height = 560,
                                                .x = depthAxis(context),
@@ -161,7 +216,10 @@ void addSurface(HtmlPage& page, const ReportContext& context) {
 }
 
 void addInfluences(HtmlPage& page, const ReportContext& context) {
-  page.section("Influence of lubrication, neck flexion and speed");
+  const auto families = familiesOf(context);
+  if (families.empty()) return;
+  page.section(context.ofPaper() ? "Influence of lubrication, neck flexion and speed"
+                                 : "Influence of " + listedInputs(context));
   page.paragraph("Averaged force over depth, one input varied at a time. Regions: " + regionCodes(context.regions) +
                  ".");
   Figure figure{.caption = context.demo != nullptr
@@ -172,9 +230,11 @@ void addInfluences(HtmlPage& page, const ReportContext& context) {
                                      "experts are simulated to follow the text."
                                : strong("One input varied at a time.") + " " +
                                      marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                                     " At the settings of Fig. 10 of Choi et al.",
+                                     (context.ofPaper() ? " At the settings of Fig. 10 of Choi et al."
+                                                        : " In the middle of each of its words, the others at "
+                                                          "their usual values."),
                 .panels = {}};
-  for (const Family& family : families()) {
+  for (const Family& family : families) {
     figure.panels.push_back(
         {.heading = family.heading + Markup::raw(" ") + muted(family.setting), .svg = familyPlot(context, family)});
   }
@@ -183,7 +243,8 @@ void addInfluences(HtmlPage& page, const ReportContext& context) {
 
 SvgPlot depthPlot(const ReportContext& context, const std::string& title, double height, const PlotAxis& y) {
   SvgPlot plot({.title = title,
-                .description = "Lubrication 1, neck flexion 60 deg, speed 50 mm/s.",
+                .description = context.ofPaper() ? "Lubrication 1, neck flexion 60 deg, speed 50 mm/s."
+                                                 : settingText(context, context.usual),
                 .width = 940,
                 .height = height,
                 .x = depthAxis(context),
@@ -199,17 +260,16 @@ void addExperts(HtmlPage& page, const ReportContext& context) {
       depthPlot(context, "Force over depth of each expert and of the averaged model", 380, forceAxis(context));
   const auto& experts = context.in.built.model.experts;
   if (experts.size() > kMostDrawn) {
-    drawRange(plot, *context.curves, experts.size());
+    drawRange(plot, context, experts.size());
   } else {
     for (std::size_t i = 0; i < experts.size(); ++i) {
-      plot.line(toSeries(context.curves->plotted(kExpertsSetting, i)), expertLook(i), lineName(context, experts[i]));
+      plot.line(toSeries(context.curves->plotted(context.usual, i)), expertLook(i), lineName(context, experts[i]));
     }
   }
-  plot.line(toSeries(context.curves->plotted(kExpertsSetting, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
+  plot.line(toSeries(context.curves->plotted(context.usual, std::nullopt)), {.color = kInk, .width = 3.2}, "Mean");
   page.figure({.caption = strong(context.demo != nullptr ? "Fig. 11, recomputed." : "Each expert and the mean.") + " " +
                           marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                          " Force over depth of each expert and of the averaged model at 50 mm/s, lubrication 1, neck "
-                          "flexion 60 deg." +
+                          " Force over depth of each expert and of the averaged model" + atUsual(context) + "." +
                           (context.demo != nullptr
                                ? " Only the rules of " + context.demo->published_expert +
                                      " are published; the other experts are simulated. The numbers behind the paper's "
@@ -241,7 +301,7 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
   for (const S4Reading& reading : context.demo->readings) {
     const auto curves = ForceCurves::of(reading.model);
     if (!curves || reading.model.experts.empty()) continue;
-    const ForceCurve curve = curves->plotted(kExpertsSetting, 0);
+    const ForceCurve curve = curves->plotted(pointAt(reading.model, kFig11), 0);
     SvgPlot plot({.title = reading.title + ": force over depth",
                   .description = reading.assumes,
                   .width = 940,

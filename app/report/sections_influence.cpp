@@ -33,18 +33,20 @@ std::string_view whatOf(BandKind kind) {
   return "";
 }
 
-/// The points of the curve of Fig. 11, then the middle of each region.
+/// ` At the setting of <figure of the paper> (…).`, or at the usual values; empty for a model of the way alone.
+std::string settingOf(const ReportContext& context, const std::string& figure) {
+  if (context.ofPaper()) return " At the setting of " + figure + " (50 mm/s, lubrication 1, neck flexion 60 deg).";
+  const std::string text = settingText(context, context.usual);
+  return text.empty() ? text : " At the usual values (" + text + ").";
+}
+
+/// The points of the curve at the usual values, then the middle of each region.
 std::vector<std::vector<double>> pointsOf(const ReportContext& context) {
-  const auto& inputs = context.in.built.model.inputs;
-  std::vector<double> at;
-  std::size_t depth = 0;
-  for (std::size_t k = 0; k < inputs.size(); ++k) {
-    at.push_back(inputs[k].id == "lubrication" ? 1 : inputs[k].id == "neck_flexion" ? 60 : 50);
-    if (inputs[k].id == "depth") depth = k;
-  }
-  auto points = analysis::linePoints(context.in.built.model, at, depth, kCurveDepths);
+  const fuzzy::ForceModel& model = context.in.built.model;
+  const std::size_t depth = fuzzy::wayOf(model.inputs).value();
+  auto points = analysis::linePoints(model, context.usual, depth, kCurveDepths);
   for (const auto& region : context.regions) {
-    points.push_back(at);
+    points.push_back(context.usual);
     points.back()[depth] = (region.from_mm + region.to_mm) / 2;
   }
   return points;
@@ -142,8 +144,7 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
   if (!bands || bands->planned() == 0) return;
   while (bands->add(bands->planned())) {
   }
-  std::size_t depth = 0;
-  while (context.in.built.model.inputs[depth].id != "depth") ++depth;
+  const std::size_t depth = fuzzy::wayOf(context.in.built.model.inputs).value();
 
   page.section("How far the averaged force can be trusted");
   page.paragraph(
@@ -153,7 +154,7 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
       "say little about others, and the band “others” says how little.");
   Figure figure{.caption = strong("Bands around the averaged force.") + " " +
                            marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                           " At the setting of Fig. 11 of Choi et al. (50 mm/s, lubrication 1, neck flexion 60 deg). " +
+                           settingOf(context, "Fig. 11 of Choi et al.") + " " +
                            (people <= elicitation::kMostEnumerated && people > 1
                                 ? "“Others” is enumerated over every draw of participants, each as a whole."
                                 : "“Others” draws participants, each as a whole, at random.") +
@@ -199,15 +200,13 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
 
 namespace {
 
-constexpr CurveSetting kSetting{1, 60, 50};
-
 /// The averaged force at one depth without the expert `left_out`; nothing where the others have none.
 std::optional<double> withoutExpert(const ReportContext& context, double depth_mm, std::size_t left_out) {
   const std::vector<double> weight = normalizedWeights(context.in.built.model);
   double sum = 0;
   double weights = 0;
   for (std::size_t e = 0; e < weight.size(); ++e) {
-    const auto force_n = e == left_out ? std::nullopt : context.curves->force(kSetting, depth_mm, e);
+    const auto force_n = e == left_out ? std::nullopt : context.curves->force(context.usual, depth_mm, e);
     if (!force_n) continue;
     sum += weight[e] * *force_n;
     weights += weight[e];
@@ -230,7 +229,7 @@ std::vector<std::size_t> mostInfluential(const ReportContext& context) {
 
 std::string influencePlot(const ReportContext& context) {
   const auto& experts = context.in.built.model.experts;
-  const ForceCurve mean = context.curves->plotted(kSetting, std::nullopt);
+  const ForceCurve mean = context.curves->plotted(context.usual, std::nullopt);
   Series upper;
   Series lower;
   double largest_n = 0.1;
@@ -341,8 +340,7 @@ void addInfluence(HtmlPage& page, const ReportContext& context) {
   page.figure(
       {.caption = strong("The mean without each expert, over depth.") + " " +
                   marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                  " At the setting of Fig. 11 (50 mm/s, lubrication 1, neck flexion 60 deg). In the blue band a "
-                  "hand would not feel the change.",
+                  settingOf(context, "Fig. 11") + " In the blue band a hand would not feel the change.",
        .panels = {{.svg = influencePlot(context)}}});
   addDistances(page, context);
 }

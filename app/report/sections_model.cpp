@@ -61,7 +61,7 @@ std::string regionCode(const std::vector<Region>& regions, const std::string& id
 
 /// Whether the terms of a variable come from data of simulated participants; the others are defaults.
 bool fromSimulated(const ReportContext& context, const fuzzy::Variable& variable) {
-  const bool speeds = variable.id == "speed" && !context.in.built.speeds.empty();
+  const bool speeds = fuzzy::roleOf(variable) == fuzzy::Role::kRate && !context.in.built.speeds.empty();
   const bool votes = variable.id == context.in.built.model.output.id && context.in.built.force_terms.has_value();
   return context.simulated() && (speeds || votes);
 }
@@ -86,7 +86,8 @@ std::string termPlot(const ReportContext& context, const fuzzy::Variable& variab
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const fuzzy::MembershipFunction m = fuzzy::MembershipFunction::of(terms[i]);
     const double middle = m.gaussian ? m.mean : (std::max(m.b, variable.min) + std::min(m.c, variable.max)) / 2;
-    const std::string text = variable.id == "depth" ? regionCode(context.regions, terms[i].id) : terms[i].label;
+    const bool way = variable.id == depthVariable(context.in.built.model).id;
+    const std::string text = way ? regionCode(context.regions, terms[i].id) : terms[i].label;
     plot.label(middle, 1.07, text, readableText(figures::termColor(variable, terms, i)));
   }
   return plot.svg();
@@ -111,12 +112,20 @@ std::vector<std::pair<std::string, std::vector<fuzzy::Term>>> ownLists(const Rep
   return lists;
 }
 
-/// `; the speed comes from the strokes, the force has its default terms`.
-std::string ownOrDefault(const ReportContext& context) {
-  std::string text = context.in.built.speeds.empty() ? "; the speed has its default terms too"
-                                                     : "; the speed comes from the participants’ strokes";
+/// Where the terms of a study come from, one sentence.
+std::string originOfTerms(const ReportContext& context) {
+  const auto& inputs = context.in.built.model.inputs;
+  std::string text =
+      context.ofPaper()
+          ? "Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of this project"
+          : "Terms of the " + (inputs.size() == 1 ? std::string("input") : std::to_string(inputs.size()) + " inputs") +
+                " and of the force. Those of the way and of the conditions are the procedure’s";
+  if (fuzzy::rateOf(inputs)) {
+    text += context.in.built.speeds.empty() ? "; the speed has its default terms too"
+                                            : "; the speed comes from the participants’ strokes";
+  }
   text += context.in.built.force_terms ? ", the force from their judgements" : ", the force has its default terms";
-  return text;
+  return text + ".";
 }
 
 }  // namespace
@@ -131,11 +140,8 @@ void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
                      "this project, because the paper’s vertices are not printed; the speed comes from the simulated "
                      "strokes, the force from the published votes."
                : strong("Membership functions.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                     " Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of "
-                     "this project" +
-                     ownOrDefault(context) + ".") +
-          " NC nasal cavity, NP nasopharynx, OP oropharynx, LP laryngopharynx, ES "
-          "esophagus, ST stomach.",
+                     " " + originOfTerms(context)) +
+          " " + regionCodes(context.regions) + ".",
       .panels = {},
       .columns = 2};
   char letter = 'a';

@@ -22,7 +22,7 @@ std::string cellText(const fuzzy::ForceModel& model, const elicitation::CellConf
     }
     std::replace(input.begin(), input.end(), '_', ' ');
     std::replace(term.begin(), term.end(), '_', ' ');
-    parts.push_back(condition.input == "depth" ? term : input + " " + term);
+    parts.push_back(condition.input == depthVariable(model).id ? term : input + " " + term);
   }
   return base::joined(parts, ", ");
 }
@@ -119,7 +119,7 @@ std::optional<GridPlace> placeOf(const fuzzy::ForceModel& model, const fuzzy::Ex
   GridPlace place;
   for (const auto& condition : conditions) {
     const std::string label = labelOf(model, expert, condition.input, condition.term);
-    if (condition.input == "depth") {
+    if (condition.input == depthVariable(model).id) {
       place.column = label;
     } else {
       place.row = inputWords(condition.input) + " " + base::lowered(label);

@@ -45,7 +45,7 @@ std::string tracePlot(const ReportContext& context, const std::string& participa
                       std::string_view color, double speed_max_mm_s) {
   double end_s = 0;
   for (const Series& stroke : strokes) end_s = std::max(end_s, stroke.back().x);
-  SvgPlot plot({.title = "Fast strokes of " + participant,
+  SvgPlot plot({.title = speedVariable(context).terms.back().label + " strokes of " + participant,
                 .description = "Insertion speed over time.",
                 .width = 460,
                 .height = 240,
@@ -141,12 +141,13 @@ Table levelSpeeds(const ReportContext& context) {
 }  // namespace
 
 void addSpeeds(HtmlPage& page, const ReportContext& context) {
-  if (context.in.study.speeds.empty()) return;
+  if (context.in.study.speeds.empty() || !fuzzy::rateOf(context.in.built.model.inputs)) return;
+  const fuzzy::Term& fastest = speedVariable(context).terms.back();
   page.section("Insertion speed");
   page.table(context.demo != nullptr ? table1(context) : levelSpeeds(context));
   double speed_max_mm_s = 0;
   for (const study::SpeedSample& sample : context.in.study.speeds) {
-    if (sample.level == "fast") speed_max_mm_s = std::max(speed_max_mm_s, sample.speed_mm_s);
+    if (sample.level == fastest.id) speed_max_mm_s = std::max(speed_max_mm_s, sample.speed_mm_s);
   }
   if (speed_max_mm_s <= 0) return;
   Figure figure{
@@ -154,14 +155,14 @@ void addSpeeds(HtmlPage& page, const ReportContext& context) {
                      ? strong("Fig. 6, recomputed.") + " " + badge(Badge::kSimulated) +
                            " Speed traces at the level “fast”, four simulated strokes of each participant. The speed "
                            "axes are the same, the time axes are not. The recordings of the paper are not published."
-                     : strong("Strokes at the level “fast”.") + " " + marks(context, {Badge::kSimulated}) +
+                     : strong("Strokes at the level “" + base::lowered(fastest.label) + "”.") + " " + marks(context, {Badge::kSimulated}) +
                            " Speed over time. The speed axes are the same, the time axes are not.",
       .panels = {},
       .columns = 2};
   char letter = 'a';
   for (std::size_t who = 0; who < context.in.study.participants.size(); ++who) {
     const study::Participant& participant = context.in.study.participants[who];
-    const std::vector<Series> strokes = traces(context.in.study, participant.code, "fast");
+    const std::vector<Series> strokes = traces(context.in.study, participant.code, fastest.id);
     if (strokes.empty()) continue;
     if (figure.panels.size() == kMostDrawn) {
       figure.caption += " The first " + std::to_string(kMostDrawn) + " participants with such strokes are drawn.";

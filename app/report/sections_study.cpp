@@ -191,7 +191,7 @@ std::vector<Markup> missing(const ReportContext& context, const std::map<std::st
         "There is one participant only: the mean is that participant’s model, and how far experts agree cannot be "
         "said.");
   }
-  if (study.speeds.empty()) {
+  if (study.speeds.empty() && fuzzy::rateOf(context.in.built.model.inputs)) {
     out.emplace_back(
         "There are no insertion strokes. The speed has its default terms; the sections about speeds and clusters are "
         "left out.");
@@ -224,6 +224,17 @@ std::vector<Markup> missing(const ReportContext& context, const std::map<std::st
                          : "The speed terms have no intervals: they need two strokes of each participant and level.");
   }
   return out;
+}
+
+}  // namespace
+
+namespace {
+
+/// What the study is about, in the words of its pack.
+void addProcedure(HtmlPage& page, const ReportContext& context) {
+  const procedure::Procedure& about = context.about();
+  page.paragraph(strong("Procedure.") + " " + about.titleIn("en") + ", pack " + about.id + ", version " +
+                 std::to_string(about.version) + ". " + about.about);
 }
 
 }  // namespace
@@ -274,6 +285,7 @@ void addStudyOverview(HtmlPage& page, const ReportContext& context) {
        {counted(strokes, "stroke", "strokes"), counted(study.speeds.size(), "speed sample", "speed samples")},
        {counted(judgements, "judgement", "judgements"), counted(answers, "answer or rule", "answers and rules")},
        {range, "what the averaged model can give"}});
+  if (!context.ofPaper()) addProcedure(page, context);
   const auto lacks = missing(context, given);
   if (lacks.empty()) return;
   page.subsection("What is missing");

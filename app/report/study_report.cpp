@@ -19,7 +19,8 @@ base::Result<std::string> demoReport(const DemoReportInputs& inputs) {
   const ReportContext context{.in = of_study,
                               .demo = &inputs,
                               .curves = &curves,
-                              .regions = depthRegions(depthVariable(inputs.built.model)),
+                              .usual = usualPoint(inputs.built),
+                              .regions = wayRegions(inputs.built.about(), depthVariable(inputs.built.model)),
                               .claims = std::move(claims),
                               .speed_intervals = speedIntervals(of_study)};
 
@@ -130,11 +131,43 @@ std::optional<elicitation::StudySpeedIntervals> speedIntervals(const StudyReport
 }
 
 const fuzzy::Variable& depthVariable(const fuzzy::ForceModel& model) {
-  return *std::find_if(model.inputs.begin(), model.inputs.end(),
-                       [](const fuzzy::Variable& input) { return input.id == "depth"; });
+  return model.inputs[fuzzy::wayOf(model.inputs).value()];
 }
 
+std::vector<double> usualPoint(const elicitation::BuiltModel& built) {
+  const procedure::Procedure& about = built.about();
+  std::vector<double> point;
+  for (const fuzzy::Variable& input : built.model.inputs) {
+    const auto own = std::find_if(about.inputs.begin(), about.inputs.end(),
+                                  [&input](const fuzzy::Variable& one) { return one.id == input.id; });
+    point.push_back(own == about.inputs.end()
+                        ? (input.min + input.max) / 2
+                        : about.input_notes[static_cast<std::size_t>(own - about.inputs.begin())].usual);
+  }
+  return point;
+}
+
+namespace {
+
+/// What the page is, in one sentence.
+std::string subtitleOf(const ReportContext& context) {
+  if (!context.ofPaper()) {
+    return "From the participants’ judgements and answers to an averaged force model, by the method of Choi et al. "
+           "Procedure: " +
+           context.about().titleIn("en") + ".";
+  }
+  return "From the participants’ strokes, judgements and answers to an averaged force model of tube insertion, "
+         "after Choi et al., “A heuristic force model for haptic simulation of nasogastric tube insertion using "
+         "fuzzy logic”.";
+}
+
+}  // namespace
+
 base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
+  if (!fuzzy::wayOf(inputs.built.model.inputs)) {
+    return base::fail(base::ErrorCode::kReference, "/inputs", "no input of the role `way`",
+                      "an input along which the tip moves");
+  }
   const bool with_experts = !inputs.built.model.experts.empty();
   std::optional<ForceCurves> curves;
   if (with_experts) {
@@ -143,12 +176,10 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
   }
   const ReportContext context{.in = inputs,
                               .curves = curves ? &*curves : nullptr,
-                              .regions = depthRegions(depthVariable(inputs.built.model)),
+                              .usual = usualPoint(inputs.built),
+                              .regions = wayRegions(inputs.built.about(), depthVariable(inputs.built.model)),
                               .speed_intervals = speedIntervals(inputs)};
-  HtmlPage page(titleOf(inputs),
-                "From the participants’ strokes, judgements and answers to an averaged force model of tube insertion, "
-                "after Choi et al., “A heuristic force model for haptic simulation of nasogastric tube insertion using "
-                "fuzzy logic”.");
+  HtmlPage page(titleOf(inputs), subtitleOf(context));
   page.numberCaptions();
   addStudyOverview(page, context);
   if (with_experts) addLiving(page, context);

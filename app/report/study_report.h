@@ -44,8 +44,8 @@ struct DemoReportInputs {
                                                               ///< paper
 };
 
-/// The page as HTML. Captions mark everything simulated. Refused: an averaged model without the four inputs of the
-/// study or without the published expert.
+/// The page as HTML. Captions mark everything simulated. Refused: an averaged model without the paper's inputs or
+/// without the published expert.
 base::Result<std::string> demoReport(const DemoReportInputs& inputs);
 
 /// The input of the report. The report computes curves and summaries itself and reads no file.
@@ -68,7 +68,7 @@ struct StudyReportInputs {
 /// The page as HTML: self-contained, numbered tables and figures, for screen and paper. Each picture with data of a
 /// simulated person says so. What the study lacks (speeds, judgements, answers, a second participant) is named, and
 /// the sections that need it are left out. With many participants only some are drawn one by one; tables hold all.
-/// Refused: a model without the four inputs of the study.
+/// What is the paper's own appears only for its procedure. Refused: a model without a way.
 base::Result<std::string> studyReport(const StudyReportInputs& inputs);
 
 }  // namespace tactus::report

@@ -1,5 +1,6 @@
 // The page that a simulator team reads: what it must know of a model, on two printed pages.
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -7,8 +8,10 @@
 
 #include "app/bundle/bundle.h"
 #include "app/bundle/report_parts.h"
+#include "elicitation/model/model_builder.h"
 
 #include "tests/support/chromium.h"
+#include "tests/support/french_probe.h"
 #include "tests/support/invented_experts.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/two_experts.h"
@@ -101,7 +104,7 @@ TEST(BundleReport, FindsTheRegionsAndTheirForces) {
 TEST(BundleReport, SlopesAndAgreementAreThoseOfAHandCalculation) {
   const auto model = tests::twoExperts();
   const auto compiled = fuzzy::compile(model);
-  const auto slope = largestSlope(model, *compiled, *inputNamed(model, "speed"));
+  const auto slope = largestSlope(model, *compiled, *fuzzy::rateOf(model.inputs));
   ASSERT_TRUE(slope);
   EXPECT_NEAR(slope->slope, 1 / 20.8, 1e-9);
   const auto b = agreementOf(model, *compiled, 1);
@@ -112,6 +115,24 @@ TEST(BundleReport, SlopesAndAgreementAreThoseOfAHandCalculation) {
   ASSERT_TRUE(a);
   EXPECT_GT(a->within_jnd, 0.4);
   EXPECT_LT(a->mean_n, 0.15);
+}
+
+TEST(BundleReport, OfAnotherProcedureHasItsWords) {
+  const study::Study study = support::probeStudy();
+  auto built = elicitation::buildModel(study, study.procedure->forms, {.created_utc = "2026-11-22T08:00:00Z"});
+  ASSERT_TRUE(built) << built.error().message();
+  const auto made = makeBundle(built->model, {{}, "2026-11-22T08:00:00Z", "tactus test", 0.2});
+  ASSERT_TRUE(made) << made.error().message();
+  for (const auto& [path, bytes] : made->files) {
+    std::string text = bytes;
+    for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    for (const char* word : {"naso", "esoph", "nostril", "neck", "stomach", "lubric", "pharyn"})
+      EXPECT_EQ(text.find(word), std::string::npos) << path << " says " << word;
+  }
+  const std::string page = readableOf(reportOf(*made));
+  EXPECT_NE(page.find("at the middle of 2 words of “Etat A”."), std::string::npos);
+  EXPECT_NE(page.find("Largest slope over the depth"), std::string::npos);
+  EXPECT_EQ(page.find("over the speed"), std::string::npos);
 }
 
 TEST(BundleReport, GivesTwoDigits) {

@@ -6,6 +6,7 @@
 #include "app/dataset/tsv.h"
 
 #include "tests/app/dataset/small_study.h"
+#include "tests/support/french_probe.h"
 #include "tests/support/temp_folder.h"
 
 namespace tactus::dataset {
@@ -38,6 +39,19 @@ TEST_P(EveryLayout, SaysThatDataAreSimulatedOnlyIfSomeAre) {
   const auto files = filesBelow(out_);
   EXPECT_EQ(files.at("dataset_description.json").find("imulated by a program"), std::string::npos);
   EXPECT_EQ(files.at("dataset_description.json").find("with simulated data"), std::string::npos);
+}
+
+TEST_P(EveryLayout, SaysWhichProcedureItIsAbout) {
+  ASSERT_TRUE(write(smallStudy()));
+  EXPECT_NE(filesBelow(out_).at("dataset_description.json").find("Forces of nasogastric tube insertion as experts"),
+            std::string::npos);
+  ASSERT_TRUE(write(support::probeStudy()));
+  for (const auto& [name, bytes] : filesBelow(out_)) {
+    for (const char* text : {"naso", "esoph", "nostril", "neck", "stomach", "lubric", "trokes at speeds that"})
+      EXPECT_EQ(bytes.find(text), std::string::npos) << name << " says " << text;
+  }
+  EXPECT_NE(filesBelow(out_).at("dataset_description.json").find("Forces of sonde articulaire as experts"),
+            std::string::npos);
 }
 
 TEST_P(EveryLayout, CountsItsFilesAndParticipants) {

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/procedure/procedure.h"
+
 namespace tactus::figures {
 namespace {
 
@@ -52,6 +54,14 @@ TEST(Colors, ARegionKeepsItsColorInEveryList) {
   EXPECT_EQ(termColor(few, few.terms, 1), termColor(six, six.terms, 5));
   const fuzzy::Variable other = depth({"near", "far"});
   EXPECT_NE(termColor(other, other.terms, 0), termColor(other, other.terms, 1));
+}
+
+TEST(Colors, TheRegionsOfOneProcedureDiffer) {
+  for (const std::string& id : procedure::builtInIds()) {
+    const auto& terms = procedure::builtIn(id)->wayInput().terms;
+    for (std::size_t i = 1; i < terms.size(); ++i)
+      EXPECT_NE(regionColor(terms, i - 1), regionColor(terms, i)) << id << ' ' << terms[i].id;
+  }
 }
 
 TEST(Colors, PartsOfASplitAreTintsOfTheWhole) {

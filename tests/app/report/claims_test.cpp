@@ -197,6 +197,21 @@ TEST(Claims, AModelWithoutThePublishedExpertIsRefused) {
   EXPECT_NE(claims.error().message().find("S4"), std::string::npos);
 }
 
+TEST(Claims, AModelWithOtherInputsIsRefused) {
+  ForceModel model = modelOf({byRegion("S4", {kSmall, kSmall, kSmall, kSmall, kSmall, kSmall})});
+  model.inputs[1].id = "angle";
+  const auto claims = checkClaims(model, {});
+  ASSERT_FALSE(claims);
+  EXPECT_NE(claims.error().message().find("neck_flexion"), std::string::npos);
+}
+
+TEST(Claims, TheOrderOfTheInputsDoesNotMatter) {
+  ForceModel model = support::s4FiveRegions();
+  const std::string numbers = verdictOf(model, "11b", "S4").numbers;
+  std::swap(model.inputs[0], model.inputs[3]);
+  EXPECT_EQ(verdictOf(model, "11b", "S4").numbers, numbers);
+}
+
 TEST(Claims, JustNoticeableDifferenceJoinsThresholdAndWeberFraction) {
   EXPECT_DOUBLE_EQ(justNoticeableDifference(0), 0.04);
   EXPECT_NEAR(justNoticeableDifference(0.25), 0.05, 1e-15);  // sides 0.04 and 0.03; rounding only

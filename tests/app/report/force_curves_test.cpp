@@ -11,7 +11,7 @@ namespace {
 TEST(ForceCurves, S4AsPrintedHasTheKnownForcesAndItsHole) {
   const auto curves = ForceCurves::of(support::s4AsPrinted());
   ASSERT_TRUE(curves);
-  const ForceCurve curve = curves->curve({1, 60, 50}, 0);
+  const ForceCurve curve = curves->curve({1, 60, 0, 50}, 0);
   ASSERT_EQ(curve.size(), 601U);
   // Five printed digits of an independent exact integration of the same model.
   const std::vector<std::pair<std::size_t, double>> known = {
@@ -25,29 +25,29 @@ TEST(ForceCurves, S4AsPrintedHasTheKnownForcesAndItsHole) {
   EXPECT_FALSE(toSeries(curve)[130].y);
 }
 
-TEST(ForceCurves, TheOrderOfTheInputsDoesNotMatter) {
+TEST(ForceCurves, TheWayMayBeAnyInput) {
   fuzzy::ForceModel model = support::s4FiveRegions();
   const auto straight = ForceCurves::of(model);
-  std::swap(model.inputs[0], model.inputs[3]);
+  std::swap(model.inputs[0], model.inputs[2]);
   const auto swapped = ForceCurves::of(model);
   ASSERT_TRUE(straight && swapped);
-  EXPECT_EQ(*straight->force({0.3, 45, 80}, 170, 0), *swapped->force({0.3, 45, 80}, 170, 0));
+  EXPECT_EQ(*straight->force({0.3, 45, 0, 80}, 170, 0), *swapped->force({0, 45, 0.3, 80}, 170, 0));
 }
 
-TEST(ForceCurves, OtherInputsAreRefused) {
+TEST(ForceCurves, AModelWithoutAWayIsRefused) {
   fuzzy::ForceModel model = support::ngtVariables();
-  model.inputs[1].id = "angle";
+  model.inputs[2].role = fuzzy::Role::kCondition;
   model.experts.push_back({.id = "E", .label = "E", .overrides = {}, .rules = {{{{"depth", "stomach"}}, "small"}}});
   const auto curves = ForceCurves::of(model);
   ASSERT_FALSE(curves);
-  EXPECT_NE(curves.error().message().find("neck_flexion"), std::string::npos);
+  EXPECT_NE(curves.error().message().find("`way`"), std::string::npos);
 }
 
 TEST(ForceCurves, PlottedCurvesHoldTheEndsOfAHole) {
   const auto curves = ForceCurves::of(support::s4AsPrinted());
   ASSERT_TRUE(curves);
   // The small force ends at the last vertex of its depth term, 125 mm; the next term begins at 138 mm.
-  const ForceCurve curve = curves->plotted({1, 60, 50}, 0);
+  const ForceCurve curve = curves->plotted({1, 60, 0, 50}, 0);
   const auto silent = [](const CurvePoint& point) { return !point.force_n; };
   const auto first = std::find_if(curve.begin(), curve.end(), silent);
   const auto last = std::find_if(curve.rbegin(), curve.rend(), silent);
