@@ -130,7 +130,9 @@ fuzzy::Provenance modelProvenance(const study::Study& study, std::span<const Exp
                                   const BuildSettings& settings) {
   fuzzy::Provenance out;
   out.study = study.name;
-  out.settings = methodSettings(settings);
+  BuildSettings used = settings;
+  if (const auto* const rate = procedure::of(study).rateInput()) used.speed.fcm.clusters = rate->terms.size();
+  out.settings = methodSettings(used);
   if (study.judgements.empty()) out.settings.back().json = base::jsonString("default");
   if (study.procedure != nullptr && study.procedure != procedure::defaultProcedure())
     out.settings.push_back(procedure::modelSetting(*study.procedure));

@@ -49,13 +49,9 @@ using base::Result;
 
 constexpr double kLargestFuzziness = 100;  // as fuzzyCMeans
 
-Result<void> checkSettings(const fuzzy::Variable& speed, const SpeedTermSettings& settings) {
+Result<void> checkSettings(const SpeedTermSettings& settings) {
   if (!(settings.trim >= 0 && settings.trim < 1)) {
     return fail(ErrorCode::kValue, "trim", base::formatNumber(settings.trim), "a share of 0 or more and below 1");
-  }
-  if (settings.fcm.clusters != speed.terms.size()) {
-    return fail(ErrorCode::kValue, "clusters", std::to_string(settings.fcm.clusters),
-                std::to_string(speed.terms.size()) + ", one for each term of the speed");
   }
   const double m = settings.fcm.m;
   if (settings.centres == SpeedCentres::kLevelMeans && !(m > 1 && m <= kLargestFuzziness)) {
@@ -127,7 +123,9 @@ Result<ParticipantSpeeds> clusterOne(const study::Participant& participant, std:
     out.centres = std::move(*means);
     out.m = settings.fcm.m;
   } else {
-    auto clusters = fuzzyCMeans(speeds_mm_s, settings.fcm);
+    FcmSettings fcm = settings.fcm;
+    fcm.clusters = speed.terms.size();
+    auto clusters = fuzzyCMeans(speeds_mm_s, fcm);
     if (!clusters) return ofParticipant(clusters.error(), participant.code, samples.front().line);
     out.clusters = std::move(*clusters);
     out.centres = out.clusters->centres;
@@ -162,7 +160,7 @@ bool clusterAlike(const SpeedTermSettings& a, const SpeedTermSettings& b) {
 Result<std::vector<ParticipantSpeeds>> clusterSpeeds(const study::Study& study, const fuzzy::Variable& speed,
                                                      const SpeedTermSettings& settings,
                                                      const std::function<bool(double share)>& go_on) {
-  if (auto ok = checkSettings(speed, settings); !ok) return tl::unexpected(ok.error());
+  if (auto ok = checkSettings(settings); !ok) return tl::unexpected(ok.error());
   const ParticipantSamples samples(study.speeds);
   std::vector<ParticipantSpeeds> out;
   for (std::size_t i = 0; i < study.participants.size(); ++i) {
