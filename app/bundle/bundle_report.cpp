@@ -167,8 +167,8 @@ void addCurves(report::HtmlPage& page, const fuzzy::ForceModel& model, const fuz
       const std::size_t term = count == 1 ? 0 : k * (words.terms.size() - 1) / (count - 1);
       point[*varied] = coreMiddle(words, words.terms[term]);
       const std::string unit = words.unit == "1" ? "" : " " + words.unit;
-      figure.panels.push_back({labelOf(words.terms[term]) + ", " + shortly(point[*varied]) + unit,
-                               curves(model, compiled, *depth, point)});
+      figure.panels.push_back(
+          {labelOf(words.terms[term]) + ", " + shortly(point[*varied]) + unit, curves(model, compiled, *depth, point)});
     }
     point[*depth] = point[*varied] = 0;
     std::vector<std::string> others;

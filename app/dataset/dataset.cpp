@@ -65,8 +65,8 @@ std::string measuredIn(const study::Study& study) {
 }  // namespace
 
 std::string PublishedStudy::name() const {
-  return "Forces of " + procedureOf(study()) + " as experts feel them" + (simulated.empty() ? "" : " (with simulated data)") +
-         (without_force.empty() ? "" : " (VIRTUAL)");
+  return "Forces of " + procedureOf(study()) + " as experts feel them" +
+         (simulated.empty() ? "" : " (with simulated data)") + (without_force.empty() ? "" : " (VIRTUAL)");
 }
 
 std::string PublishedStudy::description() const {

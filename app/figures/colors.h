@@ -29,8 +29,9 @@ Rgb readable(const Rgb& color, const Rgb& card, const Rgb& ink, double least);
 /// visible with every kind of color vision and in a gray print.
 Rgb forceRamp(double share);
 
-/// Color of a region by its place in the procedure that has it (of those that the program carries). The parts of a split (`oropharynx_2`) are tints of the whole. Regions with other ids
-/// have the colors in their order. Contrast at least 3 to the cards of both looks.
+/// Color of a region by its place in the procedure that has it (of those that the program carries). The parts of a
+/// split (`oropharynx_2`) are tints of the whole. Regions with other ids have the colors in their order. Contrast at
+/// least 3 to the cards of both looks.
 Rgb regionColor(const std::vector<fuzzy::Term>& terms, std::size_t index);
 
 /// Color of term `index` of `variable`: the ramp for a force in N, a region's color for a depth in mm, else gray.

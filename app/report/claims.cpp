@@ -49,7 +49,7 @@ const fuzzy::Variable& ClaimContext::input(std::string_view id) const {
 std::vector<double> pointAt(const fuzzy::ForceModel& model, const PaperSetting& setting) {
   std::vector<double> point;
   for (const fuzzy::Variable& input : model.inputs) {
-    point.push_back(input.id == kLubrication    ? setting.lubrication
+    point.push_back(input.id == kLubrication   ? setting.lubrication
                     : input.id == kNeckFlexion ? setting.neck_flexion_deg
                     : input.id == kSpeed       ? setting.speed_mm_s
                                                : 0);

@@ -124,19 +124,15 @@ std::string pText(const elicitation::LevelTrend& trend) {
 
 Table levelTable(const ReportContext& context) {
   const fuzzy::Variable& speed = speedVariable(context);
-  std::vector<Cell> groups = {{.text = "", .columns = 2},
-                              {.text = "Speed", .columns = 3, .group_start = true},
-                              {.text = "% nearest to the center",
-                               .columns = static_cast<int>(speed.terms.size()),
-                               .group_start = true},
-                              {.text = "Agreement", .columns = 2, .group_start = true},
-                              {.text = "Order of strokes", .columns = 2, .group_start = true},
-                              {.text = "", .group_start = true}};
-  std::vector<Cell> values = {{.text = "Participant"},
-                              {.text = "Level"},
-                              numberCell("mean", true),
-                              numberCell("SD"),
-                              numberCell("d′ to next")};
+  std::vector<Cell> groups = {
+      {.text = "", .columns = 2},
+      {.text = "Speed", .columns = 3, .group_start = true},
+      {.text = "% nearest to the center", .columns = static_cast<int>(speed.terms.size()), .group_start = true},
+      {.text = "Agreement", .columns = 2, .group_start = true},
+      {.text = "Order of strokes", .columns = 2, .group_start = true},
+      {.text = "", .group_start = true}};
+  std::vector<Cell> values = {
+      {.text = "Participant"}, {.text = "Level"}, numberCell("mean", true), numberCell("SD"), numberCell("d′ to next")};
   for (std::size_t i = 0; i < speed.terms.size(); ++i)
     values.push_back(numberCell(base::lowered(speed.terms[i].label), i == 0));
   for (Cell& cell : std::array<Cell, 5>{numberCell("adj. Rand", true), numberCell("accuracy"), numberCell("J", true),

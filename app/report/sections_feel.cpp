@@ -179,23 +179,23 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
                   base::formatFixed(friction.damping_n_s_mm, 4) + " N s/mm the two differ little.",
        .panels = {{.svg = strokePlot(*stroke, friction)}}});
   const auto& felt = placement->summary;
-  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 18, computed." : "A whole placement.") + " " +
-                          badges({Badge::kComputed, Badge::kSimulated}) + " A whole placement in " +
-                          std::to_string(felt.strokes) +
-                          " strokes" +
-                          (context.ofPaper() ? std::string(" at lubrication 0.8; after 4.5 s the neck is flexed from 20 "
-                                                           "to 80 deg within a second")
-                           : usual.empty()   ? std::string()
-                                             : " at " + usual) +
-                          ". The tube advanced " +
-                          base::formatFixed(felt.depth_mm, 0) + " mm of the " + base::formatFixed(felt.planned_mm, 0) +
-                          " mm that the hand wanted to push: the rest is the give of tube and hand before each slip. "
-                          "Largest resistance " +
-                          base::formatFixed(felt.largest_force_n, 2) + " N, mean while sliding " +
-                          base::formatFixed(felt.mean_sliding_n, 2) + " N. Of " + std::to_string(felt.ticks) +
-                          " ticks " + std::to_string(felt.scene.asked) + " needed the model.",
-               .panels = {{.heading = "(a) Resistance", .svg = placementForcePlot(*placement)},
-                          {.heading = "(b) Depth", .svg = placementDepthPlot(*placement, context)}}});
+  page.figure(
+      {.caption = strong(context.demo != nullptr ? "Fig. 18, computed." : "A whole placement.") + " " +
+                  badges({Badge::kComputed, Badge::kSimulated}) + " A whole placement in " +
+                  std::to_string(felt.strokes) + " strokes" +
+                  (context.ofPaper() ? std::string(" at lubrication 0.8; after 4.5 s the neck is flexed from 20 "
+                                                   "to 80 deg within a second")
+                   : usual.empty()   ? std::string()
+                                     : " at " + usual) +
+                  ". The tube advanced " + base::formatFixed(felt.depth_mm, 0) + " mm of the " +
+                  base::formatFixed(felt.planned_mm, 0) +
+                  " mm that the hand wanted to push: the rest is the give of tube and hand before each slip. "
+                  "Largest resistance " +
+                  base::formatFixed(felt.largest_force_n, 2) + " N, mean while sliding " +
+                  base::formatFixed(felt.mean_sliding_n, 2) + " N. Of " + std::to_string(felt.ticks) + " ticks " +
+                  std::to_string(felt.scene.asked) + " needed the model.",
+       .panels = {{.heading = "(a) Resistance", .svg = placementForcePlot(*placement)},
+                  {.heading = "(b) Depth", .svg = placementDepthPlot(*placement, context)}}});
 }
 
 void addDuels(HtmlPage& page, const ReportContext& context) {

@@ -191,28 +191,28 @@ void addSurface(HtmlPage& page, const ReportContext& context) {
       grid.z.push_back(context.curves->force(at, depth_mm, std::nullopt));
     }
   }
-  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 9, recomputed." : "Force over depth and speed.") +
-                          " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                          " Averaged force over depth and speed" +
-                          (context.ofPaper() ? std::string(" at lubrication 1 and neck flexion 45 deg")
-                           : others.empty() ? std::string()
-                                            : " at " + others) +
-                          "." +
-                          (context.demo != nullptr ? " Three of the four experts are simulated. The numbers behind the "
-                                                     "paper's figure are not published."
-                                                   : ""),
-               .panels = {{.svg = surfacePlot({.title = "Averaged force over depth and speed",
-                                               .description = context.ofPaper() ? "Lubrication 1, neck flexion 45 deg."
-                                                                                : others,
-                                               .width = 940,
-                                               .height = 560,
-                                               .x = depthAxis(context),
-                                               .y = {.label = "Speed (mm/s)", .min = speed->min, .max = speed->max},
-                                               .z = {.label = "Force (N)",
-                                                     .min = context.in.built.model.output.min,
-                                                     .max = context.in.built.model.output.max},
-                                               .simulated = context.simulated()},
-                                              grid)}}});
+  page.figure(
+      {.caption = strong(context.demo != nullptr ? "Fig. 9, recomputed." : "Force over depth and speed.") + " " +
+                  marks(context, {Badge::kComputed, Badge::kSimulated}) + " Averaged force over depth and speed" +
+                  (context.ofPaper() ? std::string(" at lubrication 1 and neck flexion 45 deg")
+                   : others.empty()  ? std::string()
+                                     : " at " + others) +
+                  "." +
+                  (context.demo != nullptr ? " Three of the four experts are simulated. The numbers behind the "
+                                             "paper's figure are not published."
+                                           : ""),
+       .panels = {
+           {.svg = surfacePlot({.title = "Averaged force over depth and speed",
+                                .description = context.ofPaper() ? "Lubrication 1, neck flexion 45 deg." : others,
+                                .width = 940,
+                                .height = 560,
+                                .x = depthAxis(context),
+                                .y = {.label = "Speed (mm/s)", .min = speed->min, .max = speed->max},
+                                .z = {.label = "Force (N)",
+                                      .min = context.in.built.model.output.min,
+                                      .max = context.in.built.model.output.max},
+                                .simulated = context.simulated()},
+                               grid)}}});
 }
 
 void addInfluences(HtmlPage& page, const ReportContext& context) {

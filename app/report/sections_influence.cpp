@@ -337,11 +337,10 @@ void addInfluence(HtmlPage& page, const ReportContext& context) {
     return;
   }
   addLeaveOneOut(page, context);
-  page.figure(
-      {.caption = strong("The mean without each expert, over depth.") + " " +
-                  marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                  settingOf(context, "Fig. 11") + " In the blue band a hand would not feel the change.",
-       .panels = {{.svg = influencePlot(context)}}});
+  page.figure({.caption = strong("The mean without each expert, over depth.") + " " +
+                          marks(context, {Badge::kComputed, Badge::kSimulated}) + settingOf(context, "Fig. 11") +
+                          " In the blue band a hand would not feel the change.",
+               .panels = {{.svg = influencePlot(context)}}});
   addDistances(page, context);
 }
 

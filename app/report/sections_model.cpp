@@ -115,11 +115,12 @@ std::vector<std::pair<std::string, std::vector<fuzzy::Term>>> ownLists(const Rep
 /// Where the terms of a study come from, one sentence.
 std::string originOfTerms(const ReportContext& context) {
   const auto& inputs = context.in.built.model.inputs;
-  std::string text =
-      context.ofPaper()
-          ? "Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of this project"
-          : "Terms of the " + (inputs.size() == 1 ? std::string("input") : std::to_string(inputs.size()) + " inputs") +
-                " and of the force. Those of the way and of the conditions are the procedure’s";
+  std::string text = context.ofPaper()
+                         ? "Terms of the four inputs and of the force. Lubrication, neck flexion and depth are "
+                           "defaults of this project"
+                         : "Terms of the " +
+                               (inputs.size() == 1 ? std::string("input") : std::to_string(inputs.size()) + " inputs") +
+                               " and of the force. Those of the way and of the conditions are the procedure’s";
   if (fuzzy::rateOf(inputs)) {
     text += context.in.built.speeds.empty() ? "; the speed has its default terms too"
                                             : "; the speed comes from the participants’ strokes";
@@ -139,8 +140,8 @@ void addMembershipFunctions(HtmlPage& page, const ReportContext& context) {
                      " Terms of the four inputs and of the force. Lubrication, neck flexion and depth are defaults of "
                      "this project, because the paper’s vertices are not printed; the speed comes from the simulated "
                      "strokes, the force from the published votes."
-               : strong("Membership functions.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                     " " + originOfTerms(context)) +
+               : strong("Membership functions.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) + " " +
+                     originOfTerms(context)) +
           " " + regionCodes(context.regions) + ".",
       .panels = {},
       .columns = 2};

@@ -155,7 +155,8 @@ void addSpeeds(HtmlPage& page, const ReportContext& context) {
                      ? strong("Fig. 6, recomputed.") + " " + badge(Badge::kSimulated) +
                            " Speed traces at the level “fast”, four simulated strokes of each participant. The speed "
                            "axes are the same, the time axes are not. The recordings of the paper are not published."
-                     : strong("Strokes at the level “" + base::lowered(fastest.label) + "”.") + " " + marks(context, {Badge::kSimulated}) +
+                     : strong("Strokes at the level “" + base::lowered(fastest.label) + "”.") + " " +
+                           marks(context, {Badge::kSimulated}) +
                            " Speed over time. The speed axes are the same, the time axes are not.",
       .panels = {},
       .columns = 2};

@@ -66,8 +66,12 @@ Json inputsOf(const ProbeTraits& traits) {
 }
 
 Json formOf(const Json& inputs) {
-  Json out = {{"format", "tactus-form"},  {"id", "sonde-v1"},          {"version", 1},
-              {"title", "Force de la sonde"}, {"source", "Formulaire propre"}, {"answers", Json::array()},
+  Json out = {{"format", "tactus-form"},
+              {"id", "sonde-v1"},
+              {"version", 1},
+              {"title", "Force de la sonde"},
+              {"source", "Formulaire propre"},
+              {"answers", Json::array()},
               {"items", Json::array()}};
   for (const char* word : kForces) out["answers"].push_back({{"term", word}, {"word", word}});
   int number = 0;
@@ -81,6 +85,25 @@ Json formOf(const Json& inputs) {
     }
   }
   return out;
+}
+
+Json wordingOf(const Json& inputs) {
+  Json phrases = Json::object();
+  for (const Json& input : inputs) {
+    for (const Json& term : input["terms"]) phrases[std::string(input["id"])][std::string(term["id"])] = "Une phrase.";
+  }
+  Json answers = Json::object();
+  for (const char* word : kForces) answers[word] = word;
+  return {{"format", "tactus-form-wording"},
+          {"form", "sonde-v1"},
+          {"form_version", 1},
+          {"wording", "plain"},
+          {"language", "fr"},
+          {"title", "La force de la sonde"},
+          {"instructions", "Pensez."},
+          {"question", "Quelle force ?"},
+          {"phrases", phrases},
+          {"answers", answers}};
 }
 
 Json wordsOf(const Json& inputs) {
@@ -126,7 +149,7 @@ std::shared_ptr<const procedure::Procedure> frenchProbe(const ProbeTraits& trait
                          {"words", "words.json"}};
   auto read = procedure::readProcedure({{"procedure.json", manifest.dump()},
                                         {"form.json", formOf(inputs).dump()},
-                                        {"form.fr.json", "{}"},
+                                        {"form.fr.json", wordingOf(inputs).dump()},
                                         {"words.json", wordsOf(inputs).dump()}},
                                        "probe");
   EXPECT_TRUE(read) << read.error().message();
@@ -140,7 +163,7 @@ study::Study probeStudy(const ProbeTraits& traits, int participants) {
   const study::Form& form = out.procedure->forms.front();
   for (int who = 1; who <= participants; ++who) {
     const std::string code = "P" + std::to_string(who);
-    out.participants.push_back({.code = code});
+    out.participants.emplace_back().code = code;
     for (const study::FormItem& item : form.items) {
       const int level = (item.number + who / 2) % 4;
       out.answers.push_back({code, form.id, item.number, kForces[level], study::Answer::Status::kAnswered});

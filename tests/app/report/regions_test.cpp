@@ -10,9 +10,7 @@ namespace {
 
 fuzzy::Variable depth() { return support::ngtVariables().inputs[2]; }
 
-std::vector<Region> regionsOfNgt(const fuzzy::Variable& way) {
-  return wayRegions(*procedure::defaultProcedure(), way);
-}
+std::vector<Region> regionsOfNgt(const fuzzy::Variable& way) { return wayRegions(*procedure::defaultProcedure(), way); }
 
 TEST(Regions, EndWhereNeighboringTermsAreEqual) {
   // The default terms cross at 70, 115, 150, 200 and 440 mm.
