@@ -1,30 +1,11 @@
 # What lupdate reads, and what the program carries of it. See "Translations" in CONTRIBUTING.md.
 
-# tactus_data_words(OUT CONTEXT FILE LIST KEYS ...): OUT becomes a source, for lupdate alone, with the texts of KEYS in each
-# entry of LIST in the JSON file FILE, so that data files that the program shows are translated as its code is.
-function(tactus_data_words out context file list)
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${file}")
-  file(READ "${file}" json)
-  string(JSON count LENGTH "${json}" ${list})
-  math(EXPR last "${count} - 1")
-  set(code "// The texts of ${file}.\n")
-  foreach(entry RANGE ${last})
-    foreach(key ${ARGN})
-      string(JSON words GET "${json}" ${list} ${entry} ${key})
-      string(REGEX REPLACE "([\"\\\\])" "\\\\\\1" words "${words}")
-      string(APPEND code "QT_TRANSLATE_NOOP(\"${context}\", \"${words}\")\n")
-    endforeach()
-  endforeach()
-  file(CONFIGURE OUTPUT "${out}" CONTENT "${code}" @ONLY)
-endfunction()
-
-# tactus_translations(TARGET FOLDER DATA_WORDS ...): TARGET carries all *.ts files of FOLDER as `:/i18n/*.qm`. Only the
+# tactus_translations(TARGET FOLDER): TARGET carries all *.ts files of FOLDER as `:/i18n/*.qm`. Only the
 # target update_translations writes to them, from all sources in the current folder and below it. English is the language
 # of the sources: its file holds the plural forms alone.
 # TACTUS_LUPDATE_LIST is the file that names these sources, for the test that compares.
 function(tactus_translations target folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp" "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
-  list(APPEND sources ${ARGN})
   set(list "${CMAKE_CURRENT_BINARY_DIR}/lupdate_sources.txt")
   list(JOIN sources "\n" lines)
   file(CONFIGURE OUTPUT "${list}" CONTENT "-I${PROJECT_SOURCE_DIR}\n${lines}\n" @ONLY)

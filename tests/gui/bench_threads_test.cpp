@@ -58,7 +58,7 @@ TEST(BenchThreads, EditsWhileTheServoRunsAndTheLintWorks) {
     const std::string what = hand.play();
     ASSERT_EQ(hand.check(false), "") << "gesture " << k << ", " << what;
     feel.session().setTarget(random.uniform(0, 120));
-    if (k % 10 == 0) feel.setNeckFlexed(k % 20 == 0);
+    if (k % 10 == 0) feel.setPosed(k % 20 == 0);
     if (k % 7 == 0) feel.session().setHeld(k % 14 == 0);
     if (k % 11 == 0 && findings.isCurrent() && !findings.findings().empty()) {
       findings.choose(static_cast<std::size_t>(random.below(static_cast<int>(findings.findings().size()))));

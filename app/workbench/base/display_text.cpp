@@ -62,6 +62,19 @@ QString explained(Statistic statistic) {
   return {};
 }
 
+namespace {
+
+struct ProgramLanguage {
+  Q_DECLARE_TR_FUNCTIONS(ProgramLanguage)
+};
+
+}  // namespace
+
+QString programLanguage() {
+  //: The code of the language of this translation, such as en, fr or zh-Hant
+  return ProgramLanguage::tr("en");
+}
+
 QString languageName(const QString& id) {
   if (id == QLatin1String("en")) return QStringLiteral("English");
   if (id == QLatin1String("zh-Hant")) return QStringLiteral("繁體中文");

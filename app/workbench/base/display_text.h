@@ -32,6 +32,9 @@ QString explained(Statistic statistic);
 /// `English` for `en`, `繁體中文` for `zh-Hant`, `简体中文` for `zh-Hans`; another id as it is.
 QString languageName(const QString& id);
 
+/// The language in which the program speaks, as a pack names it: `en`.
+QString programLanguage();
+
 // The initials of a name, for places where the name does not fit.
 
 /// `VS` for `Very Small`.

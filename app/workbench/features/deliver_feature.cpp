@@ -44,10 +44,10 @@ struct LinkFeature {
 };
 
 /// The value that a simulator gives for an input; nothing: it does not say it.
-std::optional<double> saidOf(const link::Felt& felt, const std::string& input) {
-  if (input == kDepthId) return felt.depth_mm;
-  if (input == kSpeedId) return felt.speed_mm_s;
-  const auto said = felt.conditions.find(input);
+std::optional<double> saidOf(const link::Felt& felt, const fuzzy::Variable& input) {
+  if (fuzzy::roleOf(input) == fuzzy::Role::kWay) return felt.depth_mm;
+  if (fuzzy::roleOf(input) == fuzzy::Role::kRate) return felt.speed_mm_s;
+  const auto said = felt.conditions.find(input.id);
   return said != felt.conditions.end() ? std::optional(said->second) : std::nullopt;
 }
 
@@ -68,7 +68,7 @@ std::vector<SimulatorMark> LinkFeature::marks(const LinkController& link, const 
   std::vector<SimulatorMark> marks;
   if (!scene.model()) return marks;
   for (const Simulator& simulator : link.simulators()) {
-    const auto x = saidOf(simulator.felt, scene.xVariable().id);
+    const auto x = saidOf(simulator.felt, scene.xVariable());
     if (!x) continue;
     QString name = simulator.name.isEmpty()
                        ? tr("From the simulator")

@@ -56,22 +56,22 @@ base::Result<DuelSetup> setupOf(Bench& bench) {
     out.open_is_b = false;
   }
   const auto& inputs = out.a->model.inputs;
-  const auto depth = inputNamed(out.a->model, kDepthId);
-  const auto speed = inputNamed(out.a->model, kSpeedId);
-  if (!depth || !speed) {
+  const auto depth = fuzzy::wayOf(inputs);
+  const auto speed = fuzzy::rateOf(inputs);
+  if (!depth) {
     return base::fail(base::ErrorCode::kReference, DuelFeature::tr("the model").toStdString(),
-                      DuelFeature::tr("no depth or no speed").toStdString(),
+                      DuelFeature::tr("no way of the tip").toStdString(),
                       DuelFeature::tr("a model along the tube").toStdString());
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (i != *depth && i != *speed) out.conditions[inputs[i].id] = bench.scene.value(i);
+    if (!isMovedByHand(inputs[i])) out.conditions[inputs[i].id] = bench.scene.value(i);
   }
   const fuzzy::Variable& along = inputs[*depth];
   const double middle_mm =
       std::max(along.min + kHalfWayMm, std::min(bench.scene.value(*depth), along.max - kHalfWayMm));
   out.from_mm = middle_mm - kHalfWayMm;
   out.to_mm = middle_mm + kHalfWayMm;
-  const double speed_mm_s = bench.scene.value(*speed);
+  const double speed_mm_s = speed ? bench.scene.value(*speed) : 0;
   out.speed_mm_s = speed_mm_s >= kSlowestMmS && speed_mm_s <= kFastestMmS ? speed_mm_s : kUsualSpeedMmS;
   return out;
 }

@@ -36,8 +36,8 @@ void addFeel(Bench& bench) {
       menus.addAction(MenuSlot::kFeelDevice, FeelFeature::tr("&Start on the chosen device"), Qt::Key_F9);
   // Works without the menu too, whatever has the keyboard (feel_panel.cpp).
   QAction* const stop = menus.addAction(MenuSlot::kFeelDevice, FeelFeature::tr("S&top: no force"), Qt::Key_F12);
-  QAction* const flex =
-      menus.addAction(MenuSlot::kFeelPatient, FeelFeature::tr("&Flex the neck, or raise the head"), Qt::Key_F8);
+  QAction* const pose =
+      menus.addAction(MenuSlot::kFeelPatient, FeelFeature::tr("Switch the &pose of the patient"), Qt::Key_F8);
   QAction* const new_placement = menus.addAction(MenuSlot::kFeelPatient, FeelFeature::tr("&New placement"));
   QAction* const layout = menus.addAction(MenuSlot::kFeelDevice, FeelFeature::tr("Show the Feel &layout"), Qt::Key_F10);
   layout->setCheckable(true);
@@ -51,25 +51,28 @@ void addFeel(Bench& bench) {
   QObject::connect(&window, &MainWindow::layoutChanged, layout, [&window, &feel, layout] {
     const bool feels = window.layoutBeside() == feelLayout();
     layout->setChecked(feels);
-    if (feels) feel.raiseHeadAtFirst();
+    if (feels) feel.restPoseAtFirst();
   });
   QObject::connect(view, &FeelPanel::largeAsked, layout, &QAction::trigger);
   QObject::connect(start, &QAction::triggered, view, &FeelPanel::toggle);
   QObject::connect(stop, &QAction::triggered, &feel, &FeelController::stop);
-  QObject::connect(flex, &QAction::triggered, &feel, [&feel] { feel.setNeckFlexed(!feel.isNeckFlexed()); });
+  QObject::connect(pose, &QAction::triggered, &feel, [&feel] { feel.setPosed(!feel.isPosed()); });
   QObject::connect(new_placement, &QAction::triggered, &feel, &FeelController::newPlacement);
-  const auto show_actions = [&models = bench.models, &feel, off, start, stop, flex, new_placement, layout] {
+  const auto show_actions = [&models = bench.models, &scene = bench.scene, &feel, off, start, stop, pose, new_placement,
+                             layout] {
     const bool open = models.current() != nullptr;
     const bool in_use = feel.isRunning() || feel.state() == FeelController::State::kOpening;
     start->setEnabled(open && feel.state() == FeelController::State::kStopped);
     stop->setEnabled(in_use);
     off->setVisible(in_use);
     layout->setEnabled(open);
-    flex->setEnabled(open);
+    pose->setEnabled(open && posedInput(scene.procedure().get(), models.current()->model));
     new_placement->setEnabled(feel.isRunning());
   };
   QObject::connect(&feel, &FeelController::stateChanged, &bench.features, show_actions);
   QObject::connect(&bench.models, &ModelController::opened, &bench.features, show_actions);
+  QObject::connect(&bench.scene, &SceneController::modelChanged, &bench.features, show_actions);
+  QObject::connect(&bench.scene, &SceneController::procedureChanged, &bench.features, show_actions);
   show_actions();
 }
 

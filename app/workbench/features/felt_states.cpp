@@ -17,14 +17,14 @@ std::vector<std::pair<std::string, double>> conditionsOf(const SceneController& 
   std::vector<std::pair<std::string, double>> conditions;
   const auto& inputs = scene.model()->model.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i].id != kDepthId && inputs[i].id != kSpeedId) conditions.emplace_back(inputs[i].id, scene.value(i));
+    if (!isMovedByHand(inputs[i])) conditions.emplace_back(inputs[i].id, scene.value(i));
   }
   return conditions;
 }
 
 std::vector<link::LinkSetting::Region> regionsOf(const fuzzy::ForceModel& model) {
   std::vector<link::LinkSetting::Region> regions;
-  if (const auto depth = inputNamed(model, kDepthId)) {
+  if (const auto depth = fuzzy::wayOf(model.inputs)) {
     for (const DepthRegion& region : depthRegions(model.inputs[*depth]))
       regions.push_back({region.from_mm, region.to_mm, region.id});
   }

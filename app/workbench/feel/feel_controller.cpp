@@ -56,7 +56,7 @@ void FeelLatency::take(const haptics::Sample& sample) {
 namespace {
 
 constexpr double kEditFadeS = 0.05;    // docs/servo.md
-constexpr double kGestureFadeS = 1.0;  // a neck is not flexed faster
+constexpr double kGestureFadeS = 1.0;  // a patient does not move faster
 // Coarser than the noise of a held hand, so that a hand at rest moves nothing on the screen.
 constexpr double kFollowS = 0.1;  // of the speed that the curves follow
 constexpr double kDepthStepMm = 0.1;
@@ -64,7 +64,7 @@ constexpr double kSpeedStepMmS = 1;
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
-/// The model of `scene` with its values of everything but depth and speed, which the hand moves. The difference to the
+/// The model of `scene` with its values of the conditions; the hand moves the others. The difference to the
 /// scene before fades out within `fade_s`. `cost_s`: of one force of the model. Refused: what the servo refuses
 /// (haptics::ServoScene::make). A model must be open. It is not compiled again.
 base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const SceneController& scene, double fade_s,
@@ -73,8 +73,7 @@ base::Result<std::shared_ptr<const haptics::ServoScene>> servoSceneOf(const Scen
   const fuzzy::ForceModel& model = open.model;
   haptics::Conditions conditions;
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
-    const std::string& id = model.inputs[i].id;
-    if (fuzzy::roleOf(model.inputs[i]) == fuzzy::Role::kCondition) conditions[id] = scene.value(i);
+    if (!isMovedByHand(model.inputs[i])) conditions[model.inputs[i].id] = scene.value(i);
   }
   haptics::SceneSettings settings;
   settings.fade_s = fade_s;
@@ -110,21 +109,22 @@ FeelController::~FeelController() {
   if (isOwnRun()) session_.stop();
 }
 
-bool FeelController::isNeckFlexed() const {
+bool FeelController::isPosed() const {
   if (!scene_.model()) return false;
-  const auto& inputs = scene_.model()->model.inputs;
-  const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
-  const auto postures = input ? neckPostures(inputs[*input]) : std::nullopt;
-  return postures && scene_.value(*input) > (postures->upright + postures->flexed) / 2;
+  const auto input = posedInput(scene_.procedure().get(), scene_.model()->model);
+  if (!input) return false;
+  const EndPoses poses = endPoses(scene_.model()->model.inputs[*input]);
+  return scene_.value(*input) > (poses.first + poses.last) / 2;
 }
 
-// The user had chosen this speed and this neck for the plots.
+// The user had chosen this speed and this pose for the plots.
 void FeelController::keepPlace() {
   if (before_ || !scene_.model()) return;
   Before before;
-  before.neck_set = neck_set_;
-  for (const char* const id : {kSpeedId, kNeckFlexionId}) {
-    if (const auto input = inputNamed(scene_.model()->model, id)) before.values[*input] = scene_.value(*input);
+  before.pose_set = pose_set_;
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  for (const auto& input : {fuzzy::rateOf(model.inputs), posedInput(scene_.procedure().get(), model)}) {
+    if (input) before.values[*input] = scene_.value(*input);
   }
   before_ = std::move(before);
 }
@@ -133,12 +133,12 @@ void FeelController::putBack() {
   const Before before = *std::exchange(before_, std::nullopt);
   if (!scene_.model()) return;
   for (const auto& [input, value] : before.values) scene_.setValue(input, value);
-  neck_set_ = before.neck_set;
+  pose_set_ = before.pose_set;
 }
 
 void FeelController::start(const QString& id) {
   if (session_.state() == State::kStopped) keepPlace();
-  raiseHeadAtFirst();
+  restPoseAtFirst();
   if (!prepare()) return;
   recorded_ = {};
   session_.start(id, force_, this);
@@ -202,22 +202,22 @@ void FeelController::newPlacementAt(double depth_mm) {
   force_.start_depth_mm = 0;  // of the next one
 }
 
-void FeelController::setNeckFlexed(bool flexed) {
+void FeelController::setPosed(bool posed) {
   if (!scene_.model()) return;
-  const auto input = inputNamed(scene_.model()->model, kNeckFlexionId);
-  const auto postures = input ? neckPostures(scene_.model()->model.inputs[*input]) : std::nullopt;
-  if (!postures) return;
-  neck_set_ = true;
-  flexing_ = true;
-  scene_.setValue(*input, flexed ? postures->flexed : postures->upright);
-  flexing_ = false;
+  const auto input = posedInput(scene_.procedure().get(), scene_.model()->model);
+  if (!input) return;
+  const EndPoses poses = endPoses(scene_.model()->model.inputs[*input]);
+  pose_set_ = true;
+  posing_ = true;
+  scene_.setValue(*input, posed ? poses.last : poses.first);
+  posing_ = false;
 }
 
-void FeelController::raiseHeadAtFirst() {
-  if (neck_set_) return;
-  raising_ = true;
-  setNeckFlexed(false);
-  raising_ = false;
+void FeelController::restPoseAtFirst() {
+  if (pose_set_) return;
+  resting_ = true;
+  setPosed(false);
+  resting_ = false;
 }
 
 void FeelController::setFollowsHand(bool follows) { follows_hand_ = follows; }
@@ -263,17 +263,17 @@ void FeelController::onAnotherModel() {
 }
 
 void FeelController::onValue(std::size_t input) {
-  const std::string& id = scene_.model()->model.inputs[input].id;
-  if (id == kNeckFlexionId) {
-    neck_set_ = true;
-    if (before_ && !raising_) {  // by the user: it stays
+  const fuzzy::ForceModel& model = scene_.model()->model;
+  if (input == posedInput(scene_.procedure().get(), model)) {
+    pose_set_ = true;
+    if (before_ && !resting_) {  // by the user: it stays
       before_->values.erase(input);
-      before_->neck_set = true;
+      before_->pose_set = true;
     }
-    emit neckChanged();
+    emit poseChanged();
   }
-  if (!isFelt() || id == kDepthId || id == kSpeedId) return;
-  if (flexing_) {
+  if (!isFelt() || isMovedByHand(model.inputs[input])) return;
+  if (posing_) {
     postScene(kGestureFadeS);
   } else {
     conditions_new_ = true;
@@ -282,12 +282,12 @@ void FeelController::onValue(std::size_t input) {
 
 void FeelController::onHandMoved(double depth_mm) {
   if (!follows_hand_) return;
-  if (const auto depth = inputNamed(scene_.model()->model, kDepthId)) scene_.setValue(*depth, depth_mm);
+  if (const auto depth = fuzzy::wayOf(scene_.model()->model.inputs)) scene_.setValue(*depth, depth_mm);
 }
 
 // The whole curve moves with the speed; unsmoothed it would flicker. The force on the hand knows nothing of this.
 void FeelController::followSpeed() {
-  const auto speed = inputNamed(scene_.model()->model, kSpeedId);
+  const auto speed = fuzzy::rateOf(scene_.model()->model.inputs);
   const double elapsed_s = static_cast<double>(latest().time_ns - std::exchange(followed_ns_, latest().time_ns)) * 1e-9;
   if (!follows_hand_ || !speed || elapsed_s <= 0) return;
   const double hand = shown().speed_mm_s;

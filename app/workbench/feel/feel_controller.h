@@ -117,8 +117,8 @@ class FeelController : public QObject {
   /// How often the cost of the model was measured: once for each shape of a model that is felt.
   int costMeasurements() const { return cost_.measurements(); }
   bool followsHand() const { return follows_hand_; }
-  /// Nearer to chin on chest than to upright.
-  bool isNeckFlexed() const;
+  /// Nearer to the pose of the last word than to that of the first.
+  bool isPosed() const;
   /// The orders that began the current placement. Samples with older orders belong to the previous one.
   std::uint64_t placementOrders() const { return placement_orders_; }
 
@@ -128,8 +128,8 @@ class FeelController : public QObject {
 
  public slots:
   /// Starts on the device `id` of the list of devices. Ends with `stateChanged` or `failed`. A current run is stopped
-  /// first. Raises the head at first (`raiseHeadAtFirst`). Refused: no model is open, the servo refuses it, a start or
-  /// a stop is in progress, or another feature uses the device.
+  /// first. Takes the first pose at first (`restPoseAtFirst`). Refused: no model is open, the servo refuses it, a start
+  /// or a stop is in progress, or another feature uses the device.
   void start(const QString& id);
   /// In any state: zero force from the next tick on. Then the servo and the placement end.
   void stop();
@@ -137,11 +137,12 @@ class FeelController : public QObject {
   void newPlacement();
   /// The same with the tip at `depth_mm` already, in the coordinates of the model.
   void newPlacementAt(double depth_mm);
-  /// Flexes the patient's neck or holds the head upright. The force follows within one second.
-  void setNeckFlexed(bool flexed);
-  /// The patient sits upright when the procedure begins. Does nothing once the neck was set here or anywhere else: the
-  /// flexion of the first operating point is for the curves.
-  void raiseHeadAtFirst();
+  /// Gives the patient the pose of the last word, or that of the first (model/shown_procedure.h, posedInput). The force
+  /// follows within one second.
+  void setPosed(bool posed);
+  /// The patient has the pose of the first word when the procedure begins. Does nothing once the pose was set here or
+  /// anywhere else: that of the first operating point is for the curves.
+  void restPoseAtFirst();
   /// Sets whether the operating point of the scene follows the hand.
   void setFollowsHand(bool follows);
 
@@ -154,7 +155,7 @@ class FeelController : public QObject {
   /// The hand moved the tube: depth in the model's coordinates, mm; inward speed of the tube, mm/s.
   void handMoved(double depth_mm, double speed_mm_s);
   void placementEnded();
-  void neckChanged();
+  void poseChanged();
   /// One sentence: what could not be started or felt, and why.
   void failed(const QString& sentence);
 
@@ -195,13 +196,13 @@ class FeelController : public QObject {
   bool follows_hand_ = true;
   double followed_mm_s_ = 0;      ///< the speed of the hand, smoothed for the curves
   std::int64_t followed_ns_ = 0;  ///< time of the sample that it follows
-  bool raising_ = false;          ///< the procedure raises the head, not the user
-  bool flexing_ = false;          ///< the next change of neck flexion is a gesture
-  bool neck_set_ = false;
+  bool resting_ = false;          ///< the procedure sets the pose, not the user
+  bool posing_ = false;           ///< the next change of the pose is a gesture
+  bool pose_set_ = false;
   /// What the hand and the procedure move while the model is felt, as it was before; put back when the run has stopped.
   struct Before {
     std::map<std::size_t, double> values;  ///< by input
-    bool neck_set = false;
+    bool pose_set = false;
   };
   std::optional<Before> before_;
   bool conditions_new_ = false;  ///< posted at the next beat, because a dragged slider changes them more often

@@ -42,7 +42,7 @@ anatomy::Posture drawnPosture(const fuzzy::Variable& neck_flexion, double value)
 }
 
 TubePicture::TubePicture(QWidget* parent) : AnatomyView(parent) {
-  setAccessibleName(tr("The tube in nose, throat and esophagus, from the side"));
+  setAccessibleName(tr("The tube on its way, from the side"));
   setFont(theme::smallFont());
   showTip();
 }
@@ -120,7 +120,7 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
       legend_(new QLabel(this)),
       trace_(new ForceTracePlot(this)),
       tube_(new TubePicture(this)),
-      procedure_(new ProcedurePanel(ngtProcedure(), this)),
+      procedure_(new ProcedurePanel(this)),
       placement_(new PlacementCard(this)) {
   build();
   connectAll();
@@ -286,15 +286,16 @@ void FeelPanel::connectAll() {
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
   connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
   connect(&feel_, &FeelController::failed, device_, &DeviceBar::showFailure);
-  connect(&feel_, &FeelController::neckChanged, this, &FeelPanel::showNeck);
+  connect(&feel_, &FeelController::poseChanged, this, &FeelPanel::showNeck);
   connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
   connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
+  connect(&scene_, &SceneController::procedureChanged, this, &FeelPanel::adoptProcedure);
   connect(&scene_, &SceneController::modelEdited, this, &FeelPanel::showRegions);
 }
 
 void FeelPanel::showRegions() {
   const fuzzy::ForceModel& model = scene_.model()->model;
-  const auto input = inputNamed(model, kDepthId);
+  const auto input = fuzzy::wayOf(model.inputs);
   const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
   // What counts as flexed follows from the terms.
   showNeck();
@@ -306,13 +307,20 @@ void FeelPanel::showRegions() {
 
 void FeelPanel::showNeck() {
   const auto& inputs = scene_.model()->model.inputs;
-  const auto neck = inputNamed(scene_.model()->model, kNeckFlexionId);
+  const auto neck = posedInput(scene_.procedure().get(), scene_.model()->model);
   tube_->setNeck(neck ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
+}
+
+void FeelPanel::adoptProcedure() {
+  const procedure::Procedure* const about = scene_.procedure().get();
+  procedure_->setSteps(stepsOf(about));
+  tube_->setVisible(about != nullptr && about->id == procedure::defaultProcedure()->id);
+  showRegions();
 }
 
 void FeelPanel::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
-  showRegions();
+  adoptProcedure();
   trace_->setOutput(model.output);
   device_->setModelOpen(true);
   arrange();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QList>
+#include <QStringList>
 #include <QWidget>
 #include <cstddef>
 #include <functional>
@@ -25,8 +26,6 @@ class QPushButton;
 class QToolButton;
 class QCPGraph;
 class QCustomPlot;
-class QButtonGroup;
-class QHBoxLayout;
 class QGridLayout;
 class QPainter;
 
@@ -126,8 +125,9 @@ class ProcedurePanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent = nullptr);
+  explicit ProcedurePanel(QWidget* parent = nullptr);
 
+  void setSteps(std::vector<ProcedureStep> steps);
   /// Depth of the tip, mm.
   void setDepth(double depth_mm);
   enum class Detail {
@@ -148,6 +148,7 @@ class ProcedurePanel : public QWidget {
   void show(std::size_t step);
   void fitText();
 
+  double depth_mm_ = 0;
   std::vector<ProcedureStep> steps_;
   std::vector<Row> rows_;
   QWidget* list_;
@@ -157,7 +158,7 @@ class ProcedurePanel : public QWidget {
   int lines_ = 0;  ///< that the text has room for
 };
 
-// The conditions that a nurse can change during the placement: lubrication and neck flexion.
+// The conditions that a nurse can change during the placement: the words of each, and one gesture for the pose.
 
 class PatientControls : public QWidget {
   Q_OBJECT
@@ -165,26 +166,36 @@ class PatientControls : public QWidget {
  public:
   PatientControls(SceneController& scene, FeelController& feel, QWidget* parent = nullptr);
 
-  /// In `room` px: the neck takes a row of its own where one row is too wide, and the word Lubrication gives way where
-  /// its choices need the room.
+  /// In `room` px: each condition takes a row of its own where one row is too wide, and its name gives way where its
+  /// words need the room.
   void fit(int room);
   /// The least room, px.
   int leastWidth() const;
 
  private:
   void build();
+  void fitPose();
   void showValues();
   void onValue(std::size_t input);
 
+  /// A condition with one button for each of its words.
+  struct Row {
+    std::size_t input;
+    QWidget* holder;
+    QLabel* name;
+    QWidget* terms;
+    std::vector<QPushButton*> buttons;
+  };
+  Row makeRowOf(std::size_t input);
+  /// What the rows and the button show; they are made anew if it changes.
+  QStringList wordsOf() const;
+
   SceneController& scene_;
   FeelController& feel_;
-  QLabel* lubrication_;
-  QWidget* terms_;  ///< one button per term of the lubrication
-  QHBoxLayout* terms_layout_;
-  QButtonGroup* term_buttons_;
-  QPushButton* neck_;
+  std::vector<Row> conditions_;
+  QStringList words_;
+  QPushButton* pose_;
   QBoxLayout* rows_ = nullptr;
-  bool has_lubrication_ = false;
 };
 
 // The force on the hand as a bar on the scale of the trace, with the force cap of the servo.
@@ -404,6 +415,7 @@ class FeelPanel : public QWidget {
   void showLegend();
   void connectAll();
   void adoptModel();
+  void adoptProcedure();
   void showRegions();
   void showNeck();
   void showState();

@@ -25,8 +25,9 @@ PlotTable traceTable(const SceneController& scene, const FeelHistory& history,
                      const std::optional<haptics::DeviceInfo>& device) {
   // Depth and speed change along the trace.
   std::vector<std::size_t> moving;
-  for (const char* id : {kDepthId, kSpeedId}) {
-    if (const auto input = inputNamed(scene.model()->model, id)) moving.push_back(*input);
+  const auto& inputs = scene.model()->model.inputs;
+  for (const auto& input : {fuzzy::wayOf(inputs), fuzzy::rateOf(inputs)}) {
+    if (input) moving.push_back(*input);
   }
   QString felt_on;
   if (device) {
@@ -89,7 +90,7 @@ void FeltState::add(std::span<const haptics::Sample> samples) {
       ++kept.felt.strokes;
       kept.felt.device = device->name;
       kept.felt.simulated = device->simulated;
-      const auto depth = inputNamed(edits_.model(), kDepthId);
+      const auto depth = fuzzy::wayOf(edits_.model().inputs);
       regions_ = depth ? depthRegions(edits_.model().inputs[*depth]) : std::vector<DepthRegion>();
     }
     if (!sample.enabled || kept.felt.strokes == 0) continue;

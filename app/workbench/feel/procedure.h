@@ -1,18 +1,17 @@
-// The steps of a tube placement as text. They are data, so that a clinic can have its own.
+// The steps of the procedure, and the regions that a model knows on the way.
 #pragma once
 
-#include <QByteArray>
 #include <QString>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 
-// The anatomical regions along the path of the tube, as the depth terms of a model divide it.
+// The regions along the way, as its terms in a model divide it.
 
 /// A range in which one term has the largest membership.
 struct DepthRegion {
@@ -22,7 +21,7 @@ struct DepthRegion {
   std::string id = {};  ///< of the term
 };
 
-/// The regions of `depth`, from the nostril inward. Places without a term belong to no region. The boundaries are exact
+/// The regions of `depth`, from the first inward. Places without a term belong to no region. The boundaries are exact
 /// to 1/4000 of the universe.
 std::vector<DepthRegion> depthRegions(const fuzzy::Variable& depth);
 
@@ -32,15 +31,11 @@ std::optional<std::size_t> regionAt(const std::vector<DepthRegion>& regions, dou
 struct ProcedureStep {
   QString title;
   QString text;
-  std::optional<double> from_mm;  ///< the step begins at this depth of the tip; nothing: before the nostril
+  std::optional<double> from_mm;  ///< the step begins at this depth of the tip; nothing: before the way
 };
 
-/// Reads a JSON text `{"steps": [{"title", "text", "from_mm"}]}`. Refused: no JSON, no steps, a step without a title,
-/// depths that do not ascend.
-base::Result<std::vector<ProcedureStep>> readProcedure(const QByteArray& json);
-
-/// The built-in steps.
-std::vector<ProcedureStep> ngtProcedure();
+/// The steps of `procedure` in the language of the program; none without one.
+std::vector<ProcedureStep> stepsOf(const procedure::Procedure* procedure);
 
 /// The current step with the tip at `depth_mm`: the last one that begins at or before it. Nothing if the tube is out or
 /// there is no step.

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
@@ -95,17 +96,31 @@ constexpr int kCompactLines = 3;
 
 }  // namespace
 
-ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent)
-    : QWidget(parent),
-      steps_(std::move(steps)),
-      list_(new QWidget(this)),
-      head_(new ElidedLabel(this)),
-      text_(new WrappedLabel(this)) {
+ProcedurePanel::ProcedurePanel(QWidget* parent)
+    : QWidget(parent), list_(new QWidget(this)), head_(new ElidedLabel(this)), text_(new WrappedLabel(this)) {
   auto* grid = new QGridLayout(list_);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(theme::kGrid);
   grid->setVerticalSpacing(3);
   grid->setColumnStretch(1, 1);
+  text_->setFont(theme::smallFont());
+
+  makeColumn(this, {list_, head_, {text_, 1}}, 4);
+  head_->setFont(theme::headingFont());
+  setInk(*head_, theme::accent());
+  setDetail(Detail::kList);
+  keepFitted(*text_, [this] { fitText(); });
+}
+
+void ProcedurePanel::setSteps(std::vector<ProcedureStep> steps) {
+  for (const Row& row : std::exchange(rows_, {})) {
+    delete row.number;
+    delete row.title;
+  }
+  steps_ = std::move(steps);
+  shown_.reset();
+  setVisible(!steps_.empty());
+  auto* grid = static_cast<QGridLayout*>(list_->layout());
   for (std::size_t i = 0; i < steps_.size(); ++i) {
     const Row row{new QLabel(QString::number(i + 1), list_), new QLabel(steps_[i].title, list_)};
     row.number->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -117,14 +132,8 @@ ProcedurePanel::ProcedurePanel(std::vector<ProcedureStep> steps, QWidget* parent
     grid->addWidget(row.title, static_cast<int>(i), 1);
     rows_.push_back(row);
   }
-  text_->setFont(theme::smallFont());
-
-  makeColumn(this, {list_, head_, {text_, 1}}, 4);
-  head_->setFont(theme::headingFont());
-  setInk(*head_, theme::accent());
-  setDetail(Detail::kList);
-  keepFitted(*text_, [this] { fitText(); });
-  setDepth(0);
+  fitText();
+  setDepth(depth_mm_);
 }
 
 void ProcedurePanel::setDetail(Detail room) {
@@ -153,6 +162,7 @@ void ProcedurePanel::resizeEvent(QResizeEvent* event) {
 }
 
 void ProcedurePanel::setDepth(double depth_mm) {
+  depth_mm_ = depth_mm;
   if (steps_.empty()) return;
   const std::size_t step = stepAt(steps_, depth_mm).value_or(0);
   if (shown_ != step) show(step);

@@ -43,10 +43,8 @@ std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double
   return best;
 }
 
-std::optional<NeckPostures> neckPostures(const fuzzy::Variable& neck_flexion) {
-  if (neck_flexion.terms.size() < 2) return std::nullopt;
-  return NeckPostures{coreMiddle(neck_flexion, neck_flexion.terms.front()),
-                      coreMiddle(neck_flexion, neck_flexion.terms.back())};
+EndPoses endPoses(const fuzzy::Variable& pose) {
+  return {coreMiddle(pose, pose.terms.front()), coreMiddle(pose, pose.terms.back())};
 }
 
 }  // namespace tactus::workbench

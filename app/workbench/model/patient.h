@@ -1,4 +1,4 @@
-// The inputs that a nurse can change on tube and patient: lubrication and neck flexion.
+// What the inputs are to a hand: what it moves, and the conditions.
 #pragma once
 
 #include <QString>
@@ -12,10 +12,10 @@
 
 namespace tactus::workbench {
 
-inline constexpr auto kLubricationId = "lubrication";
-inline constexpr auto kNeckFlexionId = "neck_flexion";
-inline constexpr auto kDepthId = "depth";
-inline constexpr auto kSpeedId = "speed";
+/// Whether the hand moves this input: the way or the rate.
+inline bool isMovedByHand(const fuzzy::Variable& input) noexcept {
+  return fuzzy::roleOf(input) != fuzzy::Role::kCondition;
+}
 
 /// The middle of the part of the universe of `variable` in which `term` has membership 1.
 double coreMiddle(const fuzzy::Variable& variable, const fuzzy::Term& term);
@@ -26,12 +26,11 @@ figures::Interval halfRange(const fuzzy::Variable& variable, const fuzzy::Term& 
 /// The term with the largest membership at `value`; the first of equals. Nothing if `value` belongs to no term.
 std::optional<std::size_t> strongestTerm(const fuzzy::Variable& variable, double value);
 
-/// Neck flexion of an upright head and of a flexed one: the core middles of the first and the last term.
-struct NeckPostures {
-  double upright = 0;
-  double flexed = 0;
+/// The poses of the first and the last word: their core middles.
+struct EndPoses {
+  double first = 0;
+  double last = 0;
 };
-/// Nothing if the variable has fewer than two terms.
-std::optional<NeckPostures> neckPostures(const fuzzy::Variable& neck_flexion);
+EndPoses endPoses(const fuzzy::Variable& pose);
 
 }  // namespace tactus::workbench

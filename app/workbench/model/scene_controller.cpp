@@ -134,7 +134,7 @@ void SceneController::goTo(const std::vector<double>& point) {
 
 void SceneController::applyPreset(const FigurePreset& preset) {
   // All figures of the paper run over the depth.
-  if (const auto depth = inputNamed(model_->model, "depth")) setXInput(*depth);
+  if (const auto way = fuzzy::wayOf(model_->model.inputs)) setXInput(*way);
   bool curves_stale = false;
   for (const FigurePreset::Setting& setting : preset.settings) {
     const auto input = inputNamed(model_->model, setting.input);
@@ -190,10 +190,18 @@ void SceneController::adoptModel() {
   const std::optional<std::size_t> previous_terms = std::exchange(terms_of_, std::nullopt);
   model_ = models_.shown();
   const fuzzy::ForceModel& model = model_->model;
+  adoptProcedure();
 
   values_.clear();
   for (const fuzzy::Variable& input : model.inputs) values_.push_back(std::midpoint(input.min, input.max));
-  x_input_ = inputNamed(model, "depth").value_or(model.inputs.size() - 1);
+  if (procedure_ != nullptr) {
+    for (std::size_t i = 0; i < procedure_->inputs.size(); ++i) {
+      if (fuzzy::roleOf(procedure_->inputs[i]) == fuzzy::Role::kWay) continue;
+      if (const auto input = inputNamed(model, procedure_->inputs[i].id))
+        values_[*input] = clamped(model.inputs[*input], procedure_->input_notes[i].usual);
+    }
+  }
+  x_input_ = fuzzy::wayOf(model.inputs).value_or(model.inputs.size() - 1);
   hover_.reset();
   dropCurves();
 
@@ -217,6 +225,19 @@ void SceneController::adoptModel() {
     if (family_) adoptFamily(previous->model.inputs[family_->input].id);
   }
   emit modelChanged();
+}
+
+void SceneController::adoptProcedure() {
+  procedure_ = procedureFor(model_->model, study_procedure_);
+  showProcedure(procedure_);
+}
+
+void SceneController::setStudyProcedure(ProcedurePtr procedure) {
+  study_procedure_ = std::move(procedure);
+  if (!model_) return;
+  const ProcedurePtr before = procedure_;
+  adoptProcedure();
+  if (procedure_ != before) emit procedureChanged();
 }
 
 // The family stays where the model has its input.

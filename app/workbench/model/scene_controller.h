@@ -16,6 +16,7 @@
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/places.h"
+#include "app/workbench/model/shown_procedure.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "core/analysis/explain.h"
 
@@ -40,6 +41,11 @@ class SceneController : public QObject {
   std::shared_ptr<const OpenModel> shared() const { return model_; }
   /// Whether it is another model in place of the open one, while versions are compared.
   bool showsAnother() const { return models_.shown() != models_.current(); }
+
+  /// What the model is about; null: not known.
+  const ProcedurePtr& procedure() const { return procedure_; }
+  /// The procedure of the open study, null without a study.
+  void setStudyProcedure(ProcedurePtr procedure);
 
   std::size_t xInput() const { return x_input_; }
   const fuzzy::Variable& xVariable() const { return model_->model.inputs[x_input_]; }
@@ -97,6 +103,8 @@ class SceneController : public QObject {
  signals:
   /// Another model with other variables or experts.
   void modelChanged();
+  /// The same model is about another procedure than was known.
+  void procedureChanged();
   /// The same variables and experts with other terms or rules. `termsChanged`, `curvesChanged` and `readingChanged`
   /// follow.
   void modelEdited();
@@ -111,6 +119,7 @@ class SceneController : public QObject {
 
  private:
   void adoptModel();
+  void adoptProcedure();
   void adoptEdit();
   void adoptFamily(const std::string& varied);
   bool storeValue(std::size_t input, double value);
@@ -122,6 +131,7 @@ class SceneController : public QObject {
   const ModelController& models_;
   ShownRanges ranges_;
   std::shared_ptr<const OpenModel> model_;
+  ProcedurePtr procedure_, study_procedure_;
   std::size_t x_input_ = 0;
   std::vector<double> values_;
   std::optional<double> hover_;

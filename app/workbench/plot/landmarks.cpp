@@ -1,50 +1,21 @@
 #include "app/workbench/plot/landmarks.h"
 
-#include <QCoreApplication>
-#include <string_view>
-
-#include "core/base/check.h"
-#include "core/base/json/json_members.h"
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/model/shown_procedure.h"
 
 namespace tactus::workbench {
 
-std::string_view landmarksText();
-
-namespace {
-
-// lupdate finds the texts through tactus_data_words.
-QString translated(const std::string& text) { return QCoreApplication::translate("Landmarks", text.c_str()); }
-
-std::vector<Landmark> readLandmarks(base::JsonMembers& json, std::optional<base::Error>& error) {
-  std::vector<Landmark> landmarks;
-  for (const base::JsonValue value : json.elements(base::required("landmarks"))) {
-    base::JsonMembers entry(value, error);
-    std::string name, what, source;
-    Landmark& landmark = landmarks.emplace_back();
-    entry.text(base::required("name"), name);
-    entry.number(base::required("from_mm"), landmark.from_mm);
-    entry.number(base::required("to_mm"), landmark.to_mm);
-    entry.text(base::required("what"), what);
-    entry.text(base::required("source"), source);
-    entry.refuseOthers();
-    landmark.name = translated(name);
-    landmark.what = translated(what);
-    landmark.source = QString::fromStdString(source);
-  }
-  json.refuseOthers();
-  return landmarks;
-}
-
-}  // namespace
-
 std::vector<Landmark> landmarksFor(const fuzzy::Variable& variable) {
-  if (variable.id != "depth" || variable.unit != "mm") return {};
-  auto landmarks = base::readJson(landmarksText(), "landmarks.json", readLandmarks);
-  TACTUS_CHECK(landmarks.has_value());
-  std::erase_if(*landmarks, [&](const Landmark& landmark) {
-    return landmark.from_mm < variable.min || landmark.to_mm > variable.max;
-  });
-  return std::move(*landmarks);
+  const ProcedurePtr& about = shownProcedure();
+  if (about == nullptr || variable.id != about->wayInput().id || variable.unit != about->wayInput().unit) return {};
+  const std::string language = programLanguage().toStdString();
+  std::vector<Landmark> out;
+  for (const procedure::Landmark& one : about->landmarks) {
+    if (one.from_mm < variable.min || one.to_mm > variable.max) continue;
+    out.push_back({text(procedure::textIn(one.name, language)), one.from_mm, one.to_mm,
+                   text(procedure::textIn(one.what, language)), text(one.source)});
+  }
+  return out;
 }
 
 }  // namespace tactus::workbench

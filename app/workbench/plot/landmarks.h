@@ -1,4 +1,4 @@
-// Anatomical landmarks along the path of the tube, shown beside a depth axis. The data are in data/landmarks.json.
+// Landmarks along the way of the tip, shown beside its axis. They are those of the procedure.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace tactus::workbench {
 
-/// Depth from the rim of an adult's nostril. Values are typical; people differ by about 10 %.
+/// Values are typical; people differ.
 struct Landmark {
   QString name;
   double from_mm = 0;
@@ -17,7 +17,8 @@ struct Landmark {
   QString source;
 };
 
-/// The landmarks inside the universe of `variable` if it is the depth in mm; otherwise none.
+/// The landmarks inside the universe of `variable` if it is the way of the procedure on the screen
+/// (model/shown_procedure.h); otherwise none.
 std::vector<Landmark> landmarksFor(const fuzzy::Variable& variable);
 
 }  // namespace tactus::workbench

@@ -59,7 +59,7 @@ class ModelFiles : public QObject {
   void choose();
   /// Asks for a model of another program and opens it.
   void chooseImport();
-  /// Opens a model without rules for the nasogastric tube. Returns whether it is open.
+  /// Opens a model without rules of the default procedure. Returns whether it is open.
   bool makeFromTemplate();
   /// Saves the open model; asks for a place where it has no file.
   void save();

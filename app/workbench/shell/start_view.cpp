@@ -14,6 +14,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/shell/demo_maker.h"
 #include "app/workbench/shell/recent_files.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -184,8 +185,9 @@ void StartView::buildStart() {
   QVBoxLayout* column = addColumn(tr("Start"));
   addEntry(*column, tr("New study…"), tr("Ask nurses: protocol, sessions, answers and models in one file (.tactus)."),
            &StartView::newStudyRequested);
-  addEntry(*column, tr("New model from the NGT template"),
-           tr("Inputs and terms of the nasogastric tube; you give the rules."), &StartView::newModelRequested);
+  const QString usual = text(procedure::defaultProcedure()->titleIn(programLanguage().toStdString()));
+  addEntry(*column, tr("New model from the template"), tr("Inputs and terms of “%1”; you give the rules.").arg(usual),
+           &StartView::newModelRequested);
   addEntry(*column, tr("Import tables…"), tr("Speeds, judgements, answers or rules as CSV, from a folder."),
            &StartView::tablesRequested);
   addEntry(*column, tr("Import a model of another program…"), tr("FLL, FCL or FIS: fuzzylite, MATLAB, Octave, R."),

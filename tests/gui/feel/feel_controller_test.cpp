@@ -255,10 +255,10 @@ using NeckFlexion = FeelConditionTest;
 INSTANTIATE_TEST_SUITE_P(Feel, NeckFlexion, testing::Values("neck_flexion"));
 
 TEST_P(NeckFlexion, AGestureTakesASecond) {
-  const QSignalSpy changed(&feel, &FeelController::neckChanged);
-  EXPECT_FALSE(feel.isNeckFlexed());
-  feel.setNeckFlexed(true);
-  EXPECT_TRUE(feel.isNeckFlexed());
+  const QSignalSpy changed(&feel, &FeelController::poseChanged);
+  EXPECT_FALSE(feel.isPosed());
+  feel.setPosed(true);
+  EXPECT_TRUE(feel.isPosed());
   EXPECT_EQ(changed.count(), 1);
   EXPECT_EQ(scene.value(0), 80);  // the middle of what is fully the last term
   // The difference of 0.5 N goes evenly, 0.5 mN with each tick.

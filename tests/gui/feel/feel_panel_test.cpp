@@ -19,6 +19,7 @@
 
 #include "tests/gui/sample_models.h"
 #include "tests/gui/stepped_feel.h"
+#include "tests/support/ngt_model.h"
 
 namespace tactus::workbench {
 namespace {
@@ -63,6 +64,31 @@ class FeelPanelTest : public testing::Test {
   FeelController feel{scene, device_session};
   FeelPanel panel{scene, feel};
 };
+
+TEST_F(FeelPanelTest, HasTheConditionsAndStepsOfTheProcedure) {
+  const auto catheter = procedure::builtIn("male-urethral-catheter");
+  auto open = templateModel(*catheter, QStringLiteral("x"), folder.path(QString()));
+  ASSERT_TRUE(open) << open.error().message();
+  fuzzy::ForceModel model = open->model;
+  model.experts[0].rules.push_back({{{"depth", "bulb"}}, "large"});
+  model.provenance.emplace();
+  model.provenance->settings.push_back(procedure::modelSetting(*catheter));
+  models.open(folder.write(model, QStringLiteral("catheter.tactus.json")));
+  QCoreApplication::processEvents();
+  ASSERT_EQ(scene.procedure(), catheter);
+  // One of the words of each condition; no gesture for the pose, because the pack has no words for one.
+  EXPECT_NE(saying<QPushButton>("Half raised"), nullptr);
+  EXPECT_EQ(saying<QPushButton>("Flex the neck"), nullptr);
+  click("Generous");
+  EXPECT_EQ(scene.value(0), 0.9);  // 0.8 to 1 is fully generous
+  EXPECT_NE(saying<QLabel>(QString::fromStdString(procedure::textIn(catheter->steps.front().title, "en"))), nullptr);
+
+  models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
+  QCoreApplication::processEvents();
+  EXPECT_EQ(saying<QPushButton>("Generous"), nullptr);
+  EXPECT_NE(saying<QPushButton>("oor"), nullptr);
+  EXPECT_TRUE(saying<QPushButton>("Flex the neck") != nullptr || saying<QPushButton>("Raise head") != nullptr);
+}
 
 TEST_F(FeelPanelTest, SaysThatTheVirtualDeviceIsSimulated) { EXPECT_NE(saying<QLabel>("SIMULATED"), nullptr); }
 

@@ -21,7 +21,7 @@ constexpr std::size_t kNeck = 1;
 // Small 0 0 15 35, Medium 15 35 55 75, Large 55 75 90 90: facts/domain.md, as printed in the paper.
 TEST(TubePicture, DrawsTheNeckByTheWordOfItsFlexion) {
   const fuzzy::Variable neck = support::ngtVariables().inputs[kNeck];
-  ASSERT_EQ(neck.id, kNeckFlexionId);
+  ASSERT_EQ(neck.id, "neck_flexion");
   EXPECT_EQ(drawnPosture(neck, 0), Posture::kUpright);
   EXPECT_EQ(drawnPosture(neck, 20), Posture::kUpright);     // 0.75 against 0.25
   EXPECT_EQ(drawnPosture(neck, 45), Posture::kHalfFlexed);  // 0 · 1 · 0
@@ -34,27 +34,27 @@ using TubePictureTest = FeelTest;
 
 TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
   models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
-  EXPECT_TRUE(ngtProcedure().front().text.contains(QStringLiteral("Sit the patient upright")));
+  EXPECT_TRUE(stepsOf(scene.procedure().get()).front().text.contains(QStringLiteral("Sit the patient upright")));
   // The curves begin as in Fig. 11 of the paper.
   EXPECT_EQ(scene.value(kNeck), 60);
-  EXPECT_TRUE(feel.isNeckFlexed());
+  EXPECT_TRUE(feel.isPosed());
   // What is felt is what the picture shows.
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(scene.value(kNeck), 7.5);  // the middle of what is fully small: 0 to 15
   EXPECT_EQ(drawnPosture(scene.model()->model.inputs[kNeck], scene.value(kNeck)), Posture::kUpright);
   // A neck that the user flexed stays flexed in the next run.
-  feel.setNeckFlexed(true);
+  feel.setPosed(true);
   feel.stop();
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(scene.value(kNeck), 82.5);
-  EXPECT_TRUE(feel.isNeckFlexed());
+  EXPECT_TRUE(feel.isPosed());
 }
 
 // The plots come back to the neck and the speed at which they stood before.
 TEST_F(TubePictureTest, AfterTheStopNeckAndSpeedAreAsBefore) {
   models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   constexpr std::size_t kSpeed = 3;
-  ASSERT_EQ(scene.model()->model.inputs[kSpeed].id, kSpeedId);
+  ASSERT_EQ(scene.model()->model.inputs[kSpeed].id, "speed");
   const double speed_mm_s = scene.value(kSpeed);
   ASSERT_GT(speed_mm_s, 0);
   for (int run = 0; run < 2; ++run) {

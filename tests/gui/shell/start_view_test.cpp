@@ -126,7 +126,7 @@ TEST_F(StartViewTest, ADemoThatCannotBeMadeIsASentence) {
 }
 
 TEST_F(StartViewTest, ANewModelHasTheInputsOfTheProcedureAndNoRules) {
-  StartEntry* make = entry(QStringLiteral("New model from the NGT template"));
+  StartEntry* make = entry(QStringLiteral("New model from the template"));
   ASSERT_NE(make, nullptr);
   QTest::keyClick(make, Qt::Key_Return);
   ASSERT_NE(bench.models.current(), nullptr);

@@ -34,14 +34,16 @@ std::vector<double> pointOf(const DuelSetup& setup) {
   std::vector<double> point;
   for (const fuzzy::Variable& input : setup.a->model.inputs) {
     const auto found = setup.conditions.find(input.id);
-    point.push_back(input.id == kSpeedId ? setup.speed_mm_s : found == setup.conditions.end() ? 0 : found->second);
+    point.push_back(fuzzy::roleOf(input) == fuzzy::Role::kRate ? setup.speed_mm_s
+                    : found == setup.conditions.end()          ? 0
+                                                               : found->second);
   }
   return point;
 }
 
 /// The rms of F / JND(F) along the stroke: a force that grows by the share x differs by x times this.
 double jndsOf(const DuelSetup& setup) {
-  const auto depth = inputNamed(setup.a->model, kDepthId);
+  const auto depth = fuzzy::wayOf(setup.a->model.inputs);
   auto twice = editing::ready(withScaledForce(setup.a->model, 2));
   if (!depth || !twice) return 0;
   return elicitation::strokeDifference(setup.a->compiled, (*twice)->compiled, pointOf(setup), *depth, setup.from_mm,
@@ -70,7 +72,7 @@ fuzzy::ForceModel withScaledForce(fuzzy::ForceModel model, double factor) {
 }
 
 std::optional<DuelForecast> duelForecast(const DuelSetup& setup) {
-  const auto depth = inputNamed(setup.a->model, kDepthId);
+  const auto depth = fuzzy::wayOf(setup.a->model.inputs);
   if (!depth || !(setup.to_mm > setup.from_mm)) return std::nullopt;
   DuelForecast out;
   out.difference = elicitation::strokeDifference(setup.a->compiled, setup.b->compiled, pointOf(setup), *depth,
@@ -338,7 +340,7 @@ std::optional<editing::Felt> DuelController::feltOpenModel() const {
   out.strokes = strokes_[*setup_.open_is_b ? 1 : 0];
   if (out.strokes == 0) return std::nullopt;
   out.device = run_->start().setting.device;
-  const auto depth = inputNamed(setup_.a->model, kDepthId);
+  const auto depth = fuzzy::wayOf(setup_.a->model.inputs);
   for (const DepthRegion& region : depthRegions(setup_.a->model.inputs[*depth])) {
     if (region.to_mm > setup_.from_mm && region.from_mm < setup_.to_mm)
       out.regions.push_back(region.label.toStdString());

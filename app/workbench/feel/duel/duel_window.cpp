@@ -200,7 +200,7 @@ void DuelWindow::propose(DuelSetup setup, const QString& who) {
   setup_ = std::move(setup);
   message_->hide();
   who_->setText(who);
-  const auto depth = inputNamed(setup_.a->model, kDepthId);
+  const auto depth = fuzzy::wayOf(setup_.a->model.inputs);
   const fuzzy::Variable& variable = setup_.a->model.inputs[*depth];
   const auto put = [](NumberBox& box, double least, double most, double value) {
     const QSignalBlocker quiet(&box);  // the forecast is for all three

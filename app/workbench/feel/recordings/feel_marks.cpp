@@ -89,8 +89,8 @@ void FeelMarks::returnTo(std::size_t index) {
   std::vector<double> point = scene_.values();
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto condition = mark.setting.conditions.find(inputs[i].id);
-    if (inputs[i].id == kDepthId) point[i] = mark.depth_mm;
-    if (inputs[i].id == kSpeedId) point[i] = std::max(0.0, mark.speed_mm_s);
+    if (fuzzy::roleOf(inputs[i]) == fuzzy::Role::kWay) point[i] = mark.depth_mm;
+    if (fuzzy::roleOf(inputs[i]) == fuzzy::Role::kRate) point[i] = std::max(0.0, mark.speed_mm_s);
     if (condition != mark.setting.conditions.end()) point[i] = condition->second;
   }
   scene_.goTo(point);

@@ -325,9 +325,9 @@ void FeelStore::onAdvanced() {
 void FeelStore::follow(std::size_t sample) {
   const std::size_t before = std::exchange(replay_->sample, sample);
   for (std::size_t input = 0; input < scene_.model()->model.inputs.size(); ++input) {
-    const std::string& id = scene_.model()->model.inputs[input].id;
-    if (id == kDepthId || id == kSpeedId) continue;
-    const auto* values = channelOf(replay_->recording, id);
+    const fuzzy::Variable& variable = scene_.model()->model.inputs[input];
+    if (isMovedByHand(variable)) continue;
+    const auto* values = channelOf(replay_->recording, variable.id);
     if (values != nullptr && (*values)[sample] != (*values)[before]) scene_.setValue(input, (*values)[sample]);
   }
   const auto* placements = channelOf(replay_->recording, "placement");
@@ -408,9 +408,9 @@ void FeelStore::play(const study::RecordId& id, const study::Recording& recordin
   for (double& time_s : next.time_s) time_s += settings.lead_s - times->front();
   // The conditions of the beginning, before there is a force.
   for (std::size_t input = 0; input < scene_.model()->model.inputs.size(); ++input) {
-    const std::string& input_id = scene_.model()->model.inputs[input].id;
-    if (input_id == kDepthId || input_id == kSpeedId) continue;
-    if (const auto* values = channelOf(recording, input_id)) scene_.setValue(input, values->front());
+    const fuzzy::Variable& variable = scene_.model()->model.inputs[input];
+    if (isMovedByHand(variable)) continue;
+    if (const auto* values = channelOf(recording, variable.id)) scene_.setValue(input, values->front());
   }
   feel_.stop();
   next_ = Next{std::move(*device), {next.time_s, *forces}, std::move(next)};
@@ -449,7 +449,7 @@ std::vector<FeelRecorder::Condition> FeelStore::conditions() const {
   std::vector<FeelRecorder::Condition> out;
   const auto& inputs = scene_.model()->model.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i].id != kDepthId && inputs[i].id != kSpeedId) {
+    if (!isMovedByHand(inputs[i])) {
       out.push_back({inputs[i].id, inputs[i].unit, scene_.value(i)});
     }
   }

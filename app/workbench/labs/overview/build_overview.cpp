@@ -84,8 +84,10 @@ QString expertsSentence(const BuiltStudy& built) {
 void addWarnings(const elicitation::BuiltModel& model, std::vector<BuildPart>& parts) {
   for (std::size_t i = 0; i < model.notes.size() && i < model.note_subjects.size(); ++i) {
     const std::string& subject = model.note_subjects[i];
-    const auto kind = subject == "depth"                 ? Kind::kDepth
-                      : subject == "speed"               ? Kind::kSpeed
+    const auto& inputs = model.model.inputs;
+    const auto is = [&](const std::optional<std::size_t>& input) { return input && inputs[*input].id == subject; };
+    const auto kind = is(fuzzy::wayOf(inputs))           ? Kind::kDepth
+                      : is(fuzzy::rateOf(inputs))        ? Kind::kSpeed
                       : subject == model.model.output.id ? Kind::kForce
                                                          : Kind::kRules;
     for (BuildPart& part : parts) {

@@ -424,7 +424,7 @@ void RuleController::adoptRegion() {
   const auto has = [&](const std::string& id) {
     return std::any_of(inputs.begin(), inputs.end(), [&](const fuzzy::Variable& input) { return input.id == id; });
   };
-  if (!has(region_)) region_ = has("depth") ? "depth" : inputs.back().id;
+  if (!has(region_)) region_ = inputs[fuzzy::wayOf(inputs).value_or(inputs.size() - 1)].id;
 }
 
 void RuleController::refreshState() {

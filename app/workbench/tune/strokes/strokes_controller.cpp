@@ -19,7 +19,7 @@ namespace {
 
 /// The word of the model for a speed that was asked for.
 QString levelLabel(const fuzzy::ForceModel& model, const std::string& level) {
-  const auto speed = inputNamed(model, kSpeedId);
+  const auto speed = fuzzy::rateOf(model.inputs);
   const fuzzy::Term* const term = speed ? fuzzy::findTerm(model.inputs[*speed].terms, level) : nullptr;
   return term != nullptr ? labelOf(*term) : text(level);
 }
@@ -129,8 +129,7 @@ void StrokesController::onModels() {
 
 // Strokes of the speed experiment have no conditions of their own.
 void StrokesController::onValue(std::size_t input) {
-  const std::string& id = scene_.model()->model.inputs[input].id;
-  if (id != kDepthId && id != kSpeedId && wantsConditions()) baseline_.refresh();
+  if (!isMovedByHand(scene_.model()->model.inputs[input]) && wantsConditions()) baseline_.refresh();
 }
 
 void StrokesController::onCompared() {
@@ -152,7 +151,7 @@ replay::Conditions StrokesController::conditions() const {
   if (!wantsConditions()) return out;
   const auto& inputs = scene_.model()->model.inputs;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    if (inputs[i].id != kDepthId && inputs[i].id != kSpeedId) out[inputs[i].id] = scene_.value(i);
+    if (!isMovedByHand(inputs[i])) out[inputs[i].id] = scene_.value(i);
   }
   return out;
 }
@@ -324,11 +323,11 @@ void StrokesController::goTo(std::size_t place) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const auto& conditions = stroke(place).conditions;
     if (const auto found = conditions.find(inputs[i].id); found != conditions.end()) point[i] = found->second;
-    if (inputs[i].id == kDepthId) {
+    if (fuzzy::roleOf(inputs[i]) == fuzzy::Role::kWay) {
       const auto hole_mm = one.hole_mm[1] ? one.hole_mm[1] : one.hole_mm[0];
       point[i] = one.numbers ? one.numbers->largest_at_mm : *hole_mm;
     }
-    if (inputs[i].id != kSpeedId || !one.numbers) continue;
+    if (fuzzy::roleOf(inputs[i]) != fuzzy::Role::kRate || !one.numbers) continue;
     // The speed at which the model was asked there.
     for (const replay::StrokeRun::Answer& answer : run.answers) {
       if (answer.tick <= one.numbers->largest_tick) point[i] = answer.point.speed_mm_s;

@@ -375,8 +375,7 @@ void TermController::adoptModel() {
   const bool known = isOpen() && editing::findVariable(model(), list_.variable).has_value();
   if (isOpen() && !known) {
     // Where a person most likely begins: the way of the tube.
-    const bool depth = editing::findVariable(model(), "depth").has_value();
-    list_.variable = depth ? "depth" : model().inputs.front().id;
+    list_.variable = model().inputs[fuzzy::wayOf(model().inputs).value_or(0)].id;
   }
   resolveList();
   emit listChanged();

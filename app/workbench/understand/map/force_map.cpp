@@ -384,8 +384,8 @@ void ForceMapController::adoptModel() {
     y_input_ = *y_chosen;
   } else {
     // Depth and speed as in Fig. 9 of the paper. A model with one input has no map.
-    x_input_ = inputNamed(model, "depth").value_or(model.inputs.size() - 1);
-    y_input_ = inputNamed(model, "speed").value_or(0);
+    x_input_ = fuzzy::wayOf(model.inputs).value_or(model.inputs.size() - 1);
+    y_input_ = fuzzy::rateOf(model.inputs).value_or(0);
     if (x_input_ == y_input_) y_input_ = x_input_ == 0 ? model.inputs.size() - 1 : 0;
   }
   expert_ = expertNamed(model, expert_id_);
