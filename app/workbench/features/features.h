@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "app/session/study_procedure.h"
 #include "app/workbench/base/worker.h"
 #include "app/workbench/help/tour.h"
 #include "app/workbench/kit/notes.h"
@@ -93,7 +94,7 @@ class StudyFeature : public QObject {
  public:
   explicit StudyFeature(Bench& bench);
 
-  /// Asks for the place of a new study and makes it.
+  /// Asks for the procedure and the place of a new study and makes it.
   void chooseNew();
   /// Asks for a study, new or there already, opens it beside the open model and arms a recording.
   void recordIntoStudy();
@@ -101,6 +102,9 @@ class StudyFeature : public QObject {
   bool isToRecord() const;
 
  private:
+  void chooseProcedure();
+  void makeStudy(session::ProcedurePtr procedure);
+  QString studyName() const;
   void buildMenu();
   void addRecordings();
   void connectAll();

@@ -39,6 +39,9 @@ struct LabPlace {
   const char* page = nullptr;  ///< empty: the first one; null: the lab has one page, or any will do
 };
 
+bool isFigure(const QString& text) { return text.startsWith(LabSearch::tr("Fig.")); }
+bool isOfPaper(const QString& text) { return isFigure(text) || text.startsWith(LabSearch::tr("Table")); }
+
 QList<LabPlace> places() {
   return {{LabSearch::tr("Table 1: insertion speed of each participant"), "speed", "table"},
           {LabSearch::tr("Table 2: votes for each force"), "force"},
@@ -77,11 +80,13 @@ void SearchFeature::showLab(const char* lab, const char* page) const {
 QList<SearchEntry> SearchFeature::labs() const {
   QList<SearchEntry> entries;
   if (!bench_.window.canEnter(Stage::kBuild)) return entries;
+  // Figures and tables of the paper are of its procedure.
+  const bool of_paper = bench_.study.procedure()->id == procedure::defaultProcedure()->id;
   for (const LabPlace& place : places()) {
+    if (!of_paper && (isOfPaper(place.text) || place.lab == std::string_view("depth"))) continue;
     // "Fig. 7" is found as "figure 7" too.
-    const QString kind = place.text.startsWith(LabSearch::tr("Fig."))
-                             ? LabSearch::tr("Figure · %1").arg(stageName(Stage::kBuild))
-                             : stageName(Stage::kBuild);
+    const QString kind =
+        isFigure(place.text) ? LabSearch::tr("Figure · %1").arg(stageName(Stage::kBuild)) : stageName(Stage::kBuild);
     entries << SearchEntry{place.text, kind, [this, lab = place.lab, page = place.page] { showLab(lab, page); }};
   }
   return entries;

@@ -1,4 +1,5 @@
 #include <QAction>
+#include <QComboBox>
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -11,6 +12,7 @@
 #include "app/report/study_report.h"
 #include "app/session/data_checks.h"
 #include "app/session/study_export.h"
+#include "app/session/study_procedure.h"
 #include "app/session/study_source.h"
 #include "app/session/study_view.h"
 #include "app/version.h"
@@ -21,6 +23,7 @@
 #include "app/workbench/features/features.h"
 #include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/feel/recordings/recordings_card.h"
+#include "app/workbench/kit/form_dialog.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/tune/history/carry_dialog.h"
@@ -207,6 +210,8 @@ void StudyFeature::connectAll() {
   connect(&bench_.files, &ModelFiles::studyChosen, &bench_.study, &StudyConnection::open);
   connect(&bench_.study_models, &StudyModels::savedChanged, this, &StudyFeature::showState);
   connect(&bench_.study, &StudyConnection::contentsChanged, this, &StudyFeature::showState);
+  connect(&bench_.study, &StudyConnection::procedureChanged, &bench_.scene,
+          [this] { bench_.scene.setStudyProcedure(bench_.study.procedure()); });
   connect(&bench_.study, &StudyConnection::closed, this, &StudyFeature::showState);
   connect(&bench_.study, &StudyConnection::opened, this, &StudyFeature::onOpened);
   connect(&bench_.study, &StudyConnection::failed, this,
@@ -245,14 +250,44 @@ void StudyFeature::offerBack(const QString& sentence, const MessageAct& back) {
       {tr("Carry them over…"), [this, state = earlier->state] { bench_.views.carry->bringUp(state); }}, back);
 }
 
+// The question comes first, because the answer may be refused.
 void StudyFeature::chooseNew() {
+  auto* const which = new QComboBox(&bench_.window);
+  const std::string language = programLanguage().toStdString();
+  for (const std::string& id : procedure::builtInIds())
+    which->addItem(text(procedure::builtIn(id)->titleIn(language)), text(id));
+  which->addItem(tr("From a folder…"));
+  auto* const dialog = new FormDialog(
+      tr("New study"), tr("What is the study about? It keeps the procedure: inputs, words, form and pictures."),
+      {{tr("&Procedure"), which}}, tr("Choose its file…"), &bench_.window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, which] {
+    const QString id = which->currentData().toString();
+    id.isEmpty() ? chooseProcedure() : makeStudy(procedure::builtIn(id.toStdString()));
+  });
+  dialog->open();
+}
+
+void StudyFeature::chooseProcedure() {
+  const QString folder = file_dialog::getExistingDirectory(&bench_.window, tr("Choose the folder of a procedure"));
+  if (folder.isEmpty()) return;
+  auto read = session::readPack(folder.toStdString());
+  if (read) {
+    makeStudy(std::move(*read));
+    return;
+  }
+  bench_.window.banner().showRemedy(tr("No study was made. %1").arg(harmless(text(read.error().message()))),
+                                    {tr("Choose another folder…"), [this] { chooseProcedure(); }});
+}
+
+void StudyFeature::makeStudy(session::ProcedurePtr procedure) {
   const auto open = bench_.models.current();
   const QString folder = open ? QFileInfo(open->path).absolutePath() : QString();
   QString path = file_dialog::getSaveFileName(&bench_.window, tr("Make a study"), folder, tr("Studies (*.tactus)"),
                                               nullptr, QFileDialog::DontConfirmOverwrite);
   if (path.isEmpty()) return;
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");
-  bench_.study.create(path);
+  bench_.study.create(path, std::move(procedure));
 }
 
 void StudyFeature::recordIntoStudy() {
@@ -266,10 +301,18 @@ void StudyFeature::recordIntoStudy() {
   if (path.isEmpty()) return;
   if (!isStudyPath(path)) path += QStringLiteral(".tactus");
   recorded_path_ = QFileInfo(path).absoluteFilePath();
-  QFileInfo::exists(path) ? bench_.files.open(path) : bench_.study.create(path);
+  QFileInfo::exists(path) ? bench_.files.open(path) : bench_.study.create(path, bench_.scene.procedure());
 }
 
 bool StudyFeature::isToRecord() const { return bench_.study.isOpen() && bench_.study.path() == recorded_path_; }
+
+// With its procedure where that is not the usual one.
+QString StudyFeature::studyName() const {
+  if (!bench_.study.isOpen()) return {};
+  const session::ProcedurePtr& about = bench_.study.procedure();
+  if (about->id == procedure::defaultProcedure()->id) return bench_.study.fileName();
+  return tr("%1 (%2)").arg(bench_.study.fileName(), text(about->titleIn(programLanguage().toStdString())));
+}
 
 void StudyFeature::showState() {
   const bool open = bench_.study.isOpen() && !bench_.study.isOpening();
@@ -282,7 +325,7 @@ void StudyFeature::showState() {
   show_->setEnabled(open && bench_.study_models.hasModel() && !kept);
   build_->setEnabled(open);
   close_->setEnabled(open);
-  bench_.files.showStudy(bench_.study.isOpen() ? bench_.study.fileName() : QString(), bench_.study.readOnlyReason());
+  bench_.files.showStudy(studyName(), bench_.study.readOnlyReason());
   bench_.window.strip().showStored(bench_.study_models.savedText(), !bench_.study.failure().isEmpty());
   // The end is asked for anew: what comes up then may take it back.
   if (ending_ && (!bench_.study.isBusy() || !bench_.study.failure().isEmpty())) {

@@ -18,12 +18,12 @@ struct ReviewNotes {
 };
 
 // The variable whose terms come from what the finding is about; answers and participants are about all of the model.
-std::string subjectOf(Kind kind) {
+std::string subjectOf(Kind kind, const procedure::Procedure& about) {
   const bool strokes = kind == Kind::kWithoutStrokes || (kind >= Kind::kUnknownLevel && kind <= Kind::kLevelsSwapped);
-  if (strokes) return "speed";
+  if (strokes) return about.rateInput() != nullptr ? about.rateInput()->id : std::string();
   const bool judgements =
       kind == Kind::kWithoutJudgements || (kind >= Kind::kUnknownForceTerm && kind <= Kind::kJudgementsCopied);
-  return judgements ? "force" : "";
+  return judgements ? about.output.id : std::string();
 }
 
 // Whether a build gave this model, whenever and by whichever program it was made.
@@ -49,13 +49,14 @@ std::vector<BuildNote> rebuiltNotes(const ReadStudy& read, const std::string& mo
 
 }  // namespace
 
-std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings) {
+std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings,
+                                 const procedure::Procedure& about) {
   std::vector<BuildNote> notes;
   for (const study::DataFinding& finding : findings) {
     const QString sentence = text(study::text(finding));
     const bool refused = finding.severity == study::DataFinding::Severity::kRefused;
     notes.push_back(
-        {refused ? ReviewNotes::tr("No model is built of this: %1").arg(sentence) : sentence, subjectOf(finding.kind)});
+        {refused ? ReviewNotes::tr("No model is built of this: %1").arg(sentence) : sentence, subjectOf(finding.kind, about)});
   }
   return notes;
 }
@@ -70,7 +71,7 @@ std::vector<BuildNote> notesOf(const std::vector<std::string>& reading, const el
 }
 
 BuildNotes reviewed(const ReadStudy& read, const std::optional<std::string>& model) {
-  return {dataNotes(session::dataFindings(read.study)), model ? rebuiltNotes(read, *model) : std::vector<BuildNote>{}};
+  return {dataNotes(session::dataFindings(read.study), procedure::of(read.study)), model ? rebuiltNotes(read, *model) : std::vector<BuildNote>{}};
 }
 
 }  // namespace tactus::workbench

@@ -91,7 +91,7 @@ Result<BuiltFromStudy> buildFromStudy(const store::StudyFile& file, const editin
       std::move(history),
       ModelInStudyText::tr("Built from the answers in %1: %2.").arg(shownFileName(text(file.path())), experts),
       {}};
-  out.notes = {dataNotes(data), notesOf(view.notes, *built)};
+  out.notes = {dataNotes(data, procedure::of(view.study)), notesOf(view.notes, *built)};
   const std::size_t count = out.notes.data.size() + out.notes.build.size();
   if (count > 0) {
     out.sentence += QLatin1Char(' ') + ModelInStudyText::tr("There are %n note(s) about it beside the heading.",

@@ -25,6 +25,7 @@
 #include "core/fuzzy/force_model.h"
 #include "core/store/study_file.h"
 #include "core/study/data_finding.h"
+#include "core/procedure/procedure.h"
 #include "core/study/records.h"
 #include "core/study/session_records.h"
 #include "elicitation/model/model_builder.h"
@@ -40,7 +41,7 @@ struct ReadStudy {
 };
 
 /// One note for each finding; what is refused says so.
-std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings);
+std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings, const procedure::Procedure& about);
 
 /// The notes of the reading and of the build, in this order.
 std::vector<BuildNote> notesOf(const std::vector<std::string>& reading, const elicitation::BuiltModel& built);

@@ -10,6 +10,7 @@
 #include "tests/gui/sample_models.h"
 #include "tests/gui/sample_study.h"
 #include "tests/support/as_nobody.h"
+#include "tests/support/french_probe.h"
 
 namespace tactus::workbench {
 namespace {
@@ -53,6 +54,23 @@ TEST_F(StudyConnectionTest, OpensAndWritesAStudyWithoutAnyModel) {
   closeStudy();
   EXPECT_TRUE(failed.isEmpty()) << failed.toStdString();
   EXPECT_EQ(personsInFile(), 2U);
+}
+
+TEST_F(StudyConnectionTest, ANewStudyKeepsItsProcedure) {
+  EXPECT_EQ(study->procedure(), procedure::defaultProcedure());
+  const QString other = folder.path(QStringLiteral("probe.tactus"));
+  const auto probe = support::frenchProbe();
+  study->create(other, probe);
+  ASSERT_TRUE(comesTrue([&] { return study->path() == other; })) << failed.toStdString();
+  EXPECT_EQ(study->procedure()->sha256, probe->sha256);
+  study->open(path);
+  ASSERT_TRUE(comesTrue([&] { return study->path() == path; }));
+  EXPECT_EQ(study->procedure(), procedure::defaultProcedure());
+  study->open(other);
+  ASSERT_TRUE(comesTrue([&] { return study->path() == other; }));
+  EXPECT_EQ(study->procedure()->sha256, probe->sha256);
+  closeStudy();
+  EXPECT_EQ(study->procedure(), procedure::defaultProcedure());
 }
 
 TEST_F(StudyConnectionTest, ItsEndWaitsForWhatWasOrdered) {

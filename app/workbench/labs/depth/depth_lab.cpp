@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
-#include "core/procedure/procedure.h"
 #include "core/store/study_records.h"
 
 namespace tactus::workbench {
@@ -47,7 +46,7 @@ void DepthLab::read() {
   is_read_ = false;
   begin({elicitation::emptyMeasurement(depth_)});
   kept_ = std::make_shared<std::vector<Kept>>();
-  if (!seen_ || !data_.connection().isOpen()) return;
+  if (!seen_ || !data_.connection().isOpen() || !isMeasurable()) return;
   is_read_ = true;
   data_.connection().read(
       *this,

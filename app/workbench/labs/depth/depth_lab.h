@@ -11,6 +11,7 @@
 
 #include "app/workbench/base/messages.h"
 #include "app/workbench/labs/data/lab_data.h"
+#include "core/procedure/procedure.h"
 #include "core/study/session_records.h"
 #include "elicitation/depth/depth_measurement.h"
 
@@ -37,6 +38,8 @@ class DepthLab : public UndoSource {
   const fuzzy::Variable& terms() const { return terms_; }
   const QString& problem() const { return problem_; }
   bool isOpen() const { return data_.connection().isOpen(); }
+  /// Whether the open study is about the procedure for which the program has an anatomy: only its depths are measured.
+  bool isMeasurable() const { return data_.connection().procedure() == procedure::defaultProcedure(); }
   /// Which depths the study's model has. `setDepthsFrom` is a setting of the labs, not of the measurement.
   elicitation::DepthsFrom depthsFrom() const { return data_.settings().depths; }
   void setDepthsFrom(elicitation::DepthsFrom from);

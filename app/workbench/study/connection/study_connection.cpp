@@ -124,9 +124,21 @@ namespace {
 
 using base::Result;
 
-Result<store::StudyFile> makeStudy(const std::string& path, study::RecordIds& ids) {
+Result<store::StudyFile> makeStudy(const std::string& path, const session::ProcedurePtr& procedure,
+                                   study::RecordIds& ids) {
   const QString name = QFileInfo(text(path)).completeBaseName();
-  return store::StudyFile::create(path, {ids.next(), name.toStdString(), utcNowMs(), std::string(kGenerator)});
+  const bool another = procedure != nullptr && procedure != procedure::defaultProcedure();
+  if (another) {
+    // Before there is a file.
+    if (auto fits = session::firstProtocol(procedure); !fits) return tl::unexpected(fits.error());
+  }
+  TACTUS_TRY(auto file,
+             store::StudyFile::create(path, {ids.next(), name.toStdString(), utcNowMs(), std::string(kGenerator)}));
+  if (another) {
+    auto tools = session::systemTools();
+    if (auto kept = session::keepProcedure(file, procedure, tools); !kept) return tl::unexpected(kept.error());
+  }
+  return file;
 }
 
 struct OpenedFile {
@@ -238,9 +250,9 @@ void StudyConnection::open(const QString& path) {
   }
 }
 
-void StudyConnection::create(const QString& path) {
+void StudyConnection::create(const QString& path, session::ProcedurePtr procedure) {
   const QString absolute_path = QFileInfo(path).absoluteFilePath();
-  if (mayLeave(absolute_path)) begin(absolute_path, true);
+  if (mayLeave(absolute_path)) begin(absolute_path, true, std::move(procedure));
 }
 
 void StudyConnection::close() {
@@ -389,12 +401,12 @@ void StudyConnection::whenWritten(std::function<void(bool)> then) {
   });
 }
 
-void StudyConnection::begin(const QString& path, bool make) {
+void StudyConnection::begin(const QString& path, bool make, session::ProcedurePtr procedure) {
   opening_ = true;
   emit changed();
   const auto share = keeper_ != nullptr ? keeper_->reader() : StudyKeeper::ReadShare();
-  post([this, path = path.toStdString(), make, share](StudyWorker::OpenStudy& at) {
-    auto opened = make ? makeStudy(path, at.ids).map([](store::StudyFile&& made) {
+  post([this, path = path.toStdString(), make, share, procedure = std::move(procedure)](StudyWorker::OpenStudy& at) {
+    auto opened = make ? makeStudy(path, procedure, at.ids).map([](store::StudyFile&& made) {
       return OpenedFile{std::move(made), {}};
     })
                        : openAsItMay(path);
@@ -437,8 +449,10 @@ void StudyConnection::changeOver(std::shared_ptr<OpenedStudy> study) {
 void StudyConnection::adopt(OpenedStudy& study) {
   path_ = study.contents.path;
   read_only_ = study.read_only;
+  procedure_ = study.contents.procedure != nullptr ? study.contents.procedure : procedure::defaultProcedure();
   people_ = std::move(study.contents.people);
   recordings_ = std::move(study.contents.recordings);
+  emit procedureChanged();
   if (study.take) study.take();
   setNotices(std::move(study.contents.notices));
   emit contentsChanged();
@@ -453,6 +467,7 @@ void StudyConnection::setNotices(StudyNotices notices) {
 void StudyConnection::releaseStudy() {
   path_.clear();
   read_only_.clear();
+  procedure_ = procedure::defaultProcedure();
   people_.clear();
   recordings_.clear();
   erasing_ = false;

@@ -133,6 +133,8 @@ class StudyConnection : public QObject {
   const QString& path() const { return path_; }
   /// The file name for the screen.
   QString fileName() const;
+  /// What the open study is about.
+  const session::ProcedurePtr& procedure() const { return procedure_; }
   const std::vector<StudyPerson>& people() const { return people_; }
   const std::vector<store::FeelSummary>& recordings() const { return recordings_; }
   /// What happened to the study.
@@ -178,8 +180,8 @@ class StudyConnection : public QObject {
   /// Opens the study file `path`; for reading alone where it cannot be written to. Ends with `opened` or `failed`. The
   /// current study stays open until then. If it is the one that is open: `openedAgain`.
   void open(const QString& path);
-  /// Creates the study file `path` and opens it.
-  void create(const QString& path);
+  /// Creates the study file `path` and opens it. `procedure`: what the study is about; null: the default one.
+  void create(const QString& path, tactus::session::ProcedurePtr procedure = nullptr);
   void close();
   /// Erases what an interrupted erasure left, in the thread of the study; `said` or `failed` tells the end.
   void finishErasure();
@@ -208,6 +210,8 @@ class StudyConnection : public QObject {
   void said(const QString& sentence);
   /// `isOpening`, `isBusy` or `failure` changed.
   void changed();
+  /// `procedure` changed; the model of the study is not open yet.
+  void procedureChanged();
   void contentsChanged();
   /// What `notices` or `isErasing` say changed.
   void noticesChanged();
@@ -232,7 +236,7 @@ class StudyConnection : public QObject {
   bool mayLeave(const QString& path);
   void orderRest();
   void whenWritten(std::function<void(bool)> then);
-  void begin(const QString& path, bool make);
+  void begin(const QString& path, bool make, session::ProcedurePtr procedure = nullptr);
   void changeOver(std::shared_ptr<OpenedStudy> study);
   void adopt(OpenedStudy& study);
   void setNotices(StudyNotices notices);
@@ -244,6 +248,7 @@ class StudyConnection : public QObject {
   QString read_only_;
   bool opening_ = false;
   bool closing_ = false;  ///< everything is written; the file is being closed
+  session::ProcedurePtr procedure_ = procedure::defaultProcedure();
   std::vector<StudyPerson> people_;
   std::vector<store::FeelSummary> recordings_;
   StudyNotices notices_;

@@ -129,6 +129,7 @@ Result<StudyNotices> readNotices(const store::StudyFile& file) {
 Result<StudyContents> readContents(const store::StudyFile& file) {
   StudyContents out;
   out.path = text(file.path());
+  TACTUS_TRY(out.procedure, session::procedureIn(file));
   TACTUS_TRY(auto people, readPeople(file));
   out.people = std::move(people);
   // Recordings of a newer program do not prevent reading the rest of the study.

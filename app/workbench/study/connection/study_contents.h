@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/session/session.h"
+#include "app/session/study_procedure.h"
 #include "app/workbench/base/messages.h"
 #include "core/base/error.h"
 #include "core/store/feel_records.h"
@@ -108,6 +109,7 @@ inline constexpr auto kResearcherCategory = "researcher";
 
 struct StudyContents {
   QString path;
+  session::ProcedurePtr procedure;  ///< as the study keeps it; null: the default one
   std::vector<StudyPerson> people;  ///< sorted by code
   std::vector<store::FeelSummary> recordings;
   StudyNotices notices;
