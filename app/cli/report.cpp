@@ -59,6 +59,8 @@ base::Result<Output> demoOfPack(const DemoOptions& options) {
   StudySimulateOptions simulate{study, {}};
   simulate.group.seed = options.seed.value_or(session::kDefaultSeed);
   TACTUS_TRY(const auto simulated, studySimulate(simulate));
+  // The copy of what was there before is of a study without anybody.
+  std::filesystem::remove(study + ".copy-1", ignored);
   BuildOptions build;
   build.study = study;
   build.out = in("averaged.tactus.json");
