@@ -47,7 +47,8 @@ inline constexpr LevelPicture kLevelPictures[] = {LevelPicture::kBars, LevelPict
 /// What a pack says of one input beside its variable.
 struct InputNotes {
   Direction direction = Direction::kNone;
-  double usual = 0;  ///< where curves along another input are shown
+  double usual = 0;            ///< where curves along another input are shown
+  std::string own_model = {};  ///< term at which a participant feels her own model; empty: `usual`
   LevelPicture picture = LevelPicture::kBars;
 };
 

@@ -126,12 +126,15 @@ void readInput(JsonMembers json, Procedure& out, Problem& error) {
   if (const auto picture = json.word("level_picture", kPictureNames)) notes.picture = kLevelPictures[*picture];
   notes.usual = (input.min + input.max) / 2;
   json.number("usual", notes.usual, {input.min, input.max});
+  json.text("own_model", notes.own_model);
+  if (!notes.own_model.empty() && fuzzy::findTerm(input.terms, notes.own_model) == nullptr)
+    json.refuse("own_model", base::quoted(notes.own_model), "a word of the input", ErrorCode::kReference);
   json.refuseOthers();
   // Said only where the id does not say it, as in model files.
   const fuzzy::Role said = std::exchange(input.role, fuzzy::Role::kUnsaid);
   if (fuzzy::roleOf(input) != said) input.role = said;
   out.inputs.push_back(std::move(input));
-  out.input_notes.push_back(notes);
+  out.input_notes.push_back(std::move(notes));
 }
 
 std::vector<Step> readSteps(JsonMembers& json, Problem& error) {
