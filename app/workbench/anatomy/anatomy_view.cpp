@@ -5,6 +5,7 @@
 #include <QPainterPathStroker>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/workbench/base/theme.h"
 
@@ -36,7 +37,7 @@ std::vector<Plate> plates(const QPainter& painter, const QRectF& area, const std
   std::sort(out.begin(), out.end(), [](const Plate& a, const Plate& b) { return a.name->at.y() < b.name->at.y(); });
   double free_y = area.top() + kDot * 2;
   for (Plate& plate : out) {
-    plate.box.moveTop(std::max({plate.box.top(), free_y, plate.name->least_y}));
+    plate.box.moveTop(std::min(std::max({plate.box.top(), free_y, plate.name->least_y}), plate.name->most_y));
     free_y = plate.box.bottom() + kGap * plate.box.height();
   }
   double last_y = area.bottom() - kDot * 2;
@@ -80,18 +81,11 @@ void drawPlates(QPainter& painter, const QRectF& area, std::vector<PlateName> na
 namespace {
 
 constexpr int kTurnMs = 1000;
-constexpr double kDrawnMm = 0.1;  // less than a pixel
-constexpr double kTubeMm = 4.7;   // 14 Fr
-constexpr double kLeastTubePx = 4;
-constexpr double kLeastTipPx = 7;  // radius
-constexpr double kHaloPx = 3;
+constexpr double kTubeMm = 4.7;      // 14 Fr
 constexpr double kPassageMm = 60;    // wider than any part of the passage
 constexpr double kChinShare = 0.88;  // of the height of the picture
 constexpr double kEndMm = 514;       // of the path
-constexpr QColor kLight(0xFF, 0xC2, 0x47);
-constexpr QColor kLightEdge(0x6B, 0x45, 0x00);
-constexpr QColor kTube(0x0B, 0x65, 0x9E);
-constexpr QColor kTubeShine(0x7D, 0xB9, 0xDC);
+constexpr double kInStomachMm = 490;
 
 QPainterPath lineThrough(const std::vector<QPointF>& points) {
   QPainterPath path(points.front());
@@ -125,7 +119,10 @@ QPainterPath passage(double from_mm, double to_mm, Posture posture, const TubeWa
 
 }  // namespace
 
-AnatomyView::AnatomyView(QWidget* parent) : QWidget(parent) {
+AnatomyView::AnatomyView(QWidget* parent) : AnatomyView(procedure::defaultProcedure(), parent) {}
+
+AnatomyView::AnatomyView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent)
+    : BodyView(std::move(about), parent) {
   turn_.setDuration(kTurnMs);
   turn_.setStartValue(0.0);
   turn_.setEndValue(1.0);
@@ -166,11 +163,42 @@ void AnatomyView::setMirrored(bool mirrored) {
 }
 
 void AnatomyView::setDepth(std::optional<double> depth_mm) {
-  if (depth_mm.has_value() == depth_mm_.has_value() &&
-      std::abs(depth_mm.value_or(0) - depth_mm_.value_or(0)) < kDrawnMm)
-    return;
+  if (isSame(depth_mm, depth_mm_)) return;
   depth_mm_ = depth_mm;
   update();
+}
+
+// The drawings stand in the order of the words.
+void AnatomyView::setPose(const study::ItemCondition& condition) {
+  Posture posture = Posture::kUpright;
+  for (const fuzzy::Variable& input : about().inputs) {
+    if (input.id != condition.input || !showsPose(about(), input.id)) continue;
+    const auto place = static_cast<int>(std::find_if(input.terms.begin(), input.terms.end(),
+                                                     [&](const auto& term) { return term.id == condition.term; }) -
+                                        input.terms.begin());
+    posture = static_cast<Posture>(std::min(place, static_cast<int>(Posture::kChinOnChest)));
+  }
+  setPosture(posture);
+}
+
+void AnatomyView::lightRegion(const QString& id) {
+  const auto region = regionWithId(id.toStdString());
+  if (!region) return light(std::nullopt);
+  setFraming(*region >= Region::kEsophagus ? Framing::kWhole : Framing::kThroat);
+  light(*region, nameOf(id));
+}
+
+void AnatomyView::showNames() {
+  std::vector<NamedStructure> names;
+  for (const RegionName& one : regionNames()) {
+    if (const auto region = regionWithId(one.id.toStdString())) names.push_back({structureOf(*region), one.name});
+  }
+  setNames(std::move(names));
+}
+
+void AnatomyView::showWhole() {
+  setFraming(Framing::kWhole);
+  setDepth(kInStomachMm);
 }
 
 void AnatomyView::light(Region region, const QString& name) {
@@ -228,8 +256,8 @@ void AnatomyView::paintEvent(QPaintEvent* /*event*/) {
   if (lit_ && turned_ == 1) {
     painter.save();
     painter.setTransform(to_widget, true);
-    painter.setBrush(kLight);
-    painter.setPen(QPen(kLightEdge, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(kLit);
+    painter.setPen(QPen(kLitEdge, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(lit_path_);
     painter.restore();
   }
@@ -258,22 +286,7 @@ void AnatomyView::drawTube(QPainter& painter, const QTransform& to_widget) const
   if (!depth_mm_) return;
   std::vector<QPointF> points = way_.between(way_.beginMm(), std::max(*depth_mm_, way_.beginMm() + 1));
   for (QPointF& point : points) point = to_widget.map(point);
-  const QPainterPath tube = lineThrough(points);
-  const double width = std::max(kLeastTubePx, kTubeMm * 0.77 * std::abs(to_widget.m11()));
-  const auto stroke = [&](const QColor& color, double pen_width) {
-    painter.setPen(QPen(color, pen_width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(tube);
-  };
-  painter.setBrush(Qt::NoBrush);
-  stroke(Qt::white, width + 4);
-  stroke(kTube, width);
-  stroke(kTubeShine, std::max(1.0, width / 4));
-  const double tip = std::max(kLeastTipPx, width * 0.85);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(Qt::white);
-  painter.drawEllipse(points.back(), tip + kHaloPx, tip + kHaloPx);
-  painter.setBrush(kTube);
-  painter.drawEllipse(points.back(), tip, tip);
+  drawTool(painter, points, kTubeMm * 0.77 * std::abs(to_widget.m11()));
 }
 
 std::vector<PlateName> AnatomyView::plateNames(const QTransform& to_widget) const {

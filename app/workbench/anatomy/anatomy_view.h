@@ -1,5 +1,5 @@
-// Head, throat, chest and stomach from the side with the tube at its depth: the picture of the bench and of the nurse's
-// screens. Its font is that of the widget.
+// Head, throat, chest and stomach from the side with the tube at its depth: the picture of the default procedure on the
+// bench and on the nurse's screens.
 #pragma once
 
 #include <QPointF>
@@ -12,6 +12,7 @@
 
 #include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/anatomy/anatomy_drawing.h"
+#include "app/workbench/anatomy/body_view.h"
 
 class QPainter;
 
@@ -26,19 +27,12 @@ struct PlateName {
   bool on_left = false;  ///< the edge of the picture at which it stands
   bool lit = false;      ///< bold
   double least_y = 0;    ///< px, the plate stands no higher
+  double most_y = 1e9;   ///< px, its top stands no lower
 };
 
 /// Draws the plates into `area` at their edges, in the order of their places, without overlap, in the font of
 /// `painter`.
 void drawPlates(QPainter& painter, const QRectF& area, std::vector<PlateName> names);
-
-/// A part of the path to light: amber, a dark outline and its name.
-struct LitRange {
-  double from_mm = 0;
-  double to_mm = 0;
-  QString name;
-  bool operator==(const LitRange&) const = default;
-};
 
 /// A name at a structure.
 struct NamedStructure {
@@ -46,25 +40,30 @@ struct NamedStructure {
   QString name;
 };
 
-class AnatomyView : public QWidget {
+class AnatomyView : public BodyView {
   Q_OBJECT
 
  public:
   explicit AnatomyView(QWidget* parent = nullptr);
+  AnatomyView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent);
 
   Posture posture() const { return posture_; }
   /// The neck takes `posture` at once, or within a second if `gently`.
   void setPosture(Posture posture, bool gently = false);
   void setFraming(Framing framing);
-  /// Head to the right, for left hands. Names are never mirrored.
-  void setMirrored(bool mirrored);
-  /// Depth of the tip, mm; nothing: no tube. The tube is drawn with the next frame, never by itself.
-  void setDepth(std::optional<double> depth_mm);
   /// Lights `region`; its name is in the language of the screen.
   void light(Region region, const QString& name);
-  /// Lights any part of the path.
-  void light(const std::optional<LitRange>& range);
   void setNames(std::vector<NamedStructure> names);
+
+  void setPose(const study::ItemCondition& condition) override;
+  /// Head to the right.
+  void setMirrored(bool mirrored) override;
+  void setDepth(std::optional<double> depth_mm) override;
+  void light(const std::optional<LitRange>& range) override;
+  void lightRegion(const QString& id) override;
+  void showNames() override;
+  /// With the tube in the stomach.
+  void showWhole() override;
 
   QSize sizeHint() const override { return {320, 400}; }
   QSize minimumSizeHint() const override { return {120, 112}; }

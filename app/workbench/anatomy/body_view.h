@@ -1,0 +1,105 @@
+// The picture of the body with the tool on its way, whatever the procedure: what each screen asks of it, and which view
+// draws it.
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+#include <QString>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/procedure/procedure.h"
+
+class QPainter;
+
+namespace tactus::workbench::anatomy {
+
+/// A part of the way, mm.
+struct WayRange {
+  double from_mm = 0;
+  double to_mm = 0;
+  double middleMm() const { return (from_mm + to_mm) / 2; }
+  bool operator==(const WayRange&) const = default;
+};
+
+/// Where the region with the id `region` lies: from the middle of its overlap with the one before to that with the
+/// next, in the first set of regions that has it. Nothing for an unknown id.
+std::optional<WayRange> rangeOf(const procedure::Procedure& procedure, const std::string& region);
+
+/// Whether the drawings of the program stand for `procedure`, which has no pictures of its own.
+bool isDrawnHere(const procedure::Procedure& procedure);
+
+/// Whether a picture of the body shows the words of `input` as poses.
+bool showsPose(const procedure::Procedure& procedure, const std::string& input);
+
+// What every view draws alike.
+
+inline constexpr QColor kLit(0xFF, 0xC2, 0x47);
+inline constexpr QColor kLitEdge(0x6B, 0x45, 0x00);
+
+/// The tool through `points`, px, `width` wide and at least as wide as is seen, with its tip, of at least the radius
+/// `least_tip`, at the last one.
+void drawTool(QPainter& painter, const std::vector<QPointF>& points, double width, double least_tip = 7);
+
+/// A part of the way to light: amber, a dark outline and its name.
+struct LitRange {
+  double from_mm = 0;
+  double to_mm = 0;
+  QString name;
+  bool operator==(const LitRange&) const = default;
+};
+
+struct RegionName {
+  QString id;
+  QString name;
+  bool operator==(const RegionName&) const = default;
+};
+
+/// The names are in the font of the widget.
+class BodyView : public QWidget {
+  Q_OBJECT
+
+ public:
+  BodyView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent);
+
+  const procedure::Procedure& about() const { return *about_; }
+
+  /// The body as the condition has it; the usual pose if no picture shows that.
+  virtual void setPose(const study::ItemCondition& condition) = 0;
+  /// The other way round, for left hands. Names are never mirrored.
+  virtual void setMirrored(bool mirrored) = 0;
+  /// Depth of the tip, mm; nothing: no tool. It is drawn with the next frame, never by itself.
+  virtual void setDepth(std::optional<double> depth_mm) = 0;
+  /// Lights any part of the way.
+  virtual void light(const std::optional<LitRange>& range) = 0;
+  /// Lights the region, with its name, and brings it near; an empty or unknown id: none.
+  virtual void lightRegion(const QString& id) = 0;
+  /// The names of all regions are shown.
+  virtual void showNames() = 0;
+  /// The whole body, with the tool at the end of its way.
+  virtual void showWhole() = 0;
+
+  /// The tip is in the middle of the region.
+  void showTipIn(const QString& region);
+  /// In the language of the screen, in the order of the way. To be given before they are shown.
+  virtual void setRegionNames(std::vector<RegionName> names);
+
+ protected:
+  const std::vector<RegionName>& regionNames() const { return names_; }
+  QString nameOf(const QString& region) const;
+  /// No pixel tells the depths apart.
+  static bool isSame(const std::optional<double>& depth_mm, const std::optional<double>& other_mm);
+
+ private:
+  std::shared_ptr<const procedure::Procedure> about_;
+  std::vector<RegionName> names_;
+};
+
+/// The view of the procedure: its pictures; a plain bar of regions if it has none. The drawings of the default
+/// procedure are part of the program, because its neck moves between them.
+BodyView* makeBodyView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent);
+
+}  // namespace tactus::workbench::anatomy
