@@ -209,6 +209,13 @@ std::map<std::string, std::string> screenTexts(const procedure::Procedure& proce
       break;
     }
   }
+  // What is inserted stands in the texts as this.
+  constexpr std::string_view kToolPlace = "%tool";
+  const std::string tool = out.contains("tool") ? out.at("tool") : std::string();
+  for (auto& [id, text] : out) {
+    for (auto at = text.find(kToolPlace); at != std::string::npos; at = text.find(kToolPlace, at + tool.size()))
+      text.replace(at, kToolPlace.size(), tool);
+  }
   return out;
 }
 

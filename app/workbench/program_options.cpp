@@ -6,11 +6,13 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <QTranslator>
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "app/session/study_procedure.h"
 #include "app/workbench/participant/kit/wordbook.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -51,6 +53,7 @@ constexpr auto kSize = "size";
 constexpr auto kScale = "scale";
 constexpr auto kWidth = "width";
 constexpr auto kLanguage = "language";
+constexpr auto kPack = "pack";
 
 constexpr int kSmallest = 320;  // px; below it no screen can be recognized
 constexpr int kLargest = 8192;
@@ -72,6 +75,18 @@ base::Result<QSize> sizeOf(const QString& text) {
     return refuse(kSize, text, "width and height in px, from 320 to 8192, as in 1280x720");
   }
   return size;
+}
+
+/// Those of the screens' own texts, and of the pack.
+std::vector<QString> languagesOf(const PictureSettings& pictures) {
+  std::vector<QString> out;
+  for (const nurse::Language& language : nurse::kLanguages) out.push_back(language.id);
+  if (pictures.pack == nullptr) return out;
+  for (const std::string& language : pictures.pack->languages) {
+    const QString id = QString::fromStdString(language);
+    if (std::find(out.begin(), out.end(), id) == out.end()) out.push_back(id);
+  }
+  return out;
 }
 
 base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
@@ -96,10 +111,18 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
     if (!number || width < kSmallest || width > kLargest) return refuse(kWidth, text, "px, from 320 to 8192");
     pictures.widest_px = width;
   }
+  if (parser.isSet(QLatin1String(kPack))) {
+    TACTUS_TRY(pictures.pack, session::readPack(parser.value(QLatin1String(kPack)).toStdString()));
+    pictures.language = QString::fromStdString(pictures.pack->languages.front());
+  }
   if (parser.isSet(QLatin1String(kLanguage))) {
     pictures.language = parser.value(QLatin1String(kLanguage));
-    if (!nurse::languageWithId(pictures.language))
-      return refuse(kLanguage, pictures.language, "en, zh-Hant or zh-Hans");
+    const std::vector<QString> known = languagesOf(pictures);
+    if (std::find(known.begin(), known.end(), pictures.language) == known.end()) {
+      QStringList wanted(known.begin(), known.end() - 1);
+      const QString list = wanted.join(QStringLiteral(", ")) + QStringLiteral(" or ") + known.back();
+      return refuse(kLanguage, pictures.language, list.toUtf8().constData());
+    }
   }
   pictures.study = parser.value(QLatin1String(kStudy));
   return pictures;
@@ -125,8 +148,12 @@ base::Result<void> requireTogether(const QCommandLineParser& parser) {
     return base::fail(base::ErrorCode::kValue, std::string("--") + option, "it alone", "--" + mode + " beside it");
   };
   if (set(kSpeed) && !set(kRehearse)) return alone(kSpeed, kRehearse);
-  for (const char* name : {kSize, kScale, kWidth, kLanguage}) {
+  for (const char* name : {kSize, kScale, kWidth, kLanguage, kPack}) {
     if (set(name) && !set(kScreens)) return alone(name, kScreens);
+  }
+  if (set(kPack) && set(kStudy)) {
+    return base::fail(base::ErrorCode::kValue, std::string("--") + kPack, "--study beside it",
+                      "one of them: the screens of a pack need no study");
   }
   if (set(kStudy) && !set(kRehearse) && !set(kScreens)) {
     return base::fail(base::ErrorCode::kValue, std::string("--") + kStudy, "it alone",
@@ -170,7 +197,12 @@ void describeOptions(QCommandLineParser& parser) {
   option(kScale, OptionText::tr("Scale of these pictures: 2 for a screen with twice the dots."),
          OptionText::tr("scale"));
   option(kWidth, OptionText::tr("Width in px above which these pictures are made smaller."), OptionText::tr("width"));
-  option(kLanguage, OptionText::tr("Language of these pictures: en, zh-Hant or zh-Hans."), OptionText::tr("language"));
+  option(kLanguage, OptionText::tr("Language of these pictures: en, zh-Hant, zh-Hans, or another one of the pack."),
+         OptionText::tr("language"));
+  option(kPack,
+         OptionText::tr("Only the screens of the participants, for the procedure <pack>: a folder, or the name of one "
+                        "that the program carries."),
+         OptionText::tr("pack"));
   parser.addPositionalArgument(QStringLiteral("file"), OptionText::tr("A model (*.tactus.json) or a study (*.tactus)."),
                                QStringLiteral("[file]"));
 }

@@ -103,13 +103,14 @@ QString titleOf(const QWidget& screen, const QString& name) {
                                            : screen.accessibleName();
 }
 
-/// Every screen in each of its states, with its longest values. `language`: `en`, `zh-Hant`, `zh-Hans`; English for
-/// others. `size`: of the window, px.
-base::Result<void> addParticipantPictures(PictureAlbum& album, const QString& language, const QSize& size) {
+/// Every screen in each of its states, with its longest values.
+base::Result<void> addParticipantPictures(PictureAlbum& album, const PictureSettings& settings) {
+  const QSize& size = settings.size;
   nurse::Look look;
-  if (const auto known = nurse::languageWithId(language)) look.setLanguage(*known);
+  look.setAbout(settings.pack);
+  look.setLanguage(nurse::Language{settings.language});
   look.setScreen(kUsualDotsPerInch, size);
-  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens(look)) {
     ParticipantWindow window(look, [] {});
     window.resize(size);
     window.setArmed(nurse::isWithDevice(sample.name));
@@ -309,6 +310,11 @@ base::Result<void> addDuelPicture(PictureAlbum& album, Bench& bench) {
 }  // namespace
 
 base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
+  if (wanted.pack != nullptr) {
+    PictureAlbum album(wanted);
+    if (auto added = addParticipantPictures(album, wanted); !added) return added;
+    return album.finish();
+  }
   const QTemporaryDir folder;
   const QString study =
       folder.filePath(wanted.study.isEmpty() ? QStringLiteral("ngt-demo.tactus") : QFileInfo(wanted.study).fileName());
@@ -356,7 +362,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     return added;
   }
   link.hide();
-  if (auto added = addParticipantPictures(album, wanted.language, wanted.size); !added) return added;
+  if (auto added = addParticipantPictures(album, wanted); !added) return added;
   return album.finish();
 }
 

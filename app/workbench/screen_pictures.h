@@ -5,10 +5,12 @@
 #include <QSize>
 #include <QString>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/procedure/procedure.h"
 
 class QWidget;
 
@@ -19,8 +21,9 @@ struct PictureSettings {
   QSize size{1280, 720};  ///< of the windows, px, before `scale`
   double scale = 1;
   QString language = QStringLiteral("en");
-  QString study{};                 ///< a study file; empty: the demo study
-  std::optional<int> widest_px{};  ///< a wider picture is made smaller
+  QString study{};                                     ///< a study file; empty: the demo study
+  std::shared_ptr<const procedure::Procedure> pack{};  ///< only the participants' screens, of this procedure
+  std::optional<int> widest_px{};                      ///< a wider picture is made smaller
 };
 
 // Pictures of screens in a folder, and the list of them: `DIR/<area>/<screen>.png` and `DIR/screens.json`.
@@ -59,7 +62,8 @@ struct Workbench;
 base::Result<void> addCollectPictures(PictureAlbum& album, Workbench& bench, const QString& folder);
 
 /// Makes the demo study, or a copy of another one, in a folder of its own and takes the pictures into `settings.folder`
-/// (PictureAlbum). Neither settings nor files of the user are touched. Needs a QApplication.
+/// (PictureAlbum). Of a pack no study is needed. Neither settings nor files of the user are touched. Needs a
+/// QApplication.
 base::Result<void> writeScreenPictures(const PictureSettings& settings);
 
 }  // namespace tactus::workbench

@@ -1,6 +1,7 @@
 #include "app/workbench/screen_pictures.h"
 
 #include <QCommandLineParser>
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QJsonArray>
@@ -115,6 +116,27 @@ TEST(ScreenPictures, AWidePictureIsMadeSmallerAndANarrowOneIsNot) {
   }
 }
 
+TEST(ScreenPictures, OfAPackAreThoseOfItsParticipants) {
+  const QTemporaryDir folder;
+  PictureSettings wanted{folder.path(), QSize(640, 480), 1, QStringLiteral("zh-Hant")};
+  wanted.pack = procedure::builtIn("male-urethral-catheter");
+  const auto written = writeScreenPictures(wanted);
+  ASSERT_TRUE(written) << written.error().message();
+  EXPECT_EQ(QDir(folder.path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot), QStringList{QStringLiteral("take_part")});
+  for (const char* name : {"question_angle", "review_lubrication", "speed", "thanks"})
+    EXPECT_TRUE(QFile::exists(folder.filePath(QStringLiteral("take_part/%1.png").arg(QLatin1String(name))))) << name;
+}
+
+TEST(ProgramOptions, NameThePackOfThePictures) {
+  const QString screens = QStringLiteral("--screens=out");
+  const auto options = optionsOf({screens, QStringLiteral("--pack=male-urethral-catheter")});
+  ASSERT_TRUE(options) << options.error().message();
+  EXPECT_EQ(options->pictures->pack->id, "male-urethral-catheter");
+  EXPECT_FALSE(optionsOf({screens, QStringLiteral("--pack=no-such-pack")}));
+  EXPECT_FALSE(
+      optionsOf({screens, QStringLiteral("--pack=male-urethral-catheter"), QStringLiteral("--study=a.tactus")}));
+}
+
 TEST(ProgramOptions, NameTheStudyOfTheParticipants) {
   const auto options = optionsOf({QStringLiteral("--take-part"), QStringLiteral("ngt.tactus")});
   ASSERT_TRUE(options);
@@ -148,8 +170,8 @@ TEST(ProgramOptions, ALanguageThatThePicturesLackIsRefused) {
 }
 
 TEST(ProgramOptions, WhatWouldBeIgnoredIsRefused) {
-  for (const char* alone :
-       {"--speed=2", "--size=1280x720", "--scale=2", "--width=960", "--language=en", "--study=a.tactus"}) {
+  for (const char* alone : {"--speed=2", "--size=1280x720", "--scale=2", "--width=960", "--language=en",
+                            "--study=a.tactus", "--pack=male-urethral-catheter"}) {
     EXPECT_FALSE(optionsOf({QLatin1String(alone)})) << alone;
   }
   const auto two = optionsOf({QStringLiteral("a.tactus"), QStringLiteral("--rehearse")});

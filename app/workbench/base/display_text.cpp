@@ -79,7 +79,11 @@ QString languageName(const QString& id) {
   if (id == QLatin1String("en")) return QStringLiteral("English");
   if (id == QLatin1String("zh-Hant")) return QStringLiteral("繁體中文");
   if (id == QLatin1String("zh-Hans")) return QStringLiteral("简体中文");
-  return id;
+  const QLocale locale(id);
+  QString name = locale.language() == QLocale::C ? QString() : locale.nativeLanguageName();
+  if (name.isEmpty()) return id;
+  name[0] = name[0].toUpper();
+  return name;
 }
 
 QString initialsOf(const QString& words) {

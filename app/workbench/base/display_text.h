@@ -29,7 +29,7 @@ QString explained(Statistic statistic);
 
 // The languages of the nurse's screens by their own names.
 
-/// `English` for `en`, `繁體中文` for `zh-Hant`, `简体中文` for `zh-Hans`; another id as it is.
+/// `English` for `en`, `繁體中文` for `zh-Hant`, `简体中文` for `zh-Hans`, `Français` for `fr`; an unknown id as it is.
 QString languageName(const QString& id);
 
 /// The language in which the program speaks, as a pack names it: `en`.

@@ -28,7 +28,14 @@ base::Result<ParticipantPlan> participantPlan(const store::StudyFile& file) {
   ParticipantPlan out;
   TACTUS_TRY(auto setup, session::latestSetup(file));
   out.setup = std::move(setup);
-  if (!state.current) return out;
+  if (!state.current) {
+    TACTUS_TRY(const auto procedure, session::procedureIn(file));
+    if (procedure == nullptr) return out;
+    TACTUS_TRY(auto first, session::firstProtocol(procedure));
+    out.settings = std::move(first.settings);
+    out.force_cap_n = first.device.force_cap_n;
+    return out;
+  }
   TACTUS_TRY(auto protocol, session::protocolOf(file, *state.current));
   out.protocol = state.current->id;
   out.settings = std::move(protocol.settings);
@@ -120,10 +127,13 @@ Result<std::string> newCode(const store::StudyFile& file) {
   return store::unusedCode(file, codes);
 }
 
-std::string languageOf(const std::string& form, const QString& language) {
-  const auto known = questionnaires::languagesOf(*procedure::defaultProcedure(), form);
-  const std::string wanted = language.toStdString();
-  return std::find(known.begin(), known.end(), wanted) == known.end() ? "en" : wanted;
+/// The language in which the form is asked: `language`, or the first one in which there is a wording.
+std::string languageOf(const procedure::Procedure& procedure, const std::string& form, const QString& language) {
+  const auto known = questionnaires::languagesOf(procedure, form);
+  for (const std::string& wanted : {language.toStdString(), procedure.languages.front()}) {
+    if (std::find(known.begin(), known.end(), wanted) != known.end()) return wanted;
+  }
+  return known.empty() ? "en" : known.front();
 }
 
 }  // namespace
@@ -208,12 +218,13 @@ void CheckIn::begin(const QString& language, std::uint64_t seed, const std::stri
   if (usability_) {
     start.kind = study::SessionKind::kUsability;
     start.settings = session::usabilitySession();
+    start.settings.procedure = plan_.settings.procedure;
   } else {
     start.settings = plan_.settings;
     start.device = device;
     start.device_friction_n = plan_.device_friction_n;
   }
-  start.language = languageOf(start.settings.form, language);
+  start.language = languageOf(start.settings.about(), start.settings.form, language);
   proxy_.begin(start, newcomer_ ? person_ : std::nullopt);
 }
 

@@ -33,8 +33,8 @@ void addLines(const QString& text, std::vector<nurse::Phrase>& out) {
   for (const QString& line : text.split(QLatin1Char('\n'), Qt::SkipEmptyParts)) out.push_back(nurse::plain(line));
 }
 
-QString textIn(const std::map<QString, QString>& texts, nurse::Language language) {
-  const auto text = texts.find(nurse::idOf(language));
+QString textIn(const std::map<QString, QString>& texts, const nurse::Language& language) {
+  const auto text = texts.find(language.id);
   return text == texts.end() ? QString() : text->second.trimmed();
 }
 
@@ -56,7 +56,8 @@ void addStatements(const ParticipantPlan& plan, bool usability, std::vector<nurs
 
 }  // namespace
 
-std::vector<nurse::Phrase> consentParagraphs(const ParticipantPlan& plan, nurse::Language language, bool usability) {
+std::vector<nurse::Phrase> consentParagraphs(const ParticipantPlan& plan, const nurse::Language& language,
+                                             bool usability) {
   std::vector<nurse::Phrase> out;
   const QString statements = textIn(plan.statements, language);
   if (statements.isEmpty()) {
@@ -69,8 +70,9 @@ std::vector<nurse::Phrase> consentParagraphs(const ParticipantPlan& plan, nurse:
   return out;
 }
 
-QString consentText(const std::vector<nurse::Phrase>& paragraphs, nurse::Language language) {
-  const nurse::Wordbook words;
+QString consentText(const ParticipantPlan& plan, const std::vector<nurse::Phrase>& paragraphs,
+                    const nurse::Language& language) {
+  const nurse::Wordbook words(plan.settings.about(), plan.settings.form);
   QStringList lines;
   for (const nurse::Phrase& paragraph : paragraphs) lines << words.say(paragraph, language);
   return lines.join(QLatin1Char('\n'));
@@ -83,8 +85,7 @@ int minutesOf(const ParticipantPlan& plan) {
 
 QString whyNoText(const ParticipantPlan& plan) {
   for (const QString& language : plan.languages) {
-    const auto known = nurse::languageWithId(language);
-    if (!known || textIn(plan.consent_texts, *known).isEmpty())
+    if (textIn(plan.consent_texts, nurse::Language{language}).isEmpty())
       return ConsentWords::tr("The protocol has no text of the study in %1: whose study it is, and who approved it.")
           .arg(languageName(language));
   }

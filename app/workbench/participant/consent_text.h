@@ -12,10 +12,12 @@ namespace tactus::workbench {
 /// The paragraphs of the consent screen. The statements name only what the session has: without movements no recording
 /// of them, with the device's largest force and the minutes; the protocol may have others instead.
 /// `usability`: of a clinical teacher, who uses no device here.
-std::vector<nurse::Phrase> consentParagraphs(const ParticipantPlan& plan, nurse::Language language, bool usability);
+std::vector<nurse::Phrase> consentParagraphs(const ParticipantPlan& plan, const nurse::Language& language,
+                                             bool usability);
 
 /// The same as the text that is stored with the consent, one paragraph in a line.
-QString consentText(const std::vector<nurse::Phrase>& paragraphs, nurse::Language language);
+QString consentText(const ParticipantPlan& plan, const std::vector<nurse::Phrase>& paragraphs,
+                    const nurse::Language& language);
 
 /// About how long the sessions of the plan take, in min.
 int minutesOf(const ParticipantPlan& plan);

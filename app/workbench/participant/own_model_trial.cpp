@@ -22,7 +22,6 @@ namespace {
 
 using base::Result;
 
-constexpr auto kNeckInput = "neck_flexion";
 constexpr int kCurvePoints = 200;  // one a few pixels
 
 template <class Row>
@@ -40,11 +39,15 @@ study::Study dataOf(study::Study all, const std::string& code) {
   return all;
 }
 
-// The values at which the model is felt: of the term in the middle, of neck flexion of the first (upright), in the
-// middle of what belongs to it wholly.
-double feltAt(const fuzzy::Variable& input) {
-  if (input.terms.empty()) return std::midpoint(input.min, input.max);
-  const std::vector<double>& points = input.terms[input.id == kNeckInput ? 0 : input.terms.size() / 2].points;
+/// The value at which the model is felt: as the procedure says, in the middle of what belongs to the word wholly.
+double feltAt(const procedure::Procedure& procedure, const fuzzy::Variable& input) {
+  const auto ids = procedure.inputIds();
+  const auto place = static_cast<std::size_t>(std::find(ids.begin(), ids.end(), input.id) - ids.begin());
+  if (place == ids.size()) return std::midpoint(input.min, input.max);
+  const procedure::InputNotes& notes = procedure.input_notes[place];
+  const fuzzy::Term* const term = fuzzy::findTerm(input.terms, notes.own_model);
+  if (term == nullptr) return std::clamp(notes.usual, input.min, input.max);
+  const std::vector<double>& points = term->points;
   const double middle = points.size() == 4   ? std::midpoint(points[1], points[2])
                         : points.size() == 3 ? points[1]
                                              : points[0];
@@ -87,7 +90,9 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   const auto now = std::chrono::system_clock::now();
   settings.created_utc = base::formatUtc(now);
   settings.generator = kGenerator;
-  const auto forms = session::knownForms(procedure::of(view.study));
+  // The study is moved from below.
+  const auto procedure = view.study.procedure != nullptr ? view.study.procedure : procedure::defaultProcedure();
+  const auto forms = session::knownForms(*procedure);
   TACTUS_TRY(const auto built, elicitation::buildModel(dataOf(std::move(view.study), code), forms, settings));
   const fuzzy::ForceModel& model = built.model;
   TACTUS_TRY(const auto compiled, fuzzy::compile(model));
@@ -98,7 +103,7 @@ Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code)
   for (const fuzzy::Variable& input : model.inputs) {
     const fuzzy::Role role = fuzzy::roleOf(input);
     if (role == fuzzy::Role::kWay) depth = inputs.size();
-    inputs.push_back(feltAt(input));
+    inputs.push_back(feltAt(*procedure, input));
     if (role == fuzzy::Role::kCondition) out.conditions[input.id] = inputs.back();
   }
   if (!depth) return base::fail(base::ErrorCode::kReference, "her model", "no way of a tip", "a model along the way");

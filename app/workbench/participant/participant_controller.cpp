@@ -127,10 +127,9 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
     onDevice();
     emit refused(sentence);
   });
-  if (!plan_.languages.empty()) {
-    state_.languages = plan_.languages;
-    state_.language = plan_.languages.front();
-  }
+  state_.procedure = plan_.settings.procedure;
+  state_.languages = !plan_.languages.empty() ? plan_.languages : nurse::languagesOf(about());
+  state_.language = state_.languages.front();
   look();
 }
 
@@ -147,6 +146,7 @@ ParticipantController::Step& ParticipantController::step() const {
 
 void ParticipantController::look() {
   state_.screen = correcting_ ? Screen::kForce : screenOf(at(), passed_);
+  state_.form = QString::fromStdString(at() != nullptr ? at()->settings->form : plan_.settings.form);
   state_.code = check_in_.code();
   state_.welcome = check_in_.welcome();
   state_.welcome.minutes = minutesOf(plan_);

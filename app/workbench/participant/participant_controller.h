@@ -253,6 +253,7 @@ class ParticipantController : public QObject {
   bool takesInput() const;
   bool takesOverlay() const;
   const SessionSnapshot* at() const { return proxy_.snapshot().get(); }
+  const procedure::Procedure& about() const { return plan_.settings.about(); }
 
   StudyConnection& study_;
   DeviceSession& device_;

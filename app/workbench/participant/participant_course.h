@@ -54,8 +54,8 @@ struct OwnModel {
   std::vector<QPointF> curve;  ///< depth in mm, share of the largest force; at the scene's conditions
 };
 
-/// Builds the model of the participant `code` from the study, at the middle of each condition (medium lubrication, …)
-/// and with the head up, as the picture on her screen shows it. Refused: no rules follow from her answers, or the servo
+/// Builds the model of the participant `code` from the study, under the conditions that its procedure names for it
+/// (InputNotes::own_model). Refused: no rules follow from her answers, or the servo
 /// refuses the model. Thread: that of `file`.
 base::Result<OwnModel> ownModel(const store::StudyFile& file, const std::string& code);
 

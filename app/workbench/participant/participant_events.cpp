@@ -49,7 +49,7 @@ void ParticipantController::onProxy() {
 void ParticipantController::meetSession() {
   passed_.blocks = at()->blocks_done;
   noted_.reset();
-  form_ = formWithConditions(at()->settings->form);
+  form_ = formWithConditions(about(), at()->settings->form);
   if (const QString language = std::exchange(consent_language_, {}); !language.isEmpty()) {
     proxy_.note(session::consentGiven(at()->record->consent_version, language.toStdString(),
                                       std::exchange(consent_text_, {}).toStdString()));
@@ -241,6 +241,7 @@ void ParticipantController::startAgain() {
   steps_ = Steps::all(*this);
   const ParticipantState before = std::exchange(state_, {});
   state_.serial = before.serial;
+  state_.procedure = before.procedure;
   state_.languages = before.languages;
   state_.language = before.language;
   state_.text_percent = before.text_percent;

@@ -40,16 +40,14 @@ class ParticipantController::Steps::Consent final : public Step {
   void next() override {
     const QString& id = course_.state_.language;
     course_.consent_language_ = id;
-    course_.consent_text_ = consentText(course_.state_.consent.paragraphs, language());
+    course_.consent_text_ = consentText(course_.plan_, course_.state_.consent.paragraphs, language());
     course_.check_in_.begin(id, course_.plan_.seed ? *course_.plan_.seed : course_.chance_(),
                             course_.plan_.device.toStdString());
   }
   void back() override { course_.passed_.code = false; }
 
  private:
-  nurse::Language language() const {
-    return nurse::languageWithId(course_.state_.language).value_or(nurse::Language::kEnglish);
-  }
+  nurse::Language language() const { return nurse::Language{course_.state_.language}; }
 };
 
 class ParticipantController::Steps::AboutHer final : public Step {
@@ -110,7 +108,7 @@ class ParticipantController::Steps::Question final : public Step {
 
   void ask() override { course_.chosen_ = wordOf(page().reply); }
   void show(ParticipantState& state) override {
-    if (course_.form_) state.question = questionState(*course_.form_, page(), course_.chosen_);
+    if (course_.form_) state.question = questionState(course_.about(), *course_.form_, page(), course_.chosen_);
     state.question.from_review = course_.from_review_;
     state.can_go_on = !course_.chosen_.isEmpty();
     state.can_go_back = page().position > 1;
@@ -143,7 +141,7 @@ class ParticipantController::Steps::Review final : public Step {
 
   void ask() override { course_.from_review_ = false; }
   void show(ParticipantState& state) override {
-    if (course_.form_) state.review = reviewState(*course_.form_, course_.at()->replies);
+    if (course_.form_) state.review = reviewState(course_.about(), *course_.form_, course_.at()->replies);
     state.review.sealed = isSealed();
   }
   void next() override {

@@ -60,7 +60,8 @@ ParticipantViews::ParticipantViews(ParticipantController& course, nurse::Look& l
 
 void ParticipantViews::show() {
   const ParticipantState& state = course_.state();
-  if (const auto language = nurse::languageWithId(state.language)) look_.setLanguage(*language);
+  look_.setAbout(state.procedure, state.form);
+  look_.setLanguage(nurse::Language{state.language});
   look_.setTextPercent(state.text_percent);
   if (shown_ == nullptr || shows_ != shownAs(state)) {
     shows_ = shownAs(state);

@@ -110,28 +110,24 @@ namespace {
 
 using Status = study::Answer::Status;
 
-constexpr auto kDepth = "depth";
 constexpr auto kCantTell = "cant_tell";
 
-/// What an item is about: one condition, and the region of the tip.
+/// What an item is about: the region of the tip, and the other conditions.
 struct Situation {
-  QString condition;
-  QString term;
+  std::vector<study::ItemCondition> conditions;
   QString region;
 };
 
-Situation situationOf(const study::Form& form, int number) {
+Situation situationOf(const procedure::Procedure& procedure, const study::Form& form, int number) {
   Situation out;
   const auto item = std::find_if(form.items.begin(), form.items.end(),
                                  [number](const study::FormItem& one) { return one.number == number; });
   if (item == form.items.end()) return out;
   for (const study::ItemCondition& condition : item->conditions) {
-    const QString term = QString::fromStdString(condition.term);
-    if (condition.input == kDepth) {
-      out.region = term;
+    if (condition.input == procedure.wayInput().id) {
+      out.region = QString::fromStdString(condition.term);
     } else {
-      out.condition = QString::fromStdString(condition.input);
-      out.term = term;
+      out.conditions.push_back(condition);
     }
   }
   return out;
@@ -139,31 +135,32 @@ Situation situationOf(const study::Form& form, int number) {
 
 }  // namespace
 
-std::optional<study::Form> formWithConditions(const std::string& form) {
-  for (study::Form& known : session::knownForms(*procedure::defaultProcedure())) {
+std::optional<study::Form> formWithConditions(const procedure::Procedure& procedure, const std::string& form) {
+  for (study::Form& known : session::knownForms(procedure)) {
     if (known.id == form && !known.items.empty()) return std::move(known);
   }
   return std::nullopt;
 }
 
-QuestionState questionState(const study::Form& form, const ItemPage& page, const QString& chosen) {
-  const Situation situation = situationOf(form, page.item);
+QuestionState questionState(const procedure::Procedure& procedure, const study::Form& form, const ItemPage& page,
+                            const QString& chosen) {
+  Situation situation = situationOf(procedure, form, page.item);
   QuestionState out;
   out.item = page.item;
   out.position = static_cast<int>(page.position);
   out.count = static_cast<int>(page.count);
-  out.condition = situation.condition;
-  out.term = situation.term;
+  out.conditions = std::move(situation.conditions);
   out.region = situation.region;
   out.chosen = chosen;
   return out;
 }
 
-ReviewState reviewState(const study::Form& form, const std::vector<ItemReply>& replies) {
+ReviewState reviewState(const procedure::Procedure& procedure, const study::Form& form,
+                        const std::vector<ItemReply>& replies) {
   ReviewState out;
   for (const ItemReply& reply : replies) {
-    const Situation situation = situationOf(form, reply.item);
-    out.answers.push_back({reply.item, situation.condition, situation.term, situation.region, wordOf(reply.reply)});
+    Situation situation = situationOf(procedure, form, reply.item);
+    out.answers.push_back({reply.item, std::move(situation.conditions), situation.region, wordOf(reply.reply)});
     if (reply.isOpen()) ++out.gaps;
   }
   return out;

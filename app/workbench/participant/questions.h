@@ -10,6 +10,7 @@
 #include "app/session/session_notes.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/study/connection/study_contents.h"
+#include "core/procedure/procedure.h"
 #include "core/study/records.h"
 #include "core/study/session_records.h"
 
@@ -76,12 +77,14 @@ class AboutYou {
 };
 
 /// The form with this id, if its items have conditions; the one of usability has none.
-std::optional<study::Form> formWithConditions(const std::string& form);
+std::optional<study::Form> formWithConditions(const procedure::Procedure& procedure, const std::string& form);
 
 /// The question of `page`. `chosen`: what is chosen on the screen now.
-QuestionState questionState(const study::Form& form, const ItemPage& page, const QString& chosen);
+QuestionState questionState(const procedure::Procedure& procedure, const study::Form& form, const ItemPage& page,
+                            const QString& chosen);
 
-ReviewState reviewState(const study::Form& form, const std::vector<ItemReply>& replies);
+ReviewState reviewState(const procedure::Procedure& procedure, const study::Form& form,
+                        const std::vector<ItemReply>& replies);
 
 /// A term id, or `cant_tell`; empty where there is no reply, or it was skipped or taken back.
 QString wordOf(const std::optional<questionnaires::Reply>& reply);

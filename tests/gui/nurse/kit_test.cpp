@@ -72,7 +72,7 @@ class NurseKit : public testing::Test {
 
 TEST_F(NurseKit, ControlsAreLargeEnoughForAFinger) {
   const double dots = 96 / 25.4;
-  for (Answer& answer : forceWords()) {
+  for (Answer& answer : forceWords(look)) {
     const bool apart = answer.apart;
     const AnswerCard card(look, std::move(answer), 1, 5);
     EXPECT_GE(card.sizeHint().width(), 30 * dots - 1);
@@ -111,7 +111,7 @@ TEST_F(NurseKit, ATouchThatRollsCountsWhereItBegan) {
 
 TEST_F(NurseKit, NothingIsChosenAtTheStartAndAChoiceCanBeTakenBack) {
   Choices choices(look);
-  choices.setAnswers(forceWords());
+  choices.setAnswers(forceWords(look));
   EXPECT_EQ(choices.chosen(), QString());
   choices.choose(QStringLiteral("large"));
   EXPECT_EQ(choices.chosen(), "large");
@@ -136,8 +136,8 @@ TEST_F(NurseKit, CardsSayTheirWordTheirPlaceAndWhetherTheyAreChosen) {
 TEST_F(NurseKit, TheChoiceStaysWhenTheLanguageChanges) {
   QuestionScreen screen(look);
   ParticipantState state;
-  state.question.condition = QStringLiteral("speed");
-  state.question.term = QStringLiteral("fast");
+  state.question.item = 43;
+  state.question.conditions = {{"speed", "fast"}};
   state.question.region = QStringLiteral("oropharynx");
   state.question.chosen = QStringLiteral("small");
   screen.setState(state);
@@ -234,8 +234,8 @@ ParticipantState item(int number) {
   state.part = state.parts = 3;
   state.question.position = number;
   state.question.count = 45;
-  state.question.condition = QStringLiteral("lubrication");
-  state.question.term = QStringLiteral("poor");
+  state.question.item = 3;
+  state.question.conditions = {{"lubrication", "poor"}};
   state.question.region = QStringLiteral("oropharynx");
   return state;
 }

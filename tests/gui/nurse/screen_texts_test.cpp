@@ -29,6 +29,7 @@ struct Setting {
   QSize size;
   int percent;
   Language language;
+  std::string pack = {};  ///< of another procedure
 };
 
 std::string nameOf(const Setting& setting) {
@@ -36,7 +37,7 @@ std::string nameOf(const Setting& setting) {
       .arg(setting.size.width())
       .arg(setting.size.height())
       .arg(setting.percent)
-      .arg(idOf(setting.language))
+      .arg(setting.language.id + QString::fromStdString(setting.pack.empty() ? "" : "_" + setting.pack))
       .replace(QLatin1Char('-'), QLatin1Char('_'))
       .toStdString();
 }
@@ -44,6 +45,7 @@ std::string nameOf(const Setting& setting) {
 class NurseScreens : public testing::TestWithParam<Setting> {
  protected:
   void SetUp() override {
+    if (!GetParam().pack.empty()) look.setAbout(procedure::builtIn(GetParam().pack));
     look.setLanguage(GetParam().language);
     look.setTextPercent(GetParam().percent);
     look.setScreen(kDotsPerInch, GetParam().size);
@@ -62,7 +64,7 @@ class NurseScreens : public testing::TestWithParam<Setting> {
 };
 
 TEST_P(NurseScreens, NothingIsCutOrElidedOrTooSmall) {
-  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens(look)) {
     const auto screen = shown(sample);
     const QString name = sample.name;
     const std::vector<WrittenText> texts = textsOf(*screen);
@@ -85,7 +87,7 @@ TEST_P(NurseScreens, NothingIsCutOrElidedOrTooSmall) {
 }
 
 TEST_P(NurseScreens, NothingOverlaps) {
-  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens(look)) {
     const auto screen = shown(sample);
     std::vector<WrittenText> texts = textsOf(*screen);
     // Where the red button of the window stands, at the top right.
@@ -122,7 +124,7 @@ TEST_P(NurseScreens, NothingOverlaps) {
 }
 
 TEST_P(NurseScreens, EveryTextGetsItsRoom) {
-  for (const nurse::SampleScreen& sample : nurse::sampleScreens()) {
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens(look)) {
     const auto screen = shown(sample);
     for (const nurse::Label* label : screen->findChildren<nurse::Label*>()) {
       if (!label->isVisible() || label->text().isEmpty()) continue;
@@ -142,9 +144,15 @@ TEST_P(NurseScreens, EveryTextGetsItsRoom) {
 
 std::vector<Setting> settings() {
   std::vector<Setting> all;
-  for (const Language language : nurse::kLanguages) {
+  for (const Language& language : nurse::kLanguages) {
     for (const QSize size : {QSize(1280, 720), QSize(1920, 1080)}) {
       for (const int percent : {100, 125, 150}) all.push_back({size, percent, language});
+    }
+  }
+  for (const std::string& pack : procedure::builtInIds()) {
+    if (procedure::builtIn(pack) == procedure::defaultProcedure()) continue;
+    for (const Language& language : {Language::kEnglish, Language::kTraditionalChinese}) {
+      for (const int percent : {100, 150}) all.push_back({{1280, 720}, percent, language, pack});
     }
   }
   return all;

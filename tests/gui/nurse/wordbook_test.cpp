@@ -13,7 +13,9 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-QString textOf(const Wordbook& words, const QString& id, Language language) { return words.say(phrase(id), language); }
+QString textOf(const Wordbook& words, const QString& id, const Language& language) {
+  return words.say(phrase(id), language);
+}
 
 QStringList placesIn(const QString& text) {
   static const QRegularExpression kPlace(QStringLiteral("%[0-9n]"));
@@ -39,7 +41,7 @@ TEST(Wordbook, EveryTextIsThereInEveryLanguageWithTheSamePlaces) {
   EXPECT_GT(words.ids().size(), 200);
   for (const QString& id : words.ids()) {
     const QStringList places = placesIn(textOf(words, id, Language::kEnglish));
-    for (const Language language : kLanguages) {
+    for (const Language& language : kLanguages) {
       const QString text = textOf(words, id, language);
       EXPECT_FALSE(text.trimmed().isEmpty()) << id.toStdString();
       EXPECT_EQ(text, text.trimmed()) << id.toStdString();
@@ -132,7 +134,7 @@ TEST(Wordbook, ValuesTakeTheirPlaces) {
 
 TEST(Wordbook, TheNamedFontsHaveEveryCharacter) {
   const Wordbook words;
-  for (const Language language : kLanguages) {
+  for (const Language& language : kLanguages) {
     const QString family = fontFamilies(language).front();
     ASSERT_TRUE(QFontDatabase::hasFamily(family)) << family.toStdString() << ": install fonts-noto-cjk";
     QFont font(family);
@@ -142,7 +144,7 @@ TEST(Wordbook, TheNamedFontsHaveEveryCharacter) {
       for (const QChar character : textOf(words, id, language))
         EXPECT_TRUE(raw.supportsCharacter(character)) << id.toStdString() << ' ' << QString(character).toStdString();
     }
-    for (const QChar character : languageName(idOf(language))) EXPECT_TRUE(raw.supportsCharacter(character));
+    for (const QChar character : languageName(language.id)) EXPECT_TRUE(raw.supportsCharacter(character));
   }
 }
 

@@ -23,8 +23,8 @@ ParticipantPlan planOf(std::vector<Block> blocks) {
   return plan;
 }
 
-std::string textOf(const ParticipantPlan& plan, bool usability = false, Language language = Language::kEnglish) {
-  return consentText(consentParagraphs(plan, language, usability), language).toStdString();
+std::string textOf(const ParticipantPlan& plan, bool usability = false, const Language& language = Language::kEnglish) {
+  return consentText(plan, consentParagraphs(plan, language, usability), language).toStdString();
 }
 
 bool says(const std::string& text, const char* what) { return text.find(what) != std::string::npos; }

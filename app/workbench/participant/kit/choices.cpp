@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <string>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/kit/button.h"
@@ -122,12 +123,13 @@ namespace {
 constexpr double kChoiceWidestMm = 80;  // of a card
 constexpr double kChoiceGapMm = 3;
 
-std::vector<Answer> words(std::initializer_list<const char*> apart) {
+/// The words `ids` on the scale, from the smallest force to the largest, and those apart from it.
+std::vector<Answer> words(const std::vector<std::string>& ids, std::initializer_list<const char*> apart) {
   std::vector<Answer> answers;
-  int level = 0;
-  for (const char* id : {"very_small", "small", "medium", "large", "very_large"}) {
-    answers.push_back(
-        {QString::fromLatin1(id), phrase(QStringLiteral("w.") + QString::fromLatin1(id)), strengthPicture(++level)});
+  for (const std::string& term : ids) {
+    const QString id = QString::fromStdString(term);
+    const int level = static_cast<int>(answers.size()) + 1;
+    answers.push_back({id, phrase(QStringLiteral("w.") + id), strengthPicture(level, static_cast<int>(ids.size()))});
   }
   for (const char* id : apart) {
     const QString text = QString::fromLatin1(id) == QStringLiteral("beyond_practice") ? QStringLiteral("beyond")
@@ -139,8 +141,17 @@ std::vector<Answer> words(std::initializer_list<const char*> apart) {
 
 }  // namespace
 
-std::vector<Answer> forceWords() { return words({"not_felt", "beyond_practice"}); }
-std::vector<Answer> questionWords() { return words({"cant_tell"}); }
+std::vector<Answer> forceWords(const Look& look) {
+  std::vector<std::string> ids;
+  for (const fuzzy::Term& term : look.about()->output.terms) ids.push_back(term.id);
+  return words(ids, {"not_felt", "beyond_practice"});
+}
+
+std::vector<Answer> questionWords(const Look& look) {
+  std::vector<std::string> ids;
+  for (const study::AnswerWord& answer : look.form().answers) ids.push_back(answer.term);
+  return words(ids, {"cant_tell"});
+}
 
 Choices::Choices(const Look& look, QWidget* parent) : QWidget(parent), look_(look) {
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -265,9 +276,7 @@ constexpr int kTextPercents[] = {100, 125, 150};
 
 std::vector<Answer> languageAnswers(const std::vector<QString>& offered) {
   std::vector<Answer> answers;
-  for (const QString& id : offered) {
-    if (const auto language = languageWithId(id)) answers.push_back({id, plain(languageName(id)), {}, false, language});
-  }
+  for (const QString& id : offered) answers.push_back({id, plain(languageName(id)), {}, false, Language{id}});
   return answers;
 }
 

@@ -93,10 +93,10 @@ class Choices : public QWidget {
   std::vector<AnswerCard*> cards_;
 };
 
-/// The five words of force, `not_felt` and `beyond_practice` apart, as the vote knows them.
-std::vector<Answer> forceWords();
-/// The five words and "I can't tell".
-std::vector<Answer> questionWords();
+/// The words of force of the procedure, `not_felt` and `beyond_practice` apart, as the vote knows them.
+std::vector<Answer> forceWords(const Look& look);
+/// The words that the form offers, and "I can't tell".
+std::vector<Answer> questionWords(const Look& look);
 /// The languages with the ids `offered`, each in its own words.
 std::vector<Answer> languageAnswers(const std::vector<QString>& offered);
 /// The sizes of text, by their percent.

@@ -3,6 +3,7 @@
 #include <QScreen>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tactus::workbench::nurse {
 
@@ -29,7 +30,18 @@ constexpr double kWindowTextsWide = 32;
 
 Look::Look(QObject* parent) : QObject(parent) {}
 
-void Look::setLanguage(Language language) {
+void Look::setAbout(std::shared_ptr<const procedure::Procedure> about, const QString& form) {
+  if (about == nullptr) about = procedure::defaultProcedure();
+  const study::Form* asked = about->form(form.toStdString());
+  if (asked == nullptr) asked = &about->forms.front();
+  if (about == about_ && asked == form_) return;
+  about_ = std::move(about);
+  form_ = asked;
+  words_ = Wordbook(*about_, form_->id);
+  emit changed();
+}
+
+void Look::setLanguage(const Language& language) {
   if (language_ == language) return;
   language_ = language;
   emit changed();
@@ -62,7 +74,7 @@ int Look::textPx() const {
       std::lround(std::min({wanted, window_.height() / kWindowTexts, window_.width() / kWindowTextsWide})));
 }
 
-QFont Look::font(Language language, double factor, bool bold) const {
+QFont Look::font(const Language& language, double factor, bool bold) const {
   QFont font;
   font.setFamilies(fontFamilies(language));
   font.setPixelSize(static_cast<int>(std::lround(textPx() * factor)));

@@ -1,4 +1,5 @@
-// Language, text size and real sizes of the nurse's screens. Each widget of the screens asks it and follows `changed`.
+// Procedure, language, text size and real sizes of the nurse's screens. Each widget of the screens asks it and follows
+// `changed`.
 #pragma once
 
 #include <QColor>
@@ -7,6 +8,7 @@
 #include <QObject>
 #include <QSize>
 #include <array>
+#include <memory>
 
 #include "app/workbench/participant/kit/wordbook.h"
 
@@ -43,8 +45,14 @@ class Look : public QObject {
  public:
   explicit Look(QObject* parent = nullptr);
 
-  Language language() const { return language_; }
-  void setLanguage(Language language);
+  /// What the screens are about: the default procedure before anybody says another, and its first form.
+  const std::shared_ptr<const procedure::Procedure>& about() const { return about_; }
+  const study::Form& form() const { return *form_; }
+  /// `form`: an id; that of no form of the procedure is its first.
+  void setAbout(std::shared_ptr<const procedure::Procedure> about, const QString& form = {});
+
+  const Language& language() const { return language_; }
+  void setLanguage(const Language& language);
 
   /// 100, 125 or 150.
   int textPercent() const { return text_percent_; }
@@ -55,7 +63,8 @@ class Look : public QObject {
   void setScreen(const QScreen& screen);
 
   QString say(const Phrase& phrase) const { return words_.say(phrase, language_); }
-  QString say(const Phrase& phrase, Language language) const { return words_.say(phrase, language); }
+  QString say(const Phrase& phrase, const Language& language) const { return words_.say(phrase, language); }
+  bool knows(const QString& id) const { return words_.has(id); }
 
   /// Logical px of a length on the screen. A small window gets smaller things, so that each screen fits.
   int mm(double length) const;
@@ -63,7 +72,7 @@ class Look : public QObject {
   int textPx() const;
   /// Body text times `factor`.
   QFont font(double factor = 1, bool bold = false) const { return font(language_, factor, bold); }
-  QFont font(Language language, double factor, bool bold) const;
+  QFont font(const Language& language, double factor, bool bold) const;
   /// `steps` of the grid, 2 mm each.
   int gap(double steps) const { return mm(2 * steps); }
 
@@ -71,8 +80,10 @@ class Look : public QObject {
   void changed();
 
  private:
-  Wordbook words_;
-  Language language_ = Language::kEnglish;
+  std::shared_ptr<const procedure::Procedure> about_ = procedure::defaultProcedure();
+  const study::Form* form_ = &about_->forms.front();
+  Wordbook words_{*about_};
+  Language language_;
   int text_percent_ = 100;
   double dots_per_inch_ = 96;
   QSize window_{1280, 720};

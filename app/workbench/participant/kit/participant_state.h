@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <QString>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -116,17 +117,15 @@ struct QuestionState {
   int item = 0;      ///< the form's item number
   int position = 1;  ///< of `count`, in the order of this session
   int count = 0;
-  QString condition;         ///< `lubrication`, `neck_flexion`, `speed`
-  QString term;              ///< of the condition
-  QString region;            ///< term id of the depth
-  QString chosen;            ///< a term id, `cant_tell`; empty: none
-  bool from_review = false;  ///< it is changed from the review and leads back to it
+  std::vector<study::ItemCondition> conditions;  ///< besides the place of the tip
+  QString region;                                ///< term id of the place; may be empty
+  QString chosen;                                ///< a term id, `cant_tell`; empty: none
+  bool from_review = false;                      ///< it is changed from the review and leads back to it
 };
 
 struct ReviewAnswer {
   int item = 0;
-  QString condition;
-  QString term;
+  std::vector<study::ItemCondition> conditions;  ///< as of QuestionState
   QString region;
   QString word;  ///< as QuestionState::chosen; empty: open
 };
@@ -170,6 +169,8 @@ struct ParticipantState {
   ParticipantScreen screen = ParticipantScreen::kWelcome;
   ForceOffOverlay overlay = ForceOffOverlay::kNone;
 
+  std::shared_ptr<const procedure::Procedure> procedure;  ///< what the study is about; null: the default one
+  QString form;                                           ///< id of the form that is asked
   /// Offered, in this order: those of the study's protocol, else all that the screens have.
   std::vector<QString> languages = {QStringLiteral("en"), QStringLiteral("zh-Hant"), QStringLiteral("zh-Hans")};
   QString language = QStringLiteral("en");  ///< one of them

@@ -174,60 +174,127 @@ void drawTube(QPainter& painter, const QRectF& box, double height) {
 
 }  // namespace
 
-Picture strengthPicture(int level) {
-  return [level](QPainter& painter, const QRectF& box) {
-    constexpr int kBars = 5;
+Picture strengthPicture(int level, int count) {
+  return [level, count](QPainter& painter, const QRectF& box) {
+    constexpr int kMostBars = 5;
+    constexpr double kStep = 1.35;  // of the width of a bar
+    const int last = std::max(count - 1, 1);
     const QRectF area = centered(box, 1.5);
-    const double bar = area.width() / (kBars + (kBars - 1) * 0.35);
+    const double bar = area.width() / (kMostBars + (kMostBars - 1) * (kStep - 1));
+    const double left = area.left() + (kMostBars - count) * bar * kStep / 2;
     const double line = std::max(1.2, area.height() / 28);
-    for (int i = 0; i < kBars; ++i) {
-      const double high = area.height() * (0.28 + 0.72 * i / (kBars - 1));
-      const QRectF shape(area.left() + i * bar * 1.35, area.bottom() - high, bar, high);
+    // One hue from light to dark, whatever the number of words.
+    const auto shade = static_cast<std::size_t>((level - 1) * (kMostBars - 1) / last);
+    for (int i = 0; i < count; ++i) {
+      const double high = area.height() * (0.28 + 0.72 * i / last);
+      const QRectF shape(left + i * bar * kStep, area.bottom() - high, bar, high);
       painter.setPen(QPen(i < level ? colors::kStrength[4] : colors::kEdge, line));
-      painter.setBrush(i < level ? QBrush(colors::kStrength[static_cast<std::size_t>(level - 1)]) : QBrush(Qt::white));
+      painter.setBrush(i < level ? QBrush(colors::kStrength[shade]) : QBrush(Qt::white));
       painter.drawRoundedRect(shape.adjusted(line / 2, line / 2, -line / 2, -line / 2), bar * 0.15, bar * 0.15);
     }
   };
 }
 
-Picture lubricationPicture(int level) {
-  return [level](QPainter& painter, const QRectF& box) {
+namespace {
+
+// Three signs fill the width of a picture; more of them are drawn smaller.
+double shrink(int count) { return std::min(1.0, 3.0 / count); }
+
+}  // namespace
+
+Picture dropsPicture(int level, int count) {
+  return [level, count](QPainter& painter, const QRectF& box) {
     const QRectF area = centered(box, 1.5);
     const double high = area.height();
     const QRectF tube(area.left(), area.top() + high * 0.62, area.width(), high * 0.3);
-    if (level == 3) {
+    if (level == count && count > 1) {
       painter.setPen(QPen(colors::kAccent, std::max(1.0, high / 40)));
       painter.setBrush(kGel);
       painter.drawRoundedRect(tube.adjusted(0, -high * 0.08, 0, high * 0.08), high * 0.2, high * 0.2);
     }
     drawTube(painter, tube.adjusted(high * 0.08, 0, -high * 0.08, 0), high * 0.22);
     painter.setPen(QPen(colors::kAccent, std::max(1.2, high / 32)));
-    for (int i = 0; i < 3; ++i) {
+    const double step = 0.28 * shrink(count);
+    for (int i = 0; i < count; ++i) {
       painter.setBrush(i < level ? QBrush(colors::kStrength[2]) : QBrush(Qt::white));
       if (i >= level) painter.setPen(QPen(colors::kEdge, std::max(1.0, high / 40), Qt::DotLine));
-      drawDrop(painter, {area.left() + area.width() * (0.22 + 0.28 * i), area.top() + high * 0.33}, high * 0.15);
+      const double x = 0.22 + 0.28 - step * (count - 1) / 2 + step * i;
+      drawDrop(painter, {area.left() + area.width() * x, area.top() + high * 0.33}, high * 0.15 * shrink(count));
     }
   };
 }
 
-Picture speedPicture(int level) {
-  return [level](QPainter& painter, const QRectF& box) {
+Picture arrowsPicture(int level, int count) {
+  return [level, count](QPainter& painter, const QRectF& box) {
     const QRectF area = centered(box, 1.5);
     const double high = area.height();
     drawTube(painter, QRectF(area.left(), area.top() + high * 0.7, area.width(), high * 0.22), high * 0.22);
-    const double step = area.width() * 0.27;
-    for (int i = 0; i < 3; ++i) {
-      painter.setPen(i < level ? QPen(colors::kAccent, high * 0.11, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
+    const double small = shrink(count);
+    const double step = 0.27 * small;
+    const double first = 0.16 + (2 * 0.27 - (count - 1) * step) / 2;
+    for (int i = 0; i < count; ++i) {
+      painter.setPen(i < level ? QPen(colors::kAccent, high * 0.11 * small, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin)
                                : QPen(colors::kEdge, std::max(1.2, high / 32), Qt::DotLine));
       painter.setBrush(Qt::NoBrush);
       // Into the patient, who looks left: to the right.
-      const double x = area.left() + area.width() * 0.16 + i * step;
+      const double x = area.left() + area.width() * first + i * area.width() * step;
       QPainterPath arrow(QPointF(x, area.top() + high * 0.08));
-      arrow.lineTo(x + high * 0.2, area.top() + high * 0.3);
+      arrow.lineTo(x + high * 0.2 * small, area.top() + high * 0.3);
       arrow.lineTo(x, area.top() + high * 0.52);
       painter.drawPath(arrow);
     }
   };
+}
+
+Picture blocksPicture(int level, int count) {
+  return [level, count](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 1.5);
+    const double high = area.height();
+    const double line = std::max(1.2, high / 28);
+    const double side = high * 0.42 * shrink(count);
+    const double step = side * 1.12;
+    const double left = area.center().x() - (side + step * (count - 1)) / 2;
+    for (int i = 0; i < count; ++i) {
+      painter.setPen(i < level ? QPen(colors::kAccent, line) : QPen(colors::kEdge, line, Qt::DotLine));
+      painter.setBrush(i < level ? QBrush(colors::kStrength[2]) : QBrush(Qt::white));
+      const QRectF block(left + i * step, area.center().y() - side / 2, side, side);
+      painter.drawRoundedRect(block.adjusted(line / 2, line / 2, -line / 2, -line / 2), side * 0.15, side * 0.15);
+    }
+  };
+}
+
+Picture conditionPicture(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
+  const auto input = std::find_if(procedure.inputs.begin(), procedure.inputs.end(),
+                                  [&](const fuzzy::Variable& one) { return one.id == condition.input; });
+  if (input == procedure.inputs.end()) return {};
+  const auto term = std::find_if(input->terms.begin(), input->terms.end(),
+                                 [&](const fuzzy::Term& one) { return one.id == condition.term; });
+  if (term == input->terms.end()) return {};
+  const int level = static_cast<int>(term - input->terms.begin()) + 1;
+  const int count = static_cast<int>(input->terms.size());
+  using procedure::LevelPicture;
+  switch (procedure.input_notes[static_cast<std::size_t>(input - procedure.inputs.begin())].picture) {
+    case LevelPicture::kDrops: return dropsPicture(level, count);
+    case LevelPicture::kArrows: return arrowsPicture(level, count);
+    case LevelPicture::kPose:
+      if (anatomy::showsPose(procedure, condition.input)) return {};
+      break;
+    case LevelPicture::kBars: break;
+  }
+  return blocksPicture(level, count);
+}
+
+std::vector<anatomy::RegionName> regionNames(const Look& look) {
+  std::vector<anatomy::RegionName> out;
+  std::vector<std::string> asked = procedure::regionsOf(*look.about(), look.form());
+  if (asked.empty()) {  // the form has questions about conditions alone
+    for (const fuzzy::Term& term : look.about()->wayInput().terms) asked.push_back(term.id);
+  }
+  for (const std::string& region : asked) {
+    const QString id = QString::fromStdString(region);
+    out.push_back({id, look.say(phrase(QStringLiteral("a.") + id))});
+  }
+  return out;
 }
 
 Picture textSizePicture(int percent) {

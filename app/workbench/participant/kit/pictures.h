@@ -1,10 +1,12 @@
-// Small pictures beside words: strength, lubrication, speed, a tick. Never the word on a color, never color alone.
+// Small pictures beside words: strength, levels of a condition, a tick. Never the word on a color, never color alone.
 #pragma once
 
 #include <QRectF>
 #include <QWidget>
 #include <functional>
+#include <vector>
 
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/participant/kit/look.h"
 
 class QPainter;
@@ -67,12 +69,22 @@ class Dots : public QWidget {
 /// Draws into a rectangle, px.
 using Picture = std::function<void(QPainter&, const QRectF&)>;
 
-/// Five bars of rising height, `level` of them filled, 1 to 5.
-Picture strengthPicture(int level);
-/// A tube with one, two or three drops, `level` 1 to 3; the third lies in a film.
-Picture lubricationPicture(int level);
-/// The tip of a tube with one, two or three arrows, `level` 1 to 3.
-Picture speedPicture(int level);
+// Pictures of a level, from 1 to `count`, which is at most 5.
+
+/// Bars of rising height, `level` of them filled.
+Picture strengthPicture(int level, int count);
+/// Beside the tip of the tool: drops, the last one lies in a film.
+Picture dropsPicture(int level, int count);
+/// Beside the tip of the tool: arrows.
+Picture arrowsPicture(int level, int count);
+/// Blocks in a row.
+Picture blocksPicture(int level, int count);
+/// How the pack wants the word of a condition to be drawn; nothing where the picture of the body shows it as a pose.
+Picture conditionPicture(const procedure::Procedure& procedure, const study::ItemCondition& condition);
+
+/// The regions about which the form asks, named in the language of `look`.
+std::vector<anatomy::RegionName> regionNames(const Look& look);
+
 /// The letter A as large as text of `percent`.
 Picture textSizePicture(int percent);
 /// A handle with an arrow away from the hand.

@@ -12,7 +12,7 @@
 
 namespace tactus::workbench::nurse {
 
-// Her own force along the way of the tube: a curve over the five regions, depth in cm, no numbers for the force.
+// Her own force along the way of the tool: a curve over the regions, depth in cm, no numbers for the force.
 
 class ForceCurve : public QWidget {
   Q_OBJECT
@@ -36,7 +36,7 @@ class ForceCurve : public QWidget {
 /// A printer is there for the curve.
 bool canPrint();
 
-/// Thank you, with her own force along the way of the tube, to print. No comparison with others.
+/// Thank you, with her own force along the way of the tool, to print. No comparison with others.
 class ThanksScreen : public ScreenFrame {
   Q_OBJECT
 

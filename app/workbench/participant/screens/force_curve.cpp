@@ -1,32 +1,41 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
-#include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/screens/closing_screens.h"
 
 namespace tactus::workbench::nurse {
 namespace {
 
-constexpr double kEndMm = 440;  // of the esophagus
-constexpr double kTickMm = 50;
+constexpr double kTicks = 4;  // at least, along the way
+constexpr double kTicksMm[] = {100, 50, 20, 10, 5};
 constexpr QColor kBand(0xEC, 0xF1, 0xF5);
 constexpr QColor kFill(0x08, 0x52, 0x85, 40);
 
 struct Band {
-  anatomy::Region region;
-  double from_mm;
-  double to_mm;
+  QString name;
+  anatomy::WayRange range;
 };
 
-std::vector<Band> bands() {
+/// The regions about which the form asks.
+std::vector<Band> bandsOf(const Look& look) {
   std::vector<Band> out;
-  for (std::size_t i = 0; i + 1 < anatomy::kRegions.size(); ++i) {
-    const anatomy::Region region = anatomy::kRegions[i];
-    out.push_back({region, anatomy::beginMm(region), std::min(kEndMm, anatomy::beginMm(anatomy::kRegions[i + 1]))});
+  for (const anatomy::RegionName& region : regionNames(look)) {
+    if (const auto range = anatomy::rangeOf(*look.about(), region.id.toStdString()))
+      out.push_back({region.name, *range});
   }
   return out;
+}
+
+/// The distance of the numbers below a way of `length_mm`.
+double tickMm(double length_mm) {
+  for (const double tick_mm : kTicksMm) {
+    if (length_mm / tick_mm >= kTicks) return tick_mm;
+  }
+  return kTicksMm[std::size(kTicksMm) - 1];
 }
 
 }  // namespace
@@ -64,16 +73,18 @@ void ForceCurve::draw(QPainter& painter, const QRectF& area) const {
   // names.
   const QString force = look_.say(phrase(QStringLiteral("thx.force")));
   const QRectF plot = area.adjusted(line * 0.8, 2.5 * line, -line, -2.6 * line);
-  const auto xOf = [&plot](double mm) { return plot.left() + plot.width() * mm / kEndMm; };
+  const std::vector<Band> bands = bandsOf(look_);
+  if (bands.empty()) return;
+  const double begin_mm = bands.front().range.from_mm;
+  const double end_mm = bands.back().range.to_mm;
+  const auto xOf = [&](double mm) { return plot.left() + plot.width() * (mm - begin_mm) / (end_mm - begin_mm); };
   const auto yOf = [&plot](double share) { return plot.bottom() - plot.height() * 0.88 * share; };
 
   double name_end[2] = {area.left(), area.left()};
   bool shaded = false;
-  for (const Band& band : bands()) {
-    const QRectF column(xOf(band.from_mm), plot.top(), xOf(band.to_mm) - xOf(band.from_mm), plot.height());
+  for (const auto& [name, range] : bands) {
+    const QRectF column(xOf(range.from_mm), plot.top(), xOf(range.to_mm) - xOf(range.from_mm), plot.height());
     if (shaded) painter.fillRect(column, kBand);
-    const QString name =
-        look_.say(phrase(QStringLiteral("a.") + QString::fromLatin1(anatomy::idOf(band.region).data())));
     const double wide = metrics.horizontalAdvance(name);
     const double middle =
         std::clamp(column.center().x() - wide / 2, area.left() + line / 2, area.right() - wide - line / 2);
@@ -91,7 +102,8 @@ void ForceCurve::draw(QPainter& painter, const QRectF& area) const {
   painter.setPen(QPen(colors::kEdge, 1.5));
   painter.drawLine(plot.bottomLeft(), plot.bottomRight());
   painter.setPen(colors::kMutedInk);
-  for (double mm = 0; mm <= kEndMm; mm += 2 * kTickMm) {
+  const double tick_mm = tickMm(end_mm - begin_mm);
+  for (double mm = std::ceil(begin_mm / tick_mm) * tick_mm; mm <= end_mm; mm += tick_mm) {
     const QString number = QString::number(mm / 10);
     const double wide = metrics.horizontalAdvance(number) + 4;
     painter.drawText(QRectF(xOf(mm) - wide / 2, plot.bottom() + line * 0.15, wide, line), Qt::AlignCenter, number);

@@ -29,7 +29,7 @@ ForceScreen::ForceScreen(const Look& look, QWidget* parent)
   setMain(texts_);
   setAnswers(choices_);
   addExtra(feel_again_);
-  choices_->setAnswers(forceWords());
+  choices_->setAnswers(forceWords(look));
   primaryButton().setPhrase(phrase(QStringLiteral("nav.confirm")));
   primaryButton().reserve(phrase(QStringLiteral("err.choose")));
   connect(feel_again_, &QAbstractButton::clicked, this, &ForceScreen::feelAgain);

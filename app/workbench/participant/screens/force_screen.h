@@ -1,4 +1,4 @@
-// Force perception: feel, then one of five words, then Confirm. Catch trials look the same. Nothing tells a force, a
+// Force perception: feel, then one of the words, then Confirm. Catch trials look the same. Nothing tells a force, a
 // step or how many there are.
 #pragma once
 
@@ -22,7 +22,7 @@ class ForceScreen : public ScreenFrame {
   void feelAgain();
 
  protected:
-  /// 1 to 5 the words, 0 not felt, 9 beyond practice.
+  /// From 1 the words, 0 not felt, 9 beyond practice.
   QString idOfKey(int key) const override;
   /// F: feel again.
   void keyPressEvent(QKeyEvent* event) override;

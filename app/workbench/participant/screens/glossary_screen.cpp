@@ -3,7 +3,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/pictures.h"
@@ -12,8 +11,7 @@ namespace tactus::workbench::nurse {
 namespace {
 
 constexpr double kPictureMm = 20;
-constexpr int kRegionsShare = 3;      // of the width; an inset has 1
-constexpr double kInStomachMm = 490;  // depth of the tip
+constexpr int kRegionsShare = 3;  // of the width; an inset has 1
 
 }  // namespace
 
@@ -24,6 +22,7 @@ GlossaryPage::GlossaryPage(const Look& look, TextRole role, const Phrase& senten
   column->addWidget(new Label(look, role, sentence, this));
   keepSpacing(look, *row_, 3);
   column->addLayout(row_, 1);
+  connect(&look, &Look::changed, this, &GlossaryPage::alignCaptions);
 }
 
 void GlossaryPage::addColumn(const Phrase& word, QWidget* picture, bool grows) {
@@ -31,12 +30,26 @@ void GlossaryPage::addColumn(const Phrase& word, QWidget* picture, bool grows) {
   keepSpacing(look_, *column, 1.5);
   if (!grows) column->addStretch(1);
   column->addWidget(picture, grows ? 1 : 0, grows ? Qt::Alignment() : Qt::AlignHCenter);
-  auto* label = new Label(look_, TextRole::kBody, word, this);
-  label->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
-  column->addWidget(label);
+  if (!word.isEmpty()) {
+    auto* label = new Label(look_, TextRole::kBody, word, this);
+    label->setAlignment(Qt::AlignHCenter | Qt::AlignTop);
+    column->addWidget(label);
+    if (grows) captions_.push_back(label);
+  }
   if (!grows) column->addStretch(2);
   row_->addLayout(column, 1);
 }
+
+void GlossaryPage::alignCaptions() {
+  const int count = static_cast<int>(captions_.size());
+  if (count < 2) return;
+  const int wide = (width() - (count - 1) * row_->spacing()) / count;
+  int high = 0;
+  for (const Label* caption : captions_) high = std::max(high, caption->heightForWidth(wide));
+  for (Label* caption : captions_) caption->setMinimumHeight(high);
+}
+
+void GlossaryPage::resizeEvent(QResizeEvent* /*event*/) { alignCaptions(); }
 
 void GlossaryPage::addPicture(const Phrase& word, Picture picture) {
   auto* box = new PictureBox(look_, 1.5 * kPictureMm, kPictureMm, this);
@@ -44,24 +57,22 @@ void GlossaryPage::addPicture(const Phrase& word, Picture picture) {
   addColumn(word, box, false);
 }
 
-void GlossaryPage::addPosture(const Phrase& word, anatomy::Posture posture) {
-  auto* view = new anatomy::AnatomyView(this);
-  view->setFraming(anatomy::Framing::kWhole);
-  view->setPosture(posture);
+anatomy::BodyView* GlossaryPage::newBody() { return anatomy::makeBodyView(look_.about(), this); }
+
+void GlossaryPage::addPose(const Phrase& word, const study::ItemCondition& condition) {
+  anatomy::BodyView* const view = newBody();
+  view->showWhole();
+  view->setDepth(std::nullopt);
+  view->setPose(condition);
   addColumn(word, view, true);
 }
 
 void GlossaryPage::addRegions() {
-  auto* view = new anatomy::AnatomyView(this);
+  anatomy::BodyView* const view = newBody();
   const auto name = [this, view] {
-    std::vector<anatomy::NamedStructure> names;
-    for (const anatomy::Region region : anatomy::kRegions) {
-      if (region == anatomy::Region::kStomach) continue;
-      const auto id = QString::fromLatin1(anatomy::idOf(region).data());
-      names.push_back({anatomy::structureOf(region), look_.say(phrase(QStringLiteral("a.") + id))});
-    }
-    view->setNames(std::move(names));
     view->setFont(look_.font());
+    view->setRegionNames(regionNames(look_));
+    view->showNames();
     view->setAccessibleName(look_.say(phrase(QStringLiteral("acc.way"))));
   };
   connect(&look_, &Look::changed, view, name);
@@ -70,9 +81,8 @@ void GlossaryPage::addRegions() {
 }
 
 void GlossaryPage::addWay(const Phrase& word) {
-  auto* view = new anatomy::AnatomyView(this);
-  view->setFraming(anatomy::Framing::kWhole);
-  view->setDepth(kInStomachMm);
+  anatomy::BodyView* const view = newBody();
+  view->showWhole();
   addColumn(word, view, true);
 }
 
@@ -82,36 +92,46 @@ void GlossaryPage::addInset(const Phrase& word, anatomy::Inset inset) {
 
 GlossaryScreen::GlossaryScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent), pages_(new QStackedWidget(this)) {
-  const auto add = [&](const char* sentence, TextRole role = TextRole::kLead) {
-    auto* page = new GlossaryPage(look, role, phrase(QString::fromLatin1(sentence)), pages_);
-    pages_->addWidget(page);
-    return page;
-  };
-  GlossaryPage* start = add("q.instructions", TextRole::kBody);
-  start->addWay(phrase(QStringLiteral("glo.from_side")));
-  start->addInset(phrase(QStringLiteral("glo.from_front")), anatomy::Inset::kFront);
-  GlossaryPage* force = add("glo.force");
-  for (const Answer& word : forceWords()) {
+  const procedure::Procedure& about = *look.about();
+  // The drawings of the program show it from other sides too.
+  const bool drawn = anatomy::isDrawnHere(about);
+  GlossaryPage* start = addPage(phrase(QStringLiteral("q.instructions")), TextRole::kBody);
+  start->addWay(drawn ? phrase(QStringLiteral("glo.from_side")) : Phrase{});
+  if (drawn) start->addInset(phrase(QStringLiteral("glo.from_front")), anatomy::Inset::kFront);
+  GlossaryPage* force = addPage(phrase(QStringLiteral("glo.force")));
+  for (const Answer& word : questionWords(look)) {
     if (!word.apart) force->addPicture(word.word, word.picture);
   }
-  GlossaryPage* way = add("glo.way");
+  GlossaryPage* way = addPage(phrase(QStringLiteral("glo.way")));
   way->addRegions();
-  way->addInset(phrase(QStringLiteral("glo.from_behind")), anatomy::Inset::kBehind);
-  GlossaryPage* lubrication = add("glo.lubrication");
-  int level = 0;
-  for (const char* id : {"s.lubrication.poor", "s.lubrication.medium", "s.lubrication.well"})
-    lubrication->addPicture(phrase(QString::fromLatin1(id)), lubricationPicture(++level));
-  GlossaryPage* neck = add("glo.neck");
-  neck->addPosture(phrase(QStringLiteral("glo.neck_0")), anatomy::Posture::kUpright);
-  neck->addPosture(phrase(QStringLiteral("glo.neck_1")), anatomy::Posture::kHalfFlexed);
-  neck->addPosture(phrase(QStringLiteral("glo.neck_2")), anatomy::Posture::kChinOnChest);
-  GlossaryPage* speed = add("glo.speed");
-  level = 0;
-  for (const char* id : {"s.speed.slow", "s.speed.medium", "s.speed.fast"})
-    speed->addPicture(phrase(QString::fromLatin1(id)), speedPicture(++level));
-
+  if (drawn) way->addInset(phrase(QStringLiteral("glo.from_behind")), anatomy::Inset::kBehind);
+  for (std::size_t i = 0; i < about.inputs.size(); ++i) {
+    if (i != about.way()) addWords(about.inputs[i]);
+  }
   setTitle(phrase(QStringLiteral("glo.title")));
   setMain(pages_);
+}
+
+GlossaryPage* GlossaryScreen::addPage(const Phrase& sentence, TextRole role) {
+  auto* page = new GlossaryPage(look(), role, sentence, pages_);
+  pages_->addWidget(page);
+  return page;
+}
+
+void GlossaryScreen::addWords(const fuzzy::Variable& input) {
+  const procedure::Procedure& about = *look().about();
+  const QString id = QString::fromStdString(input.id);
+  GlossaryPage* const page = addPage(phrase(QStringLiteral("glo.") + id));
+  for (const fuzzy::Term& term : input.terms) {
+    const QString word = QStringLiteral("%1.%2").arg(id, QString::fromStdString(term.id));
+    const study::ItemCondition condition{input.id, term.id};
+    if (anatomy::showsPose(about, input.id)) {
+      const QString pose = QStringLiteral("glo.") + word;
+      page->addPose(phrase(look().knows(pose) ? pose : QStringLiteral("s.") + word), condition);
+    } else {
+      page->addPicture(phrase(QStringLiteral("s.") + word), conditionPicture(about, condition));
+    }
+  }
 }
 
 void GlossaryScreen::setPage(int page) {

@@ -4,8 +4,9 @@
 #include <QHBoxLayout>
 #include <QStackedWidget>
 #include <QWidget>
+#include <vector>
 
-#include "app/workbench/anatomy/anatomy.h"
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/anatomy/inset_view.h"
 #include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/pictures.h"
@@ -21,18 +22,26 @@ class GlossaryPage : public QWidget {
   GlossaryPage(const Look& look, TextRole role, const Phrase& sentence, QWidget* parent = nullptr);
 
   void addPicture(const Phrase& word, Picture picture);
-  void addPosture(const Phrase& word, anatomy::Posture posture);
-  /// The five regions, each with its name.
+  /// The body as the condition has it.
+  void addPose(const Phrase& word, const study::ItemCondition& condition);
+  /// The regions, each with its name.
   void addRegions();
-  /// The whole way from the side, with the tube in the stomach.
+  /// The whole way, with the tool at its end.
   void addWay(const Phrase& word);
   void addInset(const Phrase& word, anatomy::Inset inset);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void addColumn(const Phrase& word, QWidget* picture, bool grows);
+  /// Pictures beside each other are equally high, however long their words are.
+  void alignCaptions();
+  anatomy::BodyView* newBody();
 
   const Look& look_;
   QHBoxLayout* row_;
+  std::vector<Label*> captions_;  ///< of pictures that grow
 };
 
 class GlossaryScreen : public ScreenFrame {
@@ -49,6 +58,10 @@ class GlossaryScreen : public ScreenFrame {
   bool hasPageBefore() const override { return pages_->currentIndex() > 0; }
 
  private:
+  GlossaryPage* addPage(const Phrase& sentence, TextRole role = TextRole::kLead);
+  /// The words of a condition.
+  void addWords(const fuzzy::Variable& input);
+
   QStackedWidget* pages_;
 };
 

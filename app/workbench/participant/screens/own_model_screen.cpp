@@ -15,7 +15,7 @@ OwnModelScreen::OwnModelScreen(const Look& look, QWidget* parent)
       line_(nullptr),
       mark_(nullptr),
       choices_(new Choices(look, this)),
-      picture_(new anatomy::AnatomyView(this)) {
+      picture_(anatomy::makeBodyView(look.about(), this)) {
   do_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("for.do")));
   line_ = texts_->add(TextRole::kBody, phrase(QStringLiteral("own.line")));
   texts_->center();
@@ -56,15 +56,13 @@ void OwnModelScreen::setDepth(std::optional<double> depth_mm) { picture_->setDep
 void OwnModelScreen::show() {
   if (!state_.unavailable.isEmpty() || !state_.ready) {
     region_->setPhrase(phrase(!state_.unavailable.isEmpty() ? QStringLiteral("own.none") : QStringLiteral("dev.wait")));
-    picture_->light(std::nullopt);
+    picture_->lightRegion({});
     return;
   }
-  const auto region = anatomy::regionWithId(state_.region.toStdString());
-  if (!region) return;
   region_->setPhrase(phrase(QStringLiteral("a.") + state_.region));
   picture_->setFont(look().font());
-  picture_->setFraming(*region == anatomy::Region::kEsophagus ? anatomy::Framing::kWhole : anatomy::Framing::kThroat);
-  picture_->light(*region, region_->text());
+  picture_->setRegionNames(regionNames(look()));
+  picture_->lightRegion(state_.region);
   picture_->setAccessibleName(look().say(phrase(QStringLiteral("acc.way"))));
 }
 

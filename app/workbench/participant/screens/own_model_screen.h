@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
@@ -38,7 +38,7 @@ class OwnModelScreen : public ScreenFrame {
   Label* line_;
   Button* mark_;
   Choices* choices_;
-  anatomy::AnatomyView* picture_;
+  anatomy::BodyView* picture_;
 };
 
 }  // namespace tactus::workbench::nurse

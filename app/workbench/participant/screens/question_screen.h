@@ -1,10 +1,10 @@
-// One of the 45 questions: a plain sentence, the picture with the region lit and the neck as it is, small pictures of
-// lubrication and speed, five words and "I can't tell".
+// One of the questions: a plain sentence, the picture with the region lit and the pose as it is, small pictures of the
+// other conditions, the words of the form and "I can't tell".
 #pragma once
 
 #include <QHBoxLayout>
 
-#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/pictures.h"
@@ -12,11 +12,6 @@
 #include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
-
-/// The picture of a term of lubrication or speed; nothing for the neck, which the anatomy shows.
-Picture pictureOf(const QString& condition, const QString& term);
-/// The posture of a term of neck flexion; upright for other conditions.
-anatomy::Posture postureOf(const QString& condition, const QString& term);
 
 class QuestionScreen : public ScreenFrame {
   Q_OBJECT
@@ -27,21 +22,23 @@ class QuestionScreen : public ScreenFrame {
   void setState(const ParticipantState& state) override;
 
  protected:
-  /// 1 to 5 the words, 0 "I can't tell".
+  /// From 1 the words, 0 "I can't tell".
   QString idOfKey(int key) const override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show();
   void showUsual();
+  void showConditions();
 
   QuestionState state_;
   TextBlock* texts_;
   Label* situation_;
+  Label* ask_;
   Label* usual_;
   Choices* choices_;
-  anatomy::AnatomyView* picture_;
-  PictureBox* condition_picture_;
+  anatomy::BodyView* picture_;
+  QWidget* condition_pictures_;
   QHBoxLayout* corner_;
 };
 

@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QGridLayout>
 #include <QVariantAnimation>
+#include <string>
 #include <vector>
 
 #include "app/workbench/participant/kit/look.h"
@@ -21,7 +22,7 @@ class ReviewCell : public QAbstractButton {
   ReviewCell(const Look& look, int item, QWidget* parent = nullptr);
 
   int item() const { return item_; }
-  /// `word`: very_small … very_large, cant_tell; empty: open. `situation` is what it answers, for screen readers.
+  /// `word`: a term of the force, cant_tell; empty: open. `situation` is what it answers, for screen readers.
   void setAnswer(const QString& word, const QString& situation);
 
   QSize sizeHint() const override;
@@ -43,6 +44,21 @@ class ReviewCell : public QAbstractButton {
   double glow_ = 0;
 };
 
+/// One grid: the words of a condition beside each other, the regions below each other.
+struct ReviewPage {
+  std::vector<study::ItemCondition> fixed;  ///< the other conditions of its answers
+  std::string input;                        ///< of the columns; empty: the answers have no condition
+  std::vector<std::string> terms;           ///< of the columns, in their order
+  std::vector<QString> regions;             ///< of the rows, in the order of the way; an empty one: of no region
+
+  /// The answer in a cell, or null.
+  const ReviewAnswer* answer(const std::vector<ReviewAnswer>& answers, std::size_t row, std::size_t column) const;
+};
+
+/// The pages of `answers`, in their order. A page has as many regions as there is room for.
+std::vector<ReviewPage> reviewPages(const procedure::Procedure& procedure, const study::Form& form,
+                                    const std::vector<ReviewAnswer>& answers);
+
 class ReviewScreen : public ScreenFrame {
   Q_OBJECT
 
@@ -50,7 +66,7 @@ class ReviewScreen : public ScreenFrame {
   explicit ReviewScreen(const Look& look, QWidget* parent = nullptr);
 
   void setState(const ParticipantState& state) override;
-  /// Which grid: 0 lubrication, 1 neck flexion, 2 speed.
+  /// Which grid, from 0.
   void setPage(int page);
   int page() const { return page_; }
 
@@ -63,8 +79,12 @@ class ReviewScreen : public ScreenFrame {
 
  private:
   void build();
+  void fill(QGridLayout& grid, const ReviewPage& page);
+  QString nameOf(const QString& region) const;
+  bool isLast() const { return page_ + 1 >= static_cast<int>(pages_.size()); }
 
   ReviewState state_;
+  std::vector<ReviewPage> pages_;
   int page_ = 0;
   QWidget* page_widget_ = nullptr;
 };

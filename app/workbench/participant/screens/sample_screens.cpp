@@ -1,6 +1,9 @@
 #include "app/workbench/participant/screens/sample_screens.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 #include "app/workbench/participant/screens/about_you_screen.h"
 #include "app/workbench/participant/screens/closing_screens.h"
@@ -27,12 +30,18 @@ ParticipantState at(ParticipantScreen screen, bool can_go_back = true) {
   return state;
 }
 
+/// The languages of the procedure.
+ParticipantState offering(ParticipantState state, const Look& look) {
+  state.languages = languagesOf(*look.about());
+  return state;
+}
+
 template <class Screen>
 SampleScreen sample(
     const QString& name, const ParticipantState& state, const std::function<void(Screen&)>& then = [](Screen&) {}) {
   return {name, [state, then](const Look& look) {
             auto screen = std::make_unique<Screen>(look);
-            screen->setState(state);
+            screen->setState(offering(state, look));
             then(*screen);
             return screen;
           }};
@@ -51,44 +60,102 @@ ParticipantState welcome(WelcomeState::Step step) {
   return state;
 }
 
-ParticipantState asked(const char* condition, const char* term, const char* region, const char* chosen) {
+/// What the samples are about.
+struct Subject {
+  const procedure::Procedure& procedure;
+  const study::Form& form;
+
+  /// The conditions besides the way about which the form asks, in its order.
+  std::vector<std::string> inputs() const;
+  /// Word `place` of the force, or the last one.
+  QString word(std::size_t place) const;
+};
+
+std::vector<std::string> Subject::inputs() const {
+  std::vector<std::string> out;
+  for (const study::FormItem& item : form.items) {
+    for (const study::ItemCondition& condition : item.conditions) {
+      const bool known = std::find(out.begin(), out.end(), condition.input) != out.end();
+      if (condition.input != procedure.wayInput().id && !known) out.push_back(condition.input);
+    }
+  }
+  return out;
+}
+
+QString Subject::word(std::size_t place) const {
+  const auto& terms = procedure.output.terms;
+  return QString::fromStdString(terms[std::min(place, terms.size() - 1)].id);
+}
+
+/// A name of a file for something of `input`; `neck` for `neck_flexion`, where no other begins so.
+QString nameOf(const Subject& about, const QString& input) {
+  const QString first = input.section(QLatin1Char('_'), 0, 0);
+  const auto& inputs = about.procedure.inputs;
+  const auto alike = std::count_if(inputs.begin(), inputs.end(), [&](const fuzzy::Variable& one) {
+    return QString::fromStdString(one.id).section(QLatin1Char('_'), 0, 0) == first;
+  });
+  return alike > 1 ? input : first;
+}
+
+ReviewAnswer situationOf(const Subject& about, const study::FormItem& item) {
+  ReviewAnswer out;
+  out.item = item.number;
+  for (const study::ItemCondition& condition : item.conditions) {
+    if (condition.input == about.procedure.wayInput().id) {
+      out.region = QString::fromStdString(condition.term);
+    } else {
+      out.conditions.push_back(condition);
+    }
+  }
+  return out;
+}
+
+/// The question about word `term` of `input` in region `region`, or the last ones; another one about the input if the
+/// form has none.
+ParticipantState asked(const Subject& about, const std::string& input, std::size_t term, std::size_t region,
+                       const QString& chosen) {
+  const auto variable = std::find_if(about.procedure.inputs.begin(), about.procedure.inputs.end(),
+                                     [&](const fuzzy::Variable& one) { return one.id == input; });
+  const auto regions = procedure::regionsOf(about.procedure, about.form);
+  const study::ItemCondition wanted{input, variable->terms[std::min(term, variable->terms.size() - 1)].id};
+  const QString place =
+      regions.empty() ? QString() : QString::fromStdString(regions[std::min(region, regions.size() - 1)]);
+  ReviewAnswer best;
+  int most = -1;
+  for (const study::FormItem& item : about.form.items) {
+    ReviewAnswer one = situationOf(about, item);
+    const auto& conditions = one.conditions;
+    const bool about_it =
+        std::any_of(conditions.begin(), conditions.end(), [&](const auto& c) { return c.input == input; });
+    const bool same = std::find(conditions.begin(), conditions.end(), wanted) != conditions.end();
+    const int fits = about_it ? 1 + 2 * (same ? 1 : 0) + (one.region == place ? 1 : 0) : 0;
+    if (fits <= most) continue;
+    most = fits;
+    best = std::move(one);
+  }
   ParticipantState state = at(ParticipantScreen::kQuestion);
   state.part = 3;
-  state.question = {0,
-                    12,
-                    45,
-                    QString::fromLatin1(condition),
-                    QString::fromLatin1(term),
-                    QString::fromLatin1(region),
-                    QString::fromLatin1(chosen),
-                    false};
+  const int count = static_cast<int>(about.form.items.size());
+  state.question = {best.item, std::min(12, count), count, std::move(best.conditions), best.region, chosen, false};
   return state;
 }
 
-ParticipantState review(bool gaps, bool sealed) {
-  const char* words[] = {"very_small", "small", "medium", "large", "very_large", "cant_tell"};
-  const struct {
-    const char* id;
-    const char* terms[3];
-  } conditions[] = {{"lubrication", {"poor", "medium", "well"}},
-                    {"neck_flexion", {"small", "medium", "large"}},
-                    {"speed", {"slow", "medium", "fast"}}};
+ParticipantState review(const Subject& about, bool gaps, bool sealed) {
+  QStringList words;
+  for (const study::AnswerWord& answer : about.form.answers) words << QString::fromStdString(answer.term);
+  words << QStringLiteral("cant_tell");
   ParticipantState state = at(ParticipantScreen::kReview, !sealed);
   state.review.sealed = sealed;
   auto& answers = state.review.answers;
-  for (const auto& condition : conditions) {
-    for (const char* term : condition.terms) {
-      for (const char* region : {"nasal_cavity", "nasopharynx", "oropharynx", "laryngopharynx", "esophagus"}) {
-        const int item = static_cast<int>(answers.size()) + 1;
-        answers.push_back({item, QString::fromLatin1(condition.id), QString::fromLatin1(term),
-                           QString::fromLatin1(region), QString::fromLatin1(words[item % 6])});
-      }
-    }
+  for (const study::FormItem& item : about.form.items) {
+    answers.push_back(situationOf(about, item));
+    answers.back().word = words[static_cast<qsizetype>(answers.size()) % words.size()];
   }
   if (gaps) {
-    state.review.gaps = 2;
-    answers[3].word.clear();
-    answers[40].word.clear();
+    for (const std::size_t open : {std::min<std::size_t>(3, answers.size() - 1), answers.size() * 8 / 9}) {
+      if (!answers[open].word.isEmpty()) ++state.review.gaps;
+      answers[open].word.clear();
+    }
   }
   return state;
 }
@@ -113,17 +180,18 @@ SampleScreen panel(const QString& name) {
 
 SampleScreen choiceAfterForceOff(const QString& name, const ParticipantState& state) {
   return {name, [state](const Look& look) {
-            auto choice = std::make_unique<ForceOffPanel>(look, state.languages);
-            choice->setState(state);
+            const ParticipantState shown = offering(state, look);
+            auto choice = std::make_unique<ForceOffPanel>(look, shown.languages);
+            choice->setState(shown);
             return choice;
           }};
 }
 
-ParticipantState force(ForceState::Phase phase, const char* chosen = "") {
+ParticipantState force(ForceState::Phase phase, const QString& chosen = {}) {
   ParticipantState state = at(ParticipantScreen::kForce, false);
   state.part = 2;
   state.force.phase = phase;
-  state.force.chosen = QString::fromLatin1(chosen);
+  state.force.chosen = chosen;
   return state;
 }
 
@@ -187,10 +255,11 @@ ParticipantState consent(std::initializer_list<const char*> ids) {
 
 }  // namespace
 
-std::vector<SampleScreen> sampleScreens() {
-  using Phase = ForceState::Phase;
+namespace {
+
+void addArrival(std::vector<SampleScreen>& all) {
   using Step = WelcomeState::Step;
-  std::vector<SampleScreen> all = {
+  all = {
       sample<WelcomeScreen>("welcome", welcome(Step::kStart)),
       sample<WelcomeScreen>("welcome_new_code", welcome(Step::kNewCode)),
       sample<WelcomeScreen>("welcome_enter_code", welcome(Step::kStart),
@@ -230,20 +299,32 @@ std::vector<SampleScreen> sampleScreens() {
   all.push_back(sample<DeviceCheckScreen>("device_ready", device(DeviceStep::kReady, true, false)));
   all.push_back(sample<DeviceCheckScreen>("device_wrong", device(DeviceStep::kWrong, true, false)));
   all.push_back(sample<DeviceCheckScreen>("device_lost", device(DeviceStep::kLost, true, false)));
+}
 
+void addStrokes(const Subject& about, std::vector<SampleScreen>& all) {
+  const fuzzy::Variable* const rate = about.procedure.rateInput();
+  if (rate == nullptr) return;
+  const fuzzy::Variable& way = about.procedure.wayInput();
+  // As far as a hand reaches, and no farther than the way.
+  const auto depth_mm = [&](double mm) { return way.min + mm * std::min(1.0, (way.max - way.min) / 200); };
   ParticipantState stroke = at(ParticipantScreen::kPractice);
-  stroke.speed = {QStringLiteral("medium"), 0, 4, SpeedState::Note::kStart};
-  all.push_back(strokes("practice", stroke, 40));
+  const std::size_t level = std::min<std::size_t>(1, rate->terms.size() - 1);
+  stroke.speed = {QString::fromStdString(rate->terms[level].id), 0, 4, SpeedState::Note::kStart};
+  all.push_back(strokes("practice", stroke, depth_mm(40)));
   stroke.screen = ParticipantScreen::kSpeed;
   stroke.speed.recorded = 2;
   stroke.speed.note = SpeedState::Note::kRecorded;
-  all.push_back(strokes("speed", stroke, 110));
+  all.push_back(strokes("speed", stroke, depth_mm(110)));
   stroke.speed.note = SpeedState::Note::kNotRecorded;
   stroke.left_handed = true;
   stroke.simulated = true;
   stroke.can_go_on = true;
-  all.push_back(strokes("speed_left_handed", stroke, 160));
+  all.push_back(strokes("speed_left_handed", stroke, depth_mm(160)));
+}
 
+void addForces(const Subject& about, std::vector<SampleScreen>& all) {
+  using Phase = ForceState::Phase;
+  const QString large = about.word(3);
   ParticipantState practice = force(Phase::kFeel);
   practice.screen = ParticipantScreen::kPractice;
   all.push_back(sample<ForceScreen>("force_practice", practice));
@@ -254,53 +335,87 @@ std::vector<SampleScreen> sampleScreens() {
   all.push_back(sample<ForceScreen>("force_again", again));
   all.push_back(sample<ForceScreen>("force_pause", force(Phase::kPause)));
   all.push_back(sample<ForceScreen>("force_answer", force(Phase::kAnswer)));
-  all.push_back(sample<ForceScreen>("force_answer_chosen", force(Phase::kAnswer, "large")));
-  ParticipantState left = force(Phase::kAnswer, "beyond_practice");
+  all.push_back(sample<ForceScreen>("force_answer_chosen", force(Phase::kAnswer, large)));
+  ParticipantState left = force(Phase::kAnswer, QStringLiteral("beyond_practice"));
   left.left_handed = true;
   all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
-  ParticipantState sure = force(Phase::kAnswer, "beyond_practice");
+  ParticipantState sure = force(Phase::kAnswer, QStringLiteral("beyond_practice"));
   sure.force.sure = true;
   all.push_back(sample<ForceScreen>("force_sure", sure));
   ParticipantState unpushed = force(Phase::kFeel);
   unpushed.force.waits_for_push = true;
   unpushed.waits = HoldWait::kHint;
   all.push_back(sample<ForceScreen>("force_push_hint", unpushed));
-  ParticipantState before = force(Phase::kAnswer, "large");
+  ParticipantState before = force(Phase::kAnswer, large);
   before.force.before = true;
   all.push_back(sample<ForceScreen>("force_before", before));
+}
 
+void addQuestions(const Subject& about, std::vector<SampleScreen>& all) {
   all.push_back(sample<ScaleScreen>("rating_effort", rated("rate.effort", "")));
   all.push_back(sample<ScaleScreen>("rating_comfort", rated("rate.comfort", "6")));
   all.push_back(sample<RestScreen>("rest", at(ParticipantScreen::kRest, false)));
   ParticipantState counts = at(ParticipantScreen::kRest, false);
   counts.begins_to_count = true;
   all.push_back(sample<RestScreen>("now_it_counts", counts));
-  for (int page = 0; page < 6; ++page) all.push_back(glossary(page));
-  all.push_back(sample<QuestionScreen>("question_lubrication", asked("lubrication", "medium", "laryngopharynx", "")));
-  all.push_back(sample<QuestionScreen>("question_neck", asked("neck_flexion", "large", "oropharynx", "large")));
-  all.push_back(sample<QuestionScreen>("question_speed", asked("speed", "medium", "nasopharynx", "cant_tell")));
-  ParticipantState chest = asked("lubrication", "well", "esophagus", "very_small");
-  chest.left_handed = true;
-  all.push_back(sample<QuestionScreen>("question_left_handed", chest));
-  all.push_back(reviewPage("review_lubrication", review(true, false), 0));
-  all.push_back(reviewPage("review_neck", review(false, false), 1));
-  all.push_back(reviewPage("review_speed_gaps", review(true, false), 2));
-  all.push_back(reviewPage("review_speed", review(false, false), 2));
-  all.push_back(sample<ReviewScreen>("review_sealed", review(false, true)));
+  const int words = static_cast<int>(about.procedure.inputs.size()) - 1;
+  for (int page = 0; page < 3 + words; ++page) all.push_back(glossary(page));
+
+  // One question about each condition.
+  const std::vector<std::string> inputs = about.inputs();
+  const struct {
+    std::size_t term, region;
+    QString chosen;
+  } questions[] = {{1, 3, {}}, {2, 2, about.word(3)}, {1, 1, QStringLiteral("cant_tell")}};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const auto& [term, region, chosen] = questions[i % std::size(questions)];
+    const QString name = QStringLiteral("question_") + nameOf(about, QString::fromStdString(inputs[i]));
+    all.push_back(sample<QuestionScreen>(name, asked(about, inputs[i], term, region, chosen)));
+  }
+  if (!inputs.empty()) {
+    constexpr std::size_t kLast = 99;
+    ParticipantState left = asked(about, inputs.front(), kLast, kLast, about.word(0));
+    left.left_handed = true;
+    all.push_back(sample<QuestionScreen>("question_left_handed", left));
+  }
+
+  const auto pages = reviewPages(about.procedure, about.form, review(about, false, false).review.answers);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const int page = static_cast<int>(i);
+    const bool last = i + 1 == pages.size();
+    const auto again = std::count_if(pages.begin(), pages.begin() + page,
+                                     [&](const ReviewPage& one) { return one.input == pages[i].input; });
+    QString name = QStringLiteral("review_") + nameOf(about, QString::fromStdString(pages[i].input));
+    if (again > 0) name += QStringLiteral("_%1").arg(again + 1);
+    if (last) all.push_back(reviewPage(name + QStringLiteral("_gaps"), review(about, true, false), page));
+    all.push_back(reviewPage(name, review(about, i == 0 && !last, false), page));
+  }
+  all.push_back(sample<ReviewScreen>("review_sealed", review(about, false, true)));
+}
+
+void addEnd(const Look& look, const Subject& about, std::vector<SampleScreen>& all) {
+  const auto regions = regionNames(look);
+  const QString region = regions[std::min<std::size_t>(3, regions.size() - 1)].id;
+  const auto range = anatomy::rangeOf(about.procedure, region.toStdString());
+  const auto first = anatomy::rangeOf(about.procedure, regions.front().id.toStdString());
+  const auto last = anatomy::rangeOf(about.procedure, regions.back().id.toStdString());
   ParticipantState own = at(ParticipantScreen::kOwnModel);
   own.own.ready = true;
-  own.own.region = QStringLiteral("laryngopharynx");
+  own.own.region = region;
   own.own.felt = true;
   own.own.chosen = QStringLiteral("right");
-  all.push_back(sample<OwnModelScreen>("own_model", own, [](OwnModelScreen& screen) { screen.setDepth(160); }));
+  const double tip_mm = range->from_mm + 0.2 * (range->to_mm - range->from_mm);
+  all.push_back(
+      sample<OwnModelScreen>("own_model", own, [tip_mm](OwnModelScreen& screen) { screen.setDepth(tip_mm); }));
   ParticipantState thanks = at(ParticipantScreen::kThanks, false);
-  for (int mm = 0; mm <= 440; mm += 2) {
+  for (int place = 0; place <= 440; place += 2) {
     // Any smooth curve.
     thanks.thanks.curve.emplace_back(
-        mm, 0.25 + 0.7 * std::exp(-std::pow((mm - 175.0) / 35, 2)) + 0.2 * std::exp(-std::pow((mm - 65.0) / 25, 2)));
+        first->from_mm + (last->to_mm - first->from_mm) * place / 440,
+        0.25 + 0.7 * std::exp(-std::pow((place - 175.0) / 35, 2)) + 0.2 * std::exp(-std::pow((place - 65.0) / 25, 2)));
   }
-  all.push_back({"thanks", [thanks](const Look& look) {
-                   auto screen = std::make_unique<ThanksScreen>(look, true);
+  all.push_back({"thanks", [thanks](const Look& shown_in) {
+                   auto screen = std::make_unique<ThanksScreen>(shown_in, true);
                    screen->setState(thanks);
                    return screen;
                  }});
@@ -320,6 +435,18 @@ std::vector<SampleScreen> sampleScreens() {
   called.call_seen = true;
   all.push_back(choiceAfterForceOff("force_off_called", called));
   all.push_back(panel<WithdrawPanel>("withdraw"));
+}
+
+}  // namespace
+
+std::vector<SampleScreen> sampleScreens(const Look& look) {
+  const Subject about{*look.about(), look.form()};
+  std::vector<SampleScreen> all;
+  addArrival(all);
+  addStrokes(about, all);
+  addForces(about, all);
+  addQuestions(about, all);
+  addEnd(look, about, all);
   return all;
 }
 

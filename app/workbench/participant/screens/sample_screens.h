@@ -16,7 +16,8 @@ struct SampleScreen {
   std::function<std::unique_ptr<QWidget>(const Look&)> make;
 };
 
-std::vector<SampleScreen> sampleScreens();
+/// Of the procedure and the form of `look`, which outlives them.
+std::vector<SampleScreen> sampleScreens(const Look& look);
 /// Whether a device is armed on the screens of this name, so that the red button stands in their corner.
 bool isWithDevice(const QString& name);
 

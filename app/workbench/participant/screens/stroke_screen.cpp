@@ -32,11 +32,11 @@ StrokeScreen::StrokeScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent),
       texts_(new TextBlock(look, this)),
       practice_(nullptr),
-      lead_(texts_->add(TextRole::kLead, phrase(QStringLiteral("spd.slow")))),
+      lead_(texts_->add(TextRole::kLead, plain(QStringLiteral(" ")))),
       dots_(new Dots(look, texts_)),
       tick_(nullptr),
       note_(nullptr),
-      picture_(new anatomy::AnatomyView(this)) {
+      picture_(anatomy::makeBodyView(look.about(), this)) {
   texts_->add(dots_);
   auto* row = new QWidget(texts_);
   auto* line = new QHBoxLayout(row);
@@ -50,7 +50,11 @@ StrokeScreen::StrokeScreen(const Look& look, QWidget* parent)
   practice_ = texts_->add(TextRole::kMuted, phrase(QStringLiteral("pra.line")));
   texts_->center();
   setMain(texts_, picture_, kStrokePictureShare);
-  const auto name = [this, &look] { picture_->setAccessibleName(look.say(phrase(QStringLiteral("acc.way")))); };
+  const auto name = [this, &look] {
+    picture_->setFont(look.font());
+    picture_->setRegionNames(regionNames(look));
+    picture_->setAccessibleName(look.say(phrase(QStringLiteral("acc.way"))));
+  };
   connect(&look, &Look::changed, this, name);
   name();
 }

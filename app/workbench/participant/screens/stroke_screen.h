@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 #include "app/workbench/participant/screens/text_block.h"
@@ -28,7 +28,7 @@ class StrokeScreen : public ScreenFrame {
   Dots* dots_;
   PictureBox* tick_;
   Label* note_;
-  anatomy::AnatomyView* picture_;
+  anatomy::BodyView* picture_;
 };
 
 }  // namespace tactus::workbench::nurse

@@ -108,7 +108,7 @@ WelcomeScreen::WelcomeScreen(const Look& look, QWidget* parent)
 }
 
 void WelcomeScreen::showChoices() {
-  languages_->choose(idOf(look().language()));
+  languages_->choose(look().language().id);
   sizes_->choose(QString::number(look().textPercent()));
 }
 
