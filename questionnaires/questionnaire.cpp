@@ -246,6 +246,18 @@ std::vector<Wording> wordingsIn(const procedure::Procedure& procedure) {
   return out;
 }
 
+bool isKnown(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
+  const auto has = [&](const std::vector<fuzzy::Term>& terms) {
+    return fuzzy::findTerm(terms, condition.term) != nullptr;
+  };
+  if (condition.input == procedure.wayInput().id) {
+    return std::any_of(procedure.way_terms.begin(), procedure.way_terms.end(),
+                       [&](const auto& set) { return has(set.terms); });
+  }
+  return std::any_of(procedure.inputs.begin(), procedure.inputs.end(),
+                     [&](const auto& input) { return input.id == condition.input && has(input.terms); });
+}
+
 /// Whether each item stands in the form itself, word by word.
 bool isPrinted(const study::Form& form) {
   return std::none_of(form.items.begin(), form.items.end(), [](const auto& item) { return item.text.empty(); });
@@ -286,6 +298,22 @@ base::Result<void> checkWordings(const procedure::Procedure& procedure) {
                              "a phrase for each condition"},
                             file);
       }
+    }
+    for (const auto& phrase : wording.phrases) {
+      if (isKnown(procedure, phrase.condition)) continue;
+      return base::inFile({ErrorCode::kReference,
+                           {},
+                           "/phrases",
+                           "a phrase for " + base::quoted(phrase.condition.input + " " + phrase.condition.term),
+                           "an input of the procedure and one of its words"},
+                          file);
+    }
+    for (const auto& answer : wording.answers) {
+      const bool offered = std::any_of(form->answers.begin(), form->answers.end(),
+                                       [&](const auto& one) { return one.term == answer.value; });
+      if (offered) continue;
+      return base::inFile({ErrorCode::kReference, {}, "/answers", base::quoted(answer.value), "an answer of the form"},
+                          file);
     }
     if (auto ok = inWords(*form, wording, procedure.wayInput().id); !ok)
       return base::inFile(std::move(ok).error(), file);

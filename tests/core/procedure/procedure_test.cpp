@@ -168,6 +168,12 @@ TEST(Procedure, BrokenOnesAreRefusedInOneSentence) {
   EXPECT_EQ(
       changed([](Small& s) { s.wording["phrases"]["gel"].erase("wet"); }),
       "probe/form.fr.json: /phrases: found no phrase for 'gel wet' of item 2, wanted a phrase for each condition");
+  EXPECT_EQ(
+      changed([](Small& s) { s.wording["phrases"]["gel"]["moist"] = "Humide."; }),
+      "probe/form.fr.json: /phrases: found a phrase for 'gel moist', wanted an input of the procedure and one of its "
+      "words");
+  EXPECT_EQ(changed([](Small& s) { s.wording["answers"]["middling"] = "moyenne"; }),
+            "probe/form.fr.json: /answers: found 'middling', wanted an answer of the form");
   EXPECT_EQ(changed([](Small& s) { s.wording["language"] = "en"; }),
             "probe/form.fr.json: /language: found 'en', wanted one of fr");
   EXPECT_EQ(changed([](Small& s) { s.manifest["wordings"] = Json::array(); }),
