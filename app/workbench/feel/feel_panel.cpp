@@ -172,7 +172,9 @@ void FeelPanel::build() {
 
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
-  picture_->addWidget(tube_, 3);
+  body_place_ = new QVBoxLayout;
+  body_place_->addWidget(tube_);
+  picture_->addLayout(body_place_, 3);
   foot_ = new QHBoxLayout;
   foot_->addWidget(procedure_, 1);
   picture_->addLayout(foot_, 0);
@@ -243,7 +245,9 @@ void FeelPanel::arrange() {
                               : ProcedurePanel::Detail::kStep);
   if (open != open_) setOpen(open);
   if (low != low_) setLow(low);
-  tube_->setMinimumHeight(open ? kOpenPicture : low ? kLowestPicture : 0);
+  const int least_height = open ? kOpenPicture : low ? kLowestPicture : 0;
+  tube_->setMinimumHeight(least_height);
+  if (body_ != nullptr) body_->setMinimumHeight(least_height);
   const bool room = roomy || open || low;  // a drawer has room
   if (room != std::exchange(roomy_, room)) emit roomChanged(room);
 }
@@ -301,7 +305,8 @@ void FeelPanel::showRegions() {
   showNeck();
   if (depth == depth_) return;
   depth_ = depth;
-  tube_->setRegions(depth ? depthRegions(*depth) : std::vector<DepthRegion>());
+  regions_ = depth ? depthRegions(*depth) : std::vector<DepthRegion>();
+  tube_->setRegions(regions_);
   placement_->setProgress(feel_.strokes(), feel_.depthMm(), tube_->regionText());
 }
 
@@ -309,12 +314,42 @@ void FeelPanel::showNeck() {
   const auto& inputs = scene_.model()->model.inputs;
   const auto neck = posedInput(scene_.procedure().get(), scene_.model()->model);
   tube_->setNeck(neck ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
+  if (body_ == nullptr || !neck) return;
+  const auto word = strongestTerm(inputs[*neck], scene_.value(*neck));
+  body_->setPose(word ? study::ItemCondition{inputs[*neck].id, inputs[*neck].terms[*word].id} : study::ItemCondition());
+}
+
+void FeelPanel::showBody() {
+  const auto about = scene_.procedure();
+  const bool drawn_here = about != nullptr && anatomy::isDrawnHere(*about);
+  tube_->setVisible(drawn_here);
+  if (body_ != nullptr && (drawn_here || about == nullptr || &body_->about() != about.get())) {
+    delete body_;
+    body_ = nullptr;
+  }
+  if (drawn_here || about == nullptr || body_ != nullptr) return;
+  body_ = anatomy::makeBodyView(about, this);
+  body_->setFont(theme::smallFont());
+  body_->setAccessibleName(tr("The tool on its way, from the side"));
+  body_->setMinimumHeight(tube_->minimumHeight());
+  body_place_->addWidget(body_);
+  showTip(feel_.depthMm());
+}
+
+void FeelPanel::showTip(double depth_mm) {
+  tube_->setTip(depth_mm);
+  if (body_ == nullptr) return;
+  body_->setDepth(depth_mm);
+  const auto region = depth_mm > 0 ? regionAt(regions_, depth_mm) : std::nullopt;
+  std::optional<anatomy::LitRange> lit;
+  if (region) lit = {regions_[*region].from_mm, regions_[*region].to_mm, regions_[*region].label};
+  body_->light(lit);
 }
 
 void FeelPanel::adoptProcedure() {
   const procedure::Procedure* const about = scene_.procedure().get();
   procedure_->setSteps(stepsOf(about));
-  tube_->setVisible(about != nullptr && about->id == procedure::defaultProcedure()->id);
+  showBody();
   showRegions();
 }
 
@@ -355,7 +390,7 @@ void FeelPanel::showFelt() {
   reading.armed = armed_;
   reading.recorded_s = recorded_s_;
   pad_->setReading(reading);
-  tube_->setTip(depth_mm);
+  showTip(depth_mm);
   procedure_->setDepth(depth_mm);
   placement_->setProgress(feel_.strokes(), depth_mm, tube_->regionText());
   device_->showProgress();

@@ -12,6 +12,7 @@
 
 #include "app/workbench/anatomy/anatomy.h"
 #include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/feel/placement.h"
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -418,6 +419,8 @@ class FeelPanel : public QWidget {
   void adoptProcedure();
   void showRegions();
   void showNeck();
+  void showBody();
+  void showTip(double depth_mm);
   void showState();
   void showFelt();
   void showForce();
@@ -445,7 +448,10 @@ class FeelPanel : public QWidget {
   bool armed_ = false;
   std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace
-  TubePicture* tube_;
+  TubePicture* tube_;                             ///< of the default procedure
+  anatomy::BodyView* body_ = nullptr;             ///< of another procedure
+  QVBoxLayout* body_place_ = nullptr;
+  std::vector<DepthRegion> regions_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;
   QBoxLayout* halves_ = nullptr;  ///< hand and patient
