@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/bundle/zip.h"
 #include "app/cli/study_commands.h"
 #include "app/report/printed_form.h"
 #include "app/session/study_procedure.h"
@@ -94,7 +95,7 @@ std::vector<std::string> findingsOf(const Procedure& procedure) {
 
 /// Reads the pack; `files` beside the named ones are findings too.
 Result<session::ProcedurePtr> read(const std::string& pack, std::vector<std::string>& findings) {
-  TACTUS_TRY(auto procedure, session::readPack(pack));
+  TACTUS_TRY(auto procedure, packNamed(pack));
   findings = findingsOf(*procedure);
   std::error_code ignored;
   if (!fs::is_directory(pack, ignored)) return procedure;
@@ -194,6 +195,13 @@ std::string textTable(const Procedure& procedure) {
 }
 
 }  // namespace
+
+Result<session::ProcedurePtr> packNamed(const std::string& pack) {
+  std::error_code ignored;
+  if (!bundle::isZipName(pack) || !fs::is_regular_file(pack, ignored)) return session::readPack(pack);
+  TACTUS_TRY(const auto files, bundle::unzipped(pack));
+  return session::readPack(procedure::PackFiles(files.begin(), files.end()), pack);
+}
 
 Result<Output> packNew(const PackOptions& options) {
   std::error_code ignored;

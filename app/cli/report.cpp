@@ -50,7 +50,7 @@ base::Result<Output> demoOfPack(const DemoOptions& options) {
     return base::inFile({base::ErrorCode::kIo, {}, {}, "a folder that is not empty", "a new or an empty folder"},
                         options.folder);
   }
-  TACTUS_TRY(const auto procedure, session::readPack(options.pack));
+  TACTUS_TRY(const auto procedure, packNamed(options.pack));
   if (auto ok = base::makeFolder(options.folder); !ok) return tl::unexpected(std::move(ok).error());
   const auto in = [&](const std::string& name) { return options.folder + "/" + name; };
   const std::string study = in(procedure->id + "-demo.tactus");

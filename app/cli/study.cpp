@@ -87,7 +87,7 @@ Result<Output> studyNew(const StudyNewOptions& options) {
   const std::string name = options.name.empty() ? std::filesystem::path(options.file).stem().string() : options.name;
   session::ProcedurePtr procedure;
   if (!options.pack.empty()) {
-    TACTUS_TRY(procedure, session::readPack(options.pack));
+    TACTUS_TRY(procedure, packNamed(options.pack));
   }
   TACTUS_TRY(auto file, newStudy(options.file, name));
   if (procedure != nullptr && procedure != procedure::defaultProcedure()) {

@@ -9,6 +9,7 @@
 
 #include "app/cli/commands.h"
 #include "app/session/simulated_study.h"
+#include "app/session/study_procedure.h"
 #include "core/base/error.h"
 
 namespace tactus::cli {
@@ -172,6 +173,9 @@ struct StudyPlanOptions {
 base::Result<Output> studyPlan(const StudyPlanOptions& options);
 
 // Procedures as data (docs/procedure-packs.md).
+
+/// The procedure `pack`: one that the program carries, or a pack in a folder or a zip file.
+base::Result<session::ProcedurePtr> packNamed(const std::string& pack);
 
 struct PackOptions {
   std::string pack;    ///< folder, or the id of a pack that the program carries; empty: all that it carries

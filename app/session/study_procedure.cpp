@@ -119,14 +119,31 @@ Result<ProcedurePtr> readPack(const std::string& name) {
   if (auto carried = procedure::builtIn(name)) return carried;
   std::error_code ignored;
   if (!std::filesystem::is_directory(name, ignored)) {
-    return base::inFile({ErrorCode::kReference,
-                         {},
-                         {},
-                         "no folder and no procedure of this name",
-                         "a folder with procedure.json, or one of " + base::joined(procedure::builtInIds(), ", ")},
-                        name);
+    return base::inFile(
+        {ErrorCode::kReference,
+         {},
+         {},
+         "no folder and no procedure of this name",
+         "a folder or zip file with procedure.json, or one of " + base::joined(procedure::builtInIds(), ", ")},
+        name);
   }
   TACTUS_TRY(auto read, procedure::readPackFolder(name));
+  return checked(std::move(read));
+}
+
+Result<ProcedurePtr> readPack(procedure::PackFiles files, const std::string& name) {
+  std::size_t all = 0;
+  for (const auto& [path, bytes] : files) {
+    all += bytes.size();
+    if (bytes.size() <= procedure::kMostFileBytes && all <= procedure::kMostPackBytes) continue;
+    return base::inFile({ErrorCode::kLimit,
+                         {},
+                         {},
+                         base::quoted(path) + " beyond the limit",
+                         "files of at most 4 MiB, and 16 MiB together"},
+                        name);
+  }
+  TACTUS_TRY(auto read, procedure::readProcedure(std::move(files), name));
   return checked(std::move(read));
 }
 

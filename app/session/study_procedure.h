@@ -17,6 +17,8 @@ using ProcedurePtr = std::shared_ptr<const procedure::Procedure>;
 /// The procedure `name`: one that the program carries, or the pack in a folder. Refused: an unknown name, and what
 /// procedure::readPackFolder, questionnaires::checkWordings and the settings of a session refuse.
 base::Result<ProcedurePtr> readPack(const std::string& name);
+/// The same for the files of a pack that came in another way; `name` is the pack's name in errors.
+base::Result<ProcedurePtr> readPack(procedure::PackFiles files, const std::string& name);
 
 /// The protocol of a new study of `procedure`: the words of its inputs and of its force, its first form, its settings,
 /// its languages. Consent and contact are the researcher's, so it is no complete protocol yet.

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "app/bundle/zip.h"
 #include "core/base/text.h"
 
 #include "tests/app/cli/run_program.h"
@@ -197,6 +198,22 @@ TEST_F(Packs, AnotherKindGoesThroughTheWholeJob) {
   const ProgramRun other_build({"build", "tables", "--out", "n.tactus.json"});
   ASSERT_EQ(other_build.status, 0) << other_build.err;
   EXPECT_EQ(PackJson::parse(readText("n.tactus.json"))["experts"], model["experts"]);
+}
+
+TEST_F(Packs, AZipFileIsOneToo) {
+  ASSERT_EQ(ProgramRun({"pack", "new", "mine"}).status, 0);
+  bundle::PackedFiles files;
+  for (const auto& entry : fs::recursive_directory_iterator("mine")) {
+    if (entry.is_regular_file())
+      files.emplace_back(entry.path().lexically_relative("mine").generic_string(), readText(entry.path().string()));
+  }
+  const auto zip = bundle::zipped(files, "mine");
+  ASSERT_TRUE(zip);
+  writeText("mine.zip", *zip);
+  const PackJson folder = PackJson::parse(ProgramRun({"pack", "check", "mine", "--json"}).out);
+  const PackJson file = PackJson::parse(ProgramRun({"pack", "check", "mine.zip", "--json"}).out);
+  EXPECT_EQ(file["sha256"], folder["sha256"]);
+  EXPECT_EQ(ProgramRun({"study", "new", "s.tactus", "--pack", "mine.zip"}).status, 0);
 }
 
 TEST_F(Packs, StudiesOfTwoAreNeverMerged) {
