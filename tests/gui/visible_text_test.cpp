@@ -107,7 +107,8 @@ const QStringList& textsOfPacks() {
       if (id.starts_with("pose.")) add(said);
     }
     // A name may be a part of a longer text.
-    std::stable_sort(out.begin(), out.end(), [](const auto& one, const auto& other) { return one.size() > other.size(); });
+    std::stable_sort(out.begin(), out.end(),
+                     [](const auto& one, const auto& other) { return one.size() > other.size(); });
     return out;
   }();
   return texts;

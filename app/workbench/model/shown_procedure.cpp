@@ -9,9 +9,8 @@ namespace {
 /// Whether `procedure` has every input of `model`.
 bool hasInputsOf(const procedure::Procedure& procedure, const fuzzy::ForceModel& model) {
   return std::all_of(model.inputs.begin(), model.inputs.end(), [&procedure](const fuzzy::Variable& input) {
-    return std::any_of(procedure.inputs.begin(), procedure.inputs.end(), [&input](const fuzzy::Variable& known) {
-      return known.id == input.id;
-    });
+    return std::any_of(procedure.inputs.begin(), procedure.inputs.end(),
+                       [&input](const fuzzy::Variable& known) { return known.id == input.id; });
   });
 }
 

@@ -49,14 +49,13 @@ std::vector<BuildNote> rebuiltNotes(const ReadStudy& read, const std::string& mo
 
 }  // namespace
 
-std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings,
-                                 const procedure::Procedure& about) {
+std::vector<BuildNote> dataNotes(const std::vector<study::DataFinding>& findings, const procedure::Procedure& about) {
   std::vector<BuildNote> notes;
   for (const study::DataFinding& finding : findings) {
     const QString sentence = text(study::text(finding));
     const bool refused = finding.severity == study::DataFinding::Severity::kRefused;
-    notes.push_back(
-        {refused ? ReviewNotes::tr("No model is built of this: %1").arg(sentence) : sentence, subjectOf(finding.kind, about)});
+    notes.push_back({refused ? ReviewNotes::tr("No model is built of this: %1").arg(sentence) : sentence,
+                     subjectOf(finding.kind, about)});
   }
   return notes;
 }
@@ -71,7 +70,8 @@ std::vector<BuildNote> notesOf(const std::vector<std::string>& reading, const el
 }
 
 BuildNotes reviewed(const ReadStudy& read, const std::optional<std::string>& model) {
-  return {dataNotes(session::dataFindings(read.study), procedure::of(read.study)), model ? rebuiltNotes(read, *model) : std::vector<BuildNote>{}};
+  return {dataNotes(session::dataFindings(read.study), procedure::of(read.study)),
+          model ? rebuiltNotes(read, *model) : std::vector<BuildNote>{}};
 }
 
 }  // namespace tactus::workbench
