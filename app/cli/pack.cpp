@@ -108,6 +108,19 @@ Result<session::ProcedurePtr> read(const std::string& pack, std::vector<std::str
   return procedure;
 }
 
+/// Writes files by their path below `folder`; their whole paths.
+template <class Files>
+Result<std::vector<std::string>> writeBelow(const std::string& folder, const Files& files) {
+  std::vector<std::string> out;
+  for (const auto& [path, bytes] : files) {
+    const auto target = fs::path(folder) / path;
+    if (auto ok = base::makeFolder(target.parent_path().string()); !ok) return tl::unexpected(std::move(ok).error());
+    if (auto ok = base::writeFileAtomically(target.string(), bytes); !ok) return tl::unexpected(std::move(ok).error());
+    out.push_back(target.string());
+  }
+  return out;
+}
+
 std::string summary(const Procedure& procedure) {
   std::string out = procedure.titleIn("en") + " (" + procedure.id + ", version " + std::to_string(procedure.version) +
                     ")\n  " + std::to_string(procedure.inputs.size()) +
@@ -209,13 +222,7 @@ Result<Output> packNew(const PackOptions& options) {
     return base::inFile({base::ErrorCode::kIo, {}, {}, "something of this name", "the name of a new folder"},
                         options.pack);
   }
-  std::vector<std::string> files;
-  for (const auto& [path, bytes] : examplePack()) {
-    const auto target = fs::path(options.pack) / path;
-    if (auto ok = base::makeFolder(target.parent_path().string()); !ok) return tl::unexpected(std::move(ok).error());
-    if (auto ok = base::writeFileAtomically(target.string(), bytes); !ok) return tl::unexpected(std::move(ok).error());
-    files.push_back(target.string());
-  }
+  TACTUS_TRY(const auto files, writeBelow(options.pack, examplePack()));
   if (options.json) {
     JsonWriter json;
     json.beginObject().key("folder").value(options.pack).key("files").values(files).endObject();
@@ -297,13 +304,7 @@ Result<Output> packPreview(const PackOptions& options) {
                          webform::pictureFile(picture, {{region.id, ""}}));
     }
   }
-  std::vector<std::string> paths;
-  for (const auto& [path, bytes] : files) {
-    const auto target = fs::path(options.out) / path;
-    if (auto ok = base::makeFolder(target.parent_path().string()); !ok) return tl::unexpected(std::move(ok).error());
-    if (auto ok = base::writeFileAtomically(target.string(), bytes); !ok) return tl::unexpected(std::move(ok).error());
-    paths.push_back(target.string());
-  }
+  TACTUS_TRY(const auto paths, writeBelow(options.out, files));
   if (options.json) {
     JsonWriter json;
     json.beginObject().key("id").value(procedure->id).key("files").values(paths).endObject();
