@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <limits>
 
 #include "app/figures/force_curves.h"
 #include "app/report/palette.h"
@@ -8,6 +9,7 @@
 #include "core/analysis/rule_table.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::report {
 
@@ -325,6 +327,48 @@ void addReadings(HtmlPage& page, const ReportContext& context) {
          .svg = plot.svg()});
   }
   page.figure(figure);
+}
+
+void addPublishedForces(HtmlPage& page, const ReportContext& context) {
+  const auto& published = context.about().published;
+  if (published.empty() || context.curves == nullptr) return;
+  const std::size_t way = fuzzy::wayOf(context.in.built.model.inputs).value();
+  Table table{.caption = strong("Published forces, for comparison.") + " " + badge(Badge::kPublished) +
+                         " What others measured of something like it, and the range of the averaged force over the "
+                         "same stretch" +
+                         atUsual(context) + ". No model was fitted to them.",
+              .head = {{{.text = "What"},
+                        numberCell("Published, N", true),
+                        numberCell("Averaged force, N"),
+                        {.text = "What it is not"},
+                        {.text = "Source"}}},
+              .body = {},
+              .wide = true};
+  for (const auto& force : published) {
+    constexpr int kPlaces = 200;
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    std::vector<double> point = context.usual;
+    for (int i = 0; i <= kPlaces; ++i) {
+      point[way] = force.from_mm + (force.to_mm - force.from_mm) * i / kPlaces;
+      const auto answer = context.curves->compiled().evaluate(point);
+      if (!answer.fired) continue;
+      least = std::min(least, answer.force_n);
+      most = std::max(most, answer.force_n);
+    }
+    const auto range = [](double low_n, double high_n) {
+      const std::string low = base::formatFixed(low_n, 2);
+      const std::string high = base::formatFixed(high_n, 2);
+      return low == high ? low : low + " to " + high;
+    };
+    table.body.push_back({headingCell(procedure::textIn(force.label, "en")),
+                          numberCell(range(force.low_n, force.high_n), true),
+                          numberCell(most < least ? "–" : range(least, most)),
+                          {.text = procedure::textIn(force.is_not, "en")},
+                          {.text = force.source}});
+  }
+  page.subsection("Published forces");
+  page.table(table);
 }
 
 }  // namespace tactus::report

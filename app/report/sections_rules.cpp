@@ -245,4 +245,84 @@ void addRules(HtmlPage& page, const ReportContext& context) {
   for (const auto& expert : experts) addOneExpert(page, context, expert);
 }
 
+namespace {
+
+/// What was said of one region: how often each word on the way out, and the mean places of the words.
+struct OutAndIn {
+  std::vector<std::size_t> out_words;
+  std::size_t out = 0;
+  double out_places = 0;
+  std::size_t in = 0;
+  double in_places = 0;
+};
+
+/// The words of the answers, from 1; 0 for another word.
+std::size_t placeOfWord(const study::Form& form, const std::string& term) {
+  const auto word =
+      std::find_if(form.answers.begin(), form.answers.end(), [&](const auto& one) { return one.term == term; });
+  return word == form.answers.end() ? 0 : static_cast<std::size_t>(word - form.answers.begin()) + 1;
+}
+
+std::map<std::string, OutAndIn> outAndIn(const ReportContext& context, const study::Form& form) {
+  const std::string& way = context.about().wayInput().id;
+  std::map<std::string, OutAndIn> regions;
+  for (const auto& answer : context.in.study.answers) {
+    if (answer.form != form.id || answer.status != study::Answer::Status::kAnswered) continue;
+    const std::size_t place = placeOfWord(form, answer.term);
+    const auto item =
+        std::find_if(form.items.begin(), form.items.end(), [&](const auto& one) { return one.number == answer.item; });
+    if (place == 0 || item == form.items.end()) continue;
+    for (const auto& condition : item->conditions) {
+      if (condition.input != way) continue;
+      OutAndIn& region = regions[condition.term];
+      region.out_words.resize(form.answers.size());
+      const bool out = study::isWayOut(*item);
+      ++(out ? region.out : region.in);
+      (out ? region.out_places : region.in_places) += static_cast<double>(place);
+      if (out) ++region.out_words[place - 1];
+    }
+  }
+  std::erase_if(regions, [](const auto& one) { return one.second.out == 0; });
+  return regions;
+}
+
+}  // namespace
+
+void addWayOut(HtmlPage& page, const ReportContext& context) {
+  for (const study::Form& form : context.in.forms) {
+    const auto regions = outAndIn(context, form);
+    if (regions.empty()) continue;
+    Table table{.caption = strong("On the way out.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                           " The words for pulling the tool back out, and the mean place of the words, from 1 for the "
+                           "smallest force, beside that of all answers about the same region on the way in. These "
+                           "answers are no rules: on the way out a simulator takes a share of the force of the way in.",
+                .head = {{{.text = "Region"},
+                          {.text = "Words on the way out"},
+                          numberCell("Mean place out", true),
+                          numberCell("Mean place in"),
+                          numberCell("Out less in")}},
+                .body = {},
+                .wide = true};
+    for (const fuzzy::Term& term : context.about().wayTerms(form.depth_terms)->terms) {
+      const auto found = regions.find(term.id);
+      if (found == regions.end()) continue;
+      const OutAndIn& said = found->second;
+      std::vector<std::string> words;
+      for (std::size_t k = 0; k < form.answers.size(); ++k) {
+        if (said.out_words[k] > 0)
+          words.push_back(base::lowered(form.answers[k].word) + " " + std::to_string(said.out_words[k]));
+      }
+      const double out = said.out_places / static_cast<double>(said.out);
+      const double in = said.in > 0 ? said.in_places / static_cast<double>(said.in) : 0;
+      table.body.push_back({headingCell(term.label),
+                            {.text = base::joined(words, ", ")},
+                            numberCell(base::formatFixed(out, 2), true),
+                            numberCell(said.in > 0 ? base::formatFixed(in, 2) : "–"),
+                            numberCell(said.in > 0 ? base::formatFixed(out - in, 2) : "–")});
+    }
+    page.subsection("On the way out");
+    page.table(table);
+  }
+}
+
 }  // namespace tactus::report

@@ -50,10 +50,12 @@ namespace {
 /// Everything that comes out of a model with at least one expert.
 void addModelSections(HtmlPage& page, const ReportContext& context) {
   addRules(page, context);
+  addWayOut(page, context);
   addExperts(page, context);
   addUncertainty(page, context);
   addSurface(page, context);
   addInfluences(page, context);
+  addPublishedForces(page, context);
   addComparisons(page, context);
   addReachableRange(page, context);
   addChoices(page, context);

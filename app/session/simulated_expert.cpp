@@ -16,6 +16,7 @@ using procedure::Procedure;
 constexpr double kSlowestMmS = 30;
 constexpr double kFastestMmS = 300;
 constexpr double kOwnWords = 0.4;          // standard deviation of an answer, in words
+constexpr double kLessOnTheWayOut = 0.8;   // words, an assumption
 constexpr double kSpreadOfStrokes = 0.35;  // standard deviation as a share of the mean, the middle of Table 1
 
 /// Where the word `k` of `terms` passes into the next one.
@@ -104,6 +105,10 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
       const double effect = effects.at(input->id)[static_cast<std::size_t>(term - input->terms.begin())];
       level += own[input->id] * (input->id == procedure.wayInput().id ? effect - highest / 2 : effect);
     }
+      if (condition == study::kWayOut) {
+        level -= kLessOnTheWayOut;
+        continue;
+      }
     level += kOwnWords * person.normal();
     const double place = std::clamp(std::round(level), 0.0, highest);
     out.answers.push_back({{},

@@ -68,6 +68,17 @@ struct Landmark {
   std::string source;
 };
 
+/// A force that somebody else published of a like procedure, for comparison. No part of the model.
+struct PublishedForce {
+  Texts label;         ///< what was measured
+  std::string source;  ///< who published it
+  Texts is_not;        ///< why it is not the force of this procedure
+  double from_mm = 0;  ///< where along the way it was measured
+  double to_mm = 0;
+  double low_n = 0;  ///< the range; both ends are one where a single value was published
+  double high_n = 0;
+};
+
 struct Point {
   double x = 0;
   double y = 0;
@@ -112,7 +123,11 @@ struct Procedure {
   std::vector<Picture> pictures;       ///< none: a bar of regions stands for the body
   std::vector<Step> steps;
   std::vector<Landmark> landmarks;
-  std::string protocol;  ///< JSON of the settings of a session; empty: the usual ones
+  std::vector<PublishedForce> published;
+  std::string protocol;     ///< JSON of the settings of a session; empty: the usual ones
+  double device_scale = 1;  ///< 1 : scale; a device gives the forces divided by it, where they are beyond its strength
+  /// Beside the word of a force the participant says whether this is where she would stop (Tefik et al. 2024).
+  bool stop_question = false;
 
   PackFiles files;
 
@@ -172,6 +187,7 @@ fuzzy::NamedJson modelSetting(const Procedure& procedure);
 
 struct ModelProcedure {
   std::string id;                               ///< empty if it cannot be read
+  std::string sha256;                           ///< of its pack; empty: the default procedure, or not known
   std::map<std::string, Direction> directions;  ///< declared ones, by input
 };
 

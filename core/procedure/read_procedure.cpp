@@ -101,6 +101,8 @@ std::vector<TermSet> readTermSets(JsonMembers& json, Problem& error) {
 
 void readInput(JsonMembers json, Procedure& out, Problem& error) {
   fuzzy::Variable input = readVariable(json);
+  if (input.id == study::kWayOut.input)
+    json.refuse("id", base::quoted(input.id), "another id: this one stands for the way out");
   InputNotes notes;
   const auto role = json.word(required("role"), kRoleNames);
   input.role = fuzzy::kRoles[role.value_or(0)];
@@ -163,6 +165,24 @@ std::vector<Landmark> readLandmarks(JsonMembers& json, Problem& error) {
     members.number(required("from_mm"), mark.from_mm);
     members.number(required("to_mm"), mark.to_mm, {mark.from_mm, 1e9});
     members.text(required("source"), mark.source);
+    members.refuseOthers();
+  }
+  return out;
+}
+
+std::vector<PublishedForce> readPublished(JsonMembers& json, const Procedure& procedure, Problem& error) {
+  std::vector<PublishedForce> out;
+  for (const JsonValue value : json.elements("published_forces")) {
+    JsonMembers members(value, error);
+    PublishedForce& force = out.emplace_back();
+    force.label = readTexts(members, "label");
+    members.text(required("source"), force.source);
+    force.is_not = readTexts(members, "is_not");
+    const fuzzy::Variable* const way = error ? nullptr : &procedure.wayInput();
+    members.number(required("from_mm"), force.from_mm, {way != nullptr ? way->min : 0, way != nullptr ? way->max : 0});
+    members.number(required("to_mm"), force.to_mm, {force.from_mm, way != nullptr ? way->max : force.from_mm});
+    members.number(required("low_n"), force.low_n, {0, 1e3});
+    members.number(required("high_n"), force.high_n, {force.low_n, 1e3});
     members.refuseOthers();
   }
   return out;
@@ -234,7 +254,10 @@ Procedure readManifest(JsonMembers& json, Problem& error, const PackFiles& files
   }
   out.steps = readSteps(json, error);
   out.landmarks = readLandmarks(json, error);
+  out.published = readPublished(json, out, error);
   if (const auto protocol = json.object("protocol")) out.protocol = protocol->json();
+  json.number("device_scale", out.device_scale, {1, 20});
+  json.flag("stop_question", out.stop_question);
   json.refuseOthers();
   return out;
 }
@@ -249,6 +272,7 @@ std::string inWords(const std::vector<study::ItemCondition>& conditions) {
 
 /// Whether an input of the procedure has the word; of the way in the set `regions`.
 bool isKnown(const Procedure& procedure, const TermSet& regions, const study::ItemCondition& condition) {
+  if (condition == study::kWayOut) return true;
   for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
     const fuzzy::Variable& input = procedure.inputs[i];
     if (input.id != condition.input) continue;
@@ -371,6 +395,14 @@ std::vector<std::string> wantedWords(const Procedure& procedure) {
     }
   }
   for (const auto& term : procedure.output.terms) out.push_back("w." + term.id);
+  const bool way_out = std::any_of(procedure.forms.begin(), procedure.forms.end(), [](const study::Form& form) {
+    return std::any_of(form.items.begin(), form.items.end(), study::isWayOut);
+  });
+  if (way_out) {
+    const std::string input = "s." + study::kWayOut.input;
+    out.push_back(input);
+    out.push_back(input + "." + study::kWayOut.term);
+  }
   return out;
 }
 

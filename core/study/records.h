@@ -1,6 +1,7 @@
 // The plain records of a study that files exchange: participants, their strokes, judgements, answers and rules.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -103,6 +104,13 @@ struct FormItem {
 
   bool operator==(const FormItem&) const = default;
 };
+
+/// The condition of an item about the tool on its way back out. No input of a model: the answer is no rule.
+inline const ItemCondition kWayOut{"direction", "out"};
+
+inline bool isWayOut(const FormItem& item) {
+  return std::find(item.conditions.begin(), item.conditions.end(), kWayOut) != item.conditions.end();
+}
 
 /// One answer box of a form: its word, and the id of its output term.
 struct AnswerWord {

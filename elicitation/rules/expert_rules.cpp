@@ -194,6 +194,7 @@ base::Result<AnsweredRules> rulesFromAnswers(std::span<const study::Answer> answ
 
   AnsweredRules out;
   for (const auto& item : form.items) {
+    if (study::isWayOut(item)) continue;
     const auto found = by_item.find(item.number);
     const study::Answer* const answer = found == by_item.end() ? nullptr : found->second;
     const RuleOrigin origin{form.id, item.number, answer == nullptr ? study::TableLine{} : answer->line};

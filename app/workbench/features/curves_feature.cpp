@@ -37,7 +37,16 @@ void CurvesFeature::addActions(Bench& bench) {
       menus.addAction(MenuSlot::kFilePictures, tr("Open re&ference curve…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O);
   QAction* const picture =
       menus.addAction(MenuSlot::kFilePictures, tr("Save &picture of the curves…"), Qt::CTRL | Qt::Key_E);
+  QAction* const published = menus.addAction(MenuSlot::kFilePictures, tr("Lay pu&blished forces over the curves"));
+  published->setEnabled(false);
   QObject::connect(reference, &QAction::triggered, context, [&bench] { chooseReference(bench); });
+  QObject::connect(published, &QAction::triggered, context,
+                   [&bench] { bench.references.addPublished(*bench.scene.procedure()); });
+  const auto enable = [published, &scene = bench.scene] {
+    published->setEnabled(scene.procedure() != nullptr && !scene.procedure()->published.empty());
+  };
+  QObject::connect(&bench.scene, &SceneController::modelChanged, published, enable);
+  QObject::connect(&bench.scene, &SceneController::procedureChanged, published, enable);
   QObject::connect(&bench.references, &ReferenceController::refused, context, [&bench](const QString& sentence) {
     bench.window.banner().showRemedy(tr("The reference curve is not shown. %1").arg(sentence),
                                      {tr("Open another curve…"), [&bench] { chooseReference(bench); }});
@@ -123,6 +132,7 @@ void storeReferences(Bench& bench) {
   QStringList files;
   QStringList names;
   for (const ReferenceCurve& curve : bench.references.all()) {
+    if (curve.file.isEmpty()) continue;
     files << curve.file;
     names << curve.name;
   }

@@ -114,6 +114,53 @@ TEST(Procedure, SaysWhatItIs) {
   EXPECT_EQ(questionnaires::wordingsOf(*read, "probe-v1"), std::vector<std::string>{"plain"});
 }
 
+TEST(Procedure, AsksAboutTheWayOutAndWhereToStop) {
+  Small small;
+  small.manifest["stop_question"] = true;
+  small.form["items"].push_back({{"number", 3}, {"if", {{"direction", "out"}, {"way", "near"}}}});
+  EXPECT_EQ(small.refusal(),
+            "p/words.json: texts: found no words in 'fr' for 's.direction' and 's.direction.out', "
+            "wanted words for each");
+  for (const char* id : {"s.direction", "s.direction.out"}) small.words["texts"][id] = {{"fr", "mot"}};
+  EXPECT_EQ(small.refusal(),
+            "probe/form.fr.json: /phrases: found no phrase for 'direction out' of item 3, wanted a "
+            "phrase for each condition");
+  small.wording["phrases"]["direction"] = {{"out", "En sortant."}};
+  small.wording["order"] = {"direction", "way"};
+  ASSERT_EQ(small.refusal(), "");
+  const auto read = readProcedure(small.files(), "p");
+  EXPECT_TRUE(read->stop_question);
+  EXPECT_TRUE(study::isWayOut(read->forms[0].items[2]));
+  EXPECT_FALSE(study::isWayOut(read->forms[0].items[0]));
+  EXPECT_EQ(questionnaires::questionnaire(*read, "probe-v1", "fr")->questions[2].text,
+            "En sortant. Tout près. Quelle force ?");
+  small.form["items"][2]["if"]["direction"] = "in";
+  EXPECT_EQ(small.refusal(),
+            "p/form.json: /items/2/if: found 'direction in', wanted an input of the procedure and one "
+            "of its words");
+}
+
+TEST(Procedure, HoldsForcesThatOthersPublished) {
+  Small small;
+  small.manifest["published_forces"] = {{{"label", {{"fr", "Retrait"}}},
+                                         {"source", "Somebody 2000"},
+                                         {"is_not", {{"fr", "Un retrait"}}},
+                                         {"from_mm", 0},
+                                         {"to_mm", 60},
+                                         {"low_n", 0.8},
+                                         {"high_n", 0.9}}};
+  const auto read = readProcedure(small.files(), "p");
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->published.size(), 1U);
+  EXPECT_EQ(read->published[0].high_n, 0.9);
+  small.manifest["published_forces"][0]["to_mm"] = 61;
+  EXPECT_EQ(small.refusal().find("p/procedure.json: /published_forces/0/to_mm: found the number 61"), 0U)
+      << small.refusal();
+  small.manifest["published_forces"][0]["to_mm"] = 60;
+  small.manifest["published_forces"][0].erase("is_not");
+  EXPECT_EQ(small.refusal().find("p/procedure.json: /published_forces/0"), 0U) << small.refusal();
+}
+
 TEST(Procedure, TheHashIsOfTheFilesThatAreNamed) {
   const Small small;
   auto files = small.files();
@@ -140,6 +187,8 @@ TEST(Procedure, BrokenOnesAreRefusedInOneSentence) {
               s.manifest["inputs"][1]["unit"] = "mm";
             }),
             "p/procedure.json: /inputs/1/role: found a second input of the role 'way', wanted one");
+  EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][1]["id"] = "direction"; }),
+            "p/procedure.json: /inputs/1/id: found 'direction', wanted another id: this one stands for the way out");
   EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"].erase(0); }),
             "p/procedure.json: /inputs: found no input of the role 'way', wanted one");
   EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][0].erase("id"); }),
@@ -203,6 +252,16 @@ TEST(Procedure, EveryPackOfTheProgramIsWhole) {
     EXPECT_EQ(procedure->id, id);
     const auto worded = questionnaires::checkWordings(*procedure);
     EXPECT_TRUE(worded) << worded.error().message();
+    if (procedure == defaultProcedure()) continue;
+    for (const auto& language : questionnaires::languagesOf(*procedure, "usability-v1")) {
+      const auto asked = questionnaires::questionnaire(*procedure, "usability-v1", language);
+      ASSERT_TRUE(asked) << asked.error().message();
+      EXPECT_EQ(asked->wording, "plain");
+      for (const auto& question : asked->questions) {
+        for (const char* word : {"NGT", "Magensonde", "鼻胃管"})
+          EXPECT_EQ(question.text.find(word), std::string::npos) << question.text;
+      }
+    }
   }
   EXPECT_EQ(builtIn("other"), nullptr);
 }

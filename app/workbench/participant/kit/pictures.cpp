@@ -263,7 +263,30 @@ Picture blocksPicture(int level, int count) {
   };
 }
 
+namespace {
+
+/// An arrow back, out of the patient, above the tip of the tool.
+Picture wayOutPicture() {
+  return [](QPainter& painter, const QRectF& box) {
+    const QRectF area = centered(box, 1.5);
+    const double high = area.height();
+    drawTube(painter, QRectF(area.left(), area.top() + high * 0.7, area.width(), high * 0.22), high * 0.22);
+    painter.setPen(QPen(colors::kAccent, high * 0.11, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    const QPointF tip(area.left() + area.width() * 0.18, area.top() + high * 0.32);
+    QPainterPath arrow(tip + QPointF(high * 0.2, -high * 0.2));
+    arrow.lineTo(tip);
+    arrow.lineTo(tip + QPointF(high * 0.2, high * 0.2));
+    arrow.moveTo(tip);
+    arrow.lineTo(area.right() - area.width() * 0.18, tip.y());
+    painter.drawPath(arrow);
+  };
+}
+
+}  // namespace
+
 Picture conditionPicture(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
+  if (condition == study::kWayOut) return wayOutPicture();
   const auto input = std::find_if(procedure.inputs.begin(), procedure.inputs.end(),
                                   [&](const fuzzy::Variable& one) { return one.id == condition.input; });
   if (input == procedure.inputs.end()) return {};

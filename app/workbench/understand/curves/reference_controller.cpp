@@ -14,6 +14,7 @@
 #include "core/base/error.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -184,8 +185,26 @@ void ReferenceController::open(const QString& path) {
     emit refused(text(curves.error().message()));
     return;
   }
+  add(std::move(*curves), path);
+}
+
+void ReferenceController::addPublished(const procedure::Procedure& procedure) {
+  std::vector<ReferenceCurve> curves;
+  for (const procedure::PublishedForce& force : procedure.published) {
+    const QString label = text(procedure::textIn(force.label, "en"));
+    const bool range = force.low_n < force.high_n;
+    const auto line = [&](const QString& name, double force_n) {
+      curves.push_back({{}, name, procedure.wayInput().id, {force.from_mm, force.to_mm}, {force_n, force_n}, 0});
+    };
+    line(range ? tr("%1, lowest").arg(label) : label, force.low_n);
+    if (range) line(tr("%1, highest").arg(label), force.high_n);
+  }
+  add(std::move(curves), tr("The published forces"));
+}
+
+void ReferenceController::add(std::vector<ReferenceCurve> curves, const QString& from) {
   std::vector<ReferenceCurve> next = references_;
-  for (ReferenceCurve& curve : *curves) {
+  for (ReferenceCurve& curve : curves) {
     const auto known = std::find_if(next.begin(), next.end(), [&](const auto& old) { return old.name == curve.name; });
     if (known != next.end()) {
       curve.color = known->color;
@@ -202,7 +221,7 @@ void ReferenceController::open(const QString& path) {
     emit refused(
         tr("%1: found %n reference curve(s) together with those that are shown, wanted at most %2; remove some first.",
            nullptr, static_cast<int>(next.size()))
-            .arg(path)
+            .arg(from)
             .arg(kMostReferences));
     return;
   }

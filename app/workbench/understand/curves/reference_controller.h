@@ -13,11 +13,15 @@
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
 
+namespace tactus::procedure {
+struct Procedure;
+}
+
 namespace tactus::workbench {
 
 /// A reference curve: a force curve from another source (another method, a measurement) to compare with the model.
 struct ReferenceCurve {
-  QString file;                 ///< path
+  QString file;                 ///< path; empty: of the procedure's pack
   QString name;                 ///< name of the series; without series the name of the file
   std::string input;            ///< id of the input on the x axis
   std::vector<double> x;        ///< ascending, in the unit of the input
@@ -82,6 +86,9 @@ class ReferenceController : public QObject {
   /// Adds the curves of the CSV file `path`; curves with the same names are replaced. Ends with `changed` or `refused`.
   /// A model must be open.
   void open(const QString& path);
+  /// Adds the forces that others published of the procedure of the model, as flat lines over their stretch of the way:
+  /// one for each end of a range. Ends with `changed` or `refused`.
+  void addPublished(const procedure::Procedure& procedure);
   void remove(const QString& name);
   void setExpert(std::optional<std::size_t> expert);
 
@@ -91,6 +98,7 @@ class ReferenceController : public QObject {
   void refused(const QString& sentence);
 
  private:
+  void add(std::vector<ReferenceCurve> curves, const QString& from);
   void adoptModel();
   void drop();
   std::optional<ReferenceDifference> differenceOf(const ReferenceCurve& reference) const;
