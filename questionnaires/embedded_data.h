@@ -7,6 +7,7 @@ namespace tactus::questionnaires {
 
 std::string_view aliasesJson();                             ///< forms/aliases.json
 std::string_view usabilityFormJson();                       ///< forms/usability_v1.json
+std::string_view usabilityAnyJson();                        ///< forms/usability_any.json
 std::string_view usabilityGermanWordingJson();              ///< forms/usability_v1.de.json
 std::string_view usabilityTraditionalChineseWordingJson();  ///< forms/usability_v1.zh-Hant.json
 std::string_view usabilitySimplifiedChineseWordingJson();   ///< forms/usability_v1.zh-Hans.json

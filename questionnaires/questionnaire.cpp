@@ -108,6 +108,7 @@ using base::Result;
 
 constexpr std::string_view kPrinted = "en";
 constexpr std::string_view kUsabilityForm = "usability-v1";
+constexpr std::string_view kAnyProcedure = "plain";  // the usability form where it does not name the tube of the paper
 
 /// Words of the usability form that the program carries, besides the form itself, which is in English.
 struct CarriedWording {
@@ -120,6 +121,25 @@ constexpr std::array kCarried = {
     CarriedWording{"zh-Hant", &usabilityTraditionalChineseWordingJson},
     CarriedWording{"zh-Hans", &usabilitySimplifiedChineseWordingJson},
 };
+
+bool isOfPaper(const procedure::Procedure& procedure) { return procedure.id == procedure::defaultProcedure()->id; }
+
+/// The published sentences name the tube of the paper: those of another procedure name none.
+Questionnaire forAnyProcedure(Questionnaire questionnaire) {
+  const auto all = base::JsonDocument::parse(usabilityAnyJson());
+  TACTUS_CHECK(all.has_value());
+  std::optional<base::Error> error;
+  std::vector<JsonMembers::NamedText> sentences;
+  JsonMembers(all->root(), error).texts(std::string_view(questionnaire.language), sentences);
+  TACTUS_CHECK(!error);
+  for (Question& question : questionnaire.questions) {
+    for (const auto& [number, text] : sentences) {
+      if (number == std::to_string(question.number)) question.text = text;
+    }
+  }
+  questionnaire.wording = kAnyProcedure;
+  return questionnaire;
+}
 
 Wording parsed(const CarriedWording& carried) {
   auto wording = parseWording(carried.text(), "wording in " + std::string(carried.language));
@@ -247,6 +267,7 @@ std::vector<Wording> wordingsIn(const procedure::Procedure& procedure) {
 }
 
 bool isKnown(const procedure::Procedure& procedure, const study::ItemCondition& condition) {
+  if (condition == study::kWayOut) return true;
   const auto has = [&](const std::vector<fuzzy::Term>& terms) {
     return fuzzy::findTerm(terms, condition.term) != nullptr;
   };
@@ -332,7 +353,7 @@ base::Result<void> checkWordings(const procedure::Procedure& procedure) {
 }
 
 std::vector<std::string> wordingsOf(const procedure::Procedure& procedure, std::string_view form) {
-  if (form == kUsabilityForm) return {std::string(kPublishedWording)};
+  if (form == kUsabilityForm) return {std::string(isOfPaper(procedure) ? kPublishedWording : kAnyProcedure)};
   const study::Form* const known = procedure.form(form);
   if (known == nullptr) return {};
   std::vector<std::string> out;
@@ -351,7 +372,7 @@ std::vector<std::string> languagesOf(const procedure::Procedure& procedure, std:
   if (wording.empty()) wording = wordings.front();
   std::vector<std::string> languages;
   if (form == kUsabilityForm) {
-    if (wording != kPublishedWording) return {};
+    if (wording != wordings.front()) return {};
     languages.emplace_back(kPrinted);
     for (const auto& carried : kCarried) languages.emplace_back(carried.language);
     return languages;
@@ -363,6 +384,22 @@ std::vector<std::string> languagesOf(const procedure::Procedure& procedure, std:
   }
   return languages;
 }
+
+namespace {
+
+/// Nothing in a language that the program does not carry.
+std::optional<Questionnaire> usabilityIn(std::string_view language) {
+  if (language == kPrinted) return asPrinted(usabilityForm());
+  for (const auto& carried : kCarried) {
+    if (carried.language != language) continue;
+    auto worded = inWords(usabilityForm(), parsed(carried));
+    TACTUS_CHECK(worded.has_value());
+    return *std::move(worded);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 Result<Questionnaire> questionnaire(const procedure::Procedure& procedure, std::string_view form,
                                     std::string_view language, std::string_view wording) {
@@ -377,10 +414,8 @@ Result<Questionnaire> questionnaire(const procedure::Procedure& procedure, std::
                 "one of " + base::joined(wordings, ", "));
   }
   if (form == kUsabilityForm) {
-    for (const auto& carried : kCarried) {
-      if (carried.language == language) return inWords(usabilityForm(), parsed(carried));
-    }
-    if (language == kPrinted) return asPrinted(usabilityForm());
+    auto asked = usabilityIn(language);
+    if (asked) return isOfPaper(procedure) ? *std::move(asked) : forAnyProcedure(*std::move(asked));
   } else {
     const std::string& way = procedure.wayInput().id;
     const study::Form& known = *procedure.form(form);
