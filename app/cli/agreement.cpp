@@ -45,15 +45,15 @@ Result<Rated> readCounts(const base::CsvTable& table, const std::vector<std::str
 }
 
 Result<Rated> readTable(const base::CsvTable& table, const AgreementOptions& options) {
+  TACTUS_TRY(const auto about, session::procedureOfTable(options.file, options.pack));
   std::vector<std::string> terms;
-  for (const auto& term : procedure::defaultProcedure()->output.terms) terms.push_back(term.id);
+  for (const auto& term : about->output.terms) terms.push_back(term.id);
   if (elicitation::isVoteTable(table, terms)) return readCounts(table, terms);
   std::vector<std::string> notes;
   if (table.find("item")) {
     TACTUS_TRY(const auto answers, session::readAnswerTable(table, notes));
-    return rated(
-        elicitation::agreementData(answers, options.form, session::knownForms(*procedure::defaultProcedure()), terms),
-        "answers", options.file, std::move(notes));
+    return rated(elicitation::agreementData(answers, options.form, session::knownForms(*about), terms), "answers",
+                 options.file, std::move(notes));
   }
   if (table.find("series") || table.find("term")) {
     TACTUS_TRY(const auto judgements, session::readJudgementTable(table, notes));

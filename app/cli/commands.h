@@ -57,6 +57,7 @@ base::Result<Output> cluster(const ClusterOptions& options);
 struct VoteOptions {
   std::string judgements;  ///< judgements.csv, or a table of counts like Table 2
   std::string series = "ascending";
+  std::string pack;  ///< the procedure of a single table; empty: the pack beside it, or the default one
   elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
   std::optional<double> force_end_n;
   bool json = false;
@@ -68,6 +69,7 @@ struct AgreementOptions {
   std::string file;                  ///< answers.csv, judgements.csv, or a table of counts like Table 2
   std::string series = "ascending";  ///< for judgements
   std::string form;                  ///< for answers; empty: the form with the most ratings
+  std::string pack;                  ///< the procedure; empty: the pack beside the table, or the default one
   bool json = false;
 };
 /// Computes the agreement of the raters.
@@ -209,7 +211,7 @@ struct BundleOptions {
   std::string out;                        ///< folder, or a zip file
   std::vector<std::string> accept_holes;  ///< names of holes that may stay
   std::optional<double> table_error_n;    ///< that the look-up table may have anywhere; nothing: the usual one
-  std::string study;                      ///< study file whose sign-offs on the model go along; empty: none
+  std::string study;                      ///< study file whose sign-offs and pack go along; empty: none
   std::string sign;                       ///< file of a private key of OpenSSH; empty: no signature
   bool json = false;
 };

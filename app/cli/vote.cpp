@@ -50,10 +50,17 @@ bool isStudy(const std::string& path) {
   return std::filesystem::is_directory(path, ignored) || isDatabase(path);
 }
 
-/// The force of the study's procedure; of a table, that of the default one.
-Result<fuzzy::Variable> outputOf(const std::string& path) {
-  if (!isStudy(path)) return procedure::defaultProcedure()->output;
-  TACTUS_TRY(const auto study, session::readStudy(path));
+/// The force of the procedure.
+Result<fuzzy::Variable> outputOf(const VoteOptions& options) {
+  if (!isStudy(options.judgements)) {
+    TACTUS_TRY(const auto about, session::procedureOfTable(options.judgements, options.pack));
+    return about->output;
+  }
+  if (!options.pack.empty()) {
+    return base::fail(base::ErrorCode::kValue, "--pack", "a study, which keeps its procedure",
+                      "--pack only with a single table");
+  }
+  TACTUS_TRY(const auto study, session::readStudy(options.judgements));
   return procedure::of(study.study).output;
 }
 
@@ -197,7 +204,7 @@ std::string asJson(const VoteOptions& options, const std::vector<VoteStep>& step
 }  // namespace
 
 Result<Output> vote(const VoteOptions& options) {
-  TACTUS_TRY(const auto output, outputOf(options.judgements));
+  TACTUS_TRY(const auto output, outputOf(options));
   std::vector<std::string> ids;
   for (const auto& term : output.terms) ids.push_back(term.id);
   TACTUS_TRY(auto count, countFile(options, ids));

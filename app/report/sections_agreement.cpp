@@ -8,12 +8,14 @@
 #include "core/base/text.h"
 #include "elicitation/agreement/agreement.h"
 #include "questionnaires/form_file.h"
+#include "questionnaires/questionnaire.h"
 
 namespace tactus::report {
 
 void addUsability(HtmlPage& page, const ReportContext& context) {
   if (context.in.usability.empty()) return;
   const auto form = questionnaires::usabilityForm();
+  const auto asked = questionnaires::questionnaire(context.about(), form.id, "en");
   page.section("Usability of the simulator");
   Table table{.caption = strong("Usability.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " Answers from 1 (" + form.low + ") to " + std::to_string(form.points) + " (" + form.high +
@@ -27,9 +29,9 @@ void addUsability(HtmlPage& page, const ReportContext& context) {
               .body = {},
               .note = "SD with n − 1. A participant who skipped a statement is not counted there."};
   for (const auto& row : context.in.usability) {
-    const auto item =
-        std::find_if(form.items.begin(), form.items.end(), [&](const auto& one) { return one.number == row.item; });
-    const std::string statement = item == form.items.end() ? std::string() : ". " + item->text;
+    const auto item = std::find_if(asked->questions.begin(), asked->questions.end(),
+                                   [&](const auto& one) { return one.number == row.item; });
+    const std::string statement = item == asked->questions.end() ? std::string() : ". " + item->text;
     const bool some = row.n > 0;
     const auto number = [some](const std::string& text) { return numberCell(some ? text : "–"); };
     table.body.push_back({{.text = std::to_string(row.item) + statement},

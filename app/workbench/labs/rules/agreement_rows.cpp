@@ -6,6 +6,7 @@
 #include "app/workbench/base/display_text.h"
 #include "core/procedure/procedure.h"
 #include "elicitation/agreement/agreement_data.h"
+#include "questionnaires/questionnaire.h"
 
 namespace tactus::workbench {
 namespace {
@@ -129,11 +130,14 @@ std::vector<AgreementRow> agreementRows(const LabStudy& study, const std::stop_t
 std::vector<UsabilityRow> usabilityRows(const LabStudy& study) {
   const questionnaires::ScaleForm form = questionnaires::usabilityForm();
   const auto here = questionnaires::summarize(form, study.answers);
+  const procedure::Procedure& about = procedure::of(study.study);
+  const auto asked = questionnaires::questionnaire(about, form.id, "en");
+  const bool of_paper = about.id == procedure::defaultProcedure()->id;
   const auto published = questionnaires::publishedUsability();
   std::vector<UsabilityRow> rows;
   for (std::size_t i = 0; i < form.items.size(); ++i) {
-    UsabilityRow row{text(form.items[i].text), here[i], {}};
-    if (i < published.size()) row.published = published[i];
+    UsabilityRow row{text(asked->questions[i].text), here[i], {}};
+    if (of_paper && i < published.size()) row.published = published[i];
     rows.push_back(row);
   }
   return rows;
