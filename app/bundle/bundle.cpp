@@ -22,6 +22,7 @@
 #include "core/base/text.h"
 #include "core/fuzzy/validate.h"
 #include "core/model_io/model_file.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::bundle {
 namespace {
@@ -294,6 +295,19 @@ void addTable(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compil
           originText(origin) + "\n");
 }
 
+/// The pack that the model names, in the folder `procedure`; nothing of the default procedure.
+void addPack(const fuzzy::ForceModel& model, const BundleSettings& settings, Bundle& bundle, Collector& collector) {
+  const procedure::ModelProcedure named = procedure::procedureOf(model);
+  if (named.sha256.empty()) return;
+  for (const auto& known : {settings.procedure, procedure::builtIn(named.id)}) {
+    if (known == nullptr || known->sha256 != named.sha256) continue;
+    for (const auto& [path, bytes] : known->files) collector.add("procedure/" + path, "procedure", bytes);
+    return;
+  }
+  bundle.warnings.push_back("procedure/ is left out: the pack of " + base::quoted(named.id) +
+                            " with which the model was made is not at hand; the study has it");
+}
+
 }  // namespace
 
 std::vector<std::string> expertFileNames(const fuzzy::ForceModel& model) {
@@ -334,6 +348,7 @@ base::Result<Bundle> makeBundle(fuzzy::ForceModel model, const BundleSettings& s
   if (!bundle.approvals.empty()) {
     collector.add(std::string(model_io::kApprovalsName), "approvals", model_io::formatApprovals(bundle.approvals));
   }
+  addPack(made, settings, bundle, collector);
   collector.add("report.html", "report", bundleReport(bundle, compiled));
   bundle.files.emplace_back(std::string(model_io::kManifestName), model_io::formatManifest(bundle.manifest));
   bundle.fingerprint = base::sha256(bundle.files.back().second);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -16,6 +17,10 @@
 #include "core/fuzzy/force_model.h"
 #include "core/model_io/bundle_check.h"
 
+namespace tactus::procedure {
+struct Procedure;
+}
+
 namespace tactus::bundle {
 
 struct BundleSettings {
@@ -27,6 +32,8 @@ struct BundleSettings {
   /// Called before each file, in the thread that makes the bundle.
   std::function<void(std::size_t done, std::size_t all)> progress = {};
   std::vector<model_io::Approval> approvals = {};  ///< of the model, as its history has them
+  /// Whose files go along where the model names it; null: only of a procedure that the program carries.
+  std::shared_ptr<const procedure::Procedure> procedure = {};
 };
 
 /// The files of a bundle in memory, the manifest last; behind it its signature, where it has one.

@@ -10,6 +10,7 @@
 #include "app/cli/contracts_text.h"
 #include "app/cli/output_file.h"
 #include "app/cli/pull_text.h"
+#include "app/session/study_procedure.h"
 #include "app/version.h"
 #include "core/base/clock.h"
 #include "core/base/error.h"
@@ -177,6 +178,7 @@ base::Result<Output> bundle(const BundleOptions& options) {
   if (!options.study.empty()) {
     TACTUS_TRY(auto sign_offs, signOffsOn(read.model, options.study));
     settings.approvals = std::move(sign_offs);
+    TACTUS_TRY(settings.procedure, session::procedureAt(options.study));
   }
   const bool zip = bundle::isZipName(options.out) && !std::filesystem::is_directory(options.out);
   // What would stop it in the end is said before the work.

@@ -34,14 +34,6 @@ struct Imported {
   std::vector<std::string> warnings = {};  ///< of its end
 };
 
-/// The procedure of the study at `path`; null if there is none yet, or if it is the default one.
-Result<session::ProcedurePtr> procedureAt(const std::string& path) {
-  std::error_code ignored;
-  if (path.empty() || !std::filesystem::exists(path, ignored)) return session::ProcedurePtr{};
-  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
-  return session::procedureIn(file);
-}
-
 Result<Imported> intoStudy(const std::string& path, const study::Study& tables, const session::ImportSource& source) {
   std::error_code ignored;
   if (!path.empty() && !std::filesystem::exists(path, ignored)) {
@@ -60,7 +52,7 @@ Result<Output> importFolder(const StudyImportOptions& options) {
   const std::string& folder = options.sources.front();
   TACTUS_TRY(const auto accepted, acceptedKinds(options.accept));
   // Everything that can be wrong with the tables is found before a file is made.
-  TACTUS_TRY(auto procedure, procedureAt(options.file));
+  TACTUS_TRY(auto procedure, session::procedureAt(options.file));
   TACTUS_TRY(const auto tables, session::readTables(folder, std::move(procedure)));
   const auto data = session::dataFindings(tables.study);
   if (auto ok = study::refuseData(data, accepted); !ok) return study::inStudyFolder(ok.error(), folder);

@@ -200,6 +200,13 @@ Result<StudyProtocol> protocolOf(const store::StudyFile& file, const study::Prot
   TACTUS_TRY(auto out, parseStudyProtocol(record.text));
   TACTUS_TRY(out.settings.procedure, procedureIn(file));
   return out;
+Result<ProcedurePtr> procedureAt(const std::string& path) {
+  std::error_code ignored;
+  if (path.empty() || !std::filesystem::exists(path, ignored)) return ProcedurePtr{};
+  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
+  return procedureIn(file);
+}
+
 }
 
 Result<SessionSettings> settingsOf(const store::StudyFile& file, const study::SessionRecord& session) {

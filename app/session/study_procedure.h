@@ -31,6 +31,9 @@ base::Result<void> keepProcedure(store::StudyFile& file, const ProcedurePtr& pro
 /// one of its SHA-256.
 base::Result<ProcedurePtr> procedureIn(const store::StudyFile& file);
 
+/// The same of the study at `path`; null also if there is none yet.
+base::Result<ProcedurePtr> procedureAt(const std::string& path);
+
 /// The protocol in `record` of `file`, with the procedure of the study.
 base::Result<StudyProtocol> protocolOf(const store::StudyFile& file, const study::ProtocolRecord& record);
 

@@ -30,7 +30,7 @@ fuzzy::NamedJson modelSetting(const Procedure& procedure) {
 
 ModelProcedure procedureOf(const fuzzy::ForceModel& model) {
   const auto of = [](const Procedure& known) {
-    ModelProcedure out{known.id, {}};
+    ModelProcedure out{known.id, {}, {}};
     for (std::size_t i = 0; i < known.inputs.size(); ++i)
       out.directions.emplace(known.inputs[i].id, known.input_notes[i].direction);
     return out;
@@ -42,6 +42,7 @@ ModelProcedure procedureOf(const fuzzy::ForceModel& model) {
   auto read = base::readJson(said->json, kSetting, [](base::JsonMembers& json, std::optional<base::Error>&) {
     ModelProcedure out;
     json.text("id", out.id);
+    json.text("sha256", out.sha256);
     std::vector<base::JsonMembers::NamedText> directions;
     json.texts("directions", directions);
     for (const auto& [input, direction] : directions) {

@@ -11,6 +11,7 @@
 #include "app/version.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/shown_procedure.h"
 #include "core/analysis/model_difference.h"
 #include "core/base/clock.h"
 
@@ -136,7 +137,8 @@ void BundleMaker::make(const QString& folder) {
     answers_.post([this, doing, done, all] { tell(doing, done, all); });
   };
   worker_.run([this, folder, told, stop = stop_.get_token(), model = edits_.history().ready(),
-               approvals = approvalsOf(edits_.history())](const std::stop_token&) -> Background::Deliver {
+               approvals = approvalsOf(edits_.history()),
+               procedure = shownProcedure()](const std::stop_token&) -> Background::Deliver {
     const auto end = [this](End what) -> Background::Deliver {
       return [this, what = std::make_shared<End>(std::move(what))] { take(std::move(*what)); };
     };
@@ -152,7 +154,8 @@ void BundleMaker::make(const QString& folder) {
         std::nullopt,
         stop,
         [&told](std::size_t done, std::size_t all) { told(Doing::kMaking, done, all); },
-        approvals};
+        approvals,
+        procedure};
     // A folder that may not be taken is said before the work.
     if (const auto ok = bundle::mayHoldBundle(folder.toStdString()); !ok) return failed(ok.error());
     const auto made = bundle::makeBundle(model->model, settings);

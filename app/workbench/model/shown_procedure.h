@@ -16,6 +16,11 @@ using ProcedurePtr = std::shared_ptr<const procedure::Procedure>;
 /// carries by that name; the default one for a model that names none and has only inputs of it. Null: not known.
 ProcedurePtr procedureFor(const fuzzy::ForceModel& model, const ProcedurePtr& of_study);
 
+/// Procedure::device_scale; 1 where it is not known.
+inline double deviceScaleOf(const ProcedurePtr& procedure) {
+  return procedure != nullptr ? procedure->device_scale : 1;
+}
+
 /// What stands beside an axis of the way is of this procedure, in every plot: the default one at first. Null: nothing.
 void showProcedure(ProcedurePtr procedure);
 const ProcedurePtr& shownProcedure();
