@@ -86,6 +86,7 @@ ForcePlan ForceProtocol::next() const {
   if (step->force_n > settings_.continuous_n) plan.hold_limit_s = settings_.hold_limit_s;
   plan.forward_least_mm = settings_.forward_least_mm;
   plan.forward_least_mm_s = settings_.forward_least_mm_s;
+  plan.device_scale = settings_.device_scale;
   plan.question.answers = allAnswers(settings_.terms);
   if (plan.attempt > 1) plan.question.repeat = repeatReason(*step);
   plan.question.repeat_reason = sentence(plan.question.repeat);
@@ -126,7 +127,8 @@ base::Result<study::JudgementRecord> ForceProtocol::record(const ForceAnswer& an
   record.delivered_share = settings_.delivered ? answer.delivered_share : std::optional(0.0);
   const bool delivered = settings_.delivered && answer.delivered && answer.delivered_share.value_or(1) >= kLeastShare;
   const bool felt = delivered && movedForward(record);
-  if (settings_.device_friction_n && felt) record.felt_n = plan.step.force_n + *settings_.device_friction_n;
+  if (settings_.device_friction_n && felt)
+    record.felt_n = plan.step.force_n + *settings_.device_friction_n * settings_.device_scale;
   record.kind = answer.kind;
   if (answer.kind == Answer::kTerm) record.term = answer.term;
   record.scored = felt && plan.step.series != kFamiliarisation;

@@ -55,6 +55,7 @@ struct ForcePlan {
   std::optional<double> hold_limit_s;  ///< the force fades after this time; nothing = it is held until the answer
   double forward_least_mm = 0;         ///< the judgement counts after this way forward
   double forward_least_mm_s = 0;
+  double device_scale = 1;  ///< the device gives the force divided by it
   ForceQuestion question;
 
   bool operator==(const ForcePlan&) const = default;
@@ -72,6 +73,7 @@ struct ForceAnswer {
   /// The least share of the force that was in the hand, [0, 1] (StimulusDelivery::leastShare); nothing: not known. Less
   /// than kLeastShare counts as not delivered.
   std::optional<double> delivered_share = {};
+  std::optional<bool> would_stop = {};  ///< whether she would stop at this force; nothing: not asked
 };
 
 /// A force that was cut by more than 1 % is not the force of the step; the smallest difference that a hand feels is

@@ -24,13 +24,14 @@ tl::unexpected<base::Error> refuse(std::string place, double found, std::string 
   return base::fail(base::ErrorCode::kValue, std::move(place), base::formatNumber(found), std::move(wanted));
 }
 
-bool isForce(double force_n) { return std::isfinite(force_n) && force_n > 0 && force_n <= kHighestForceN; }
+base::Result<void> validateForce(double force_n, double most_n, const std::string& place) {
+  if (std::isfinite(force_n) && force_n > 0 && force_n <= most_n) return {};
+  return refuse(place, force_n, "above 0 and at most " + base::formatNumber(most_n) + " N");
+}
 
-std::string forceWanted() { return "above 0 and at most " + base::formatNumber(kHighestForceN) + " N"; }
-
-base::Result<void> validateSteps(const ForceSteps& steps, const std::string& place) {
-  if (!isForce(steps.lowest_n)) return refuse(place + ".lowest_n", steps.lowest_n, forceWanted());
-  if (!isForce(steps.highest_n)) return refuse(place + ".highest_n", steps.highest_n, forceWanted());
+base::Result<void> validateSteps(const ForceSteps& steps, double most_n, const std::string& place) {
+  if (auto ok = validateForce(steps.lowest_n, most_n, place + ".lowest_n"); !ok) return ok;
+  if (auto ok = validateForce(steps.highest_n, most_n, place + ".highest_n"); !ok) return ok;
   if (steps.highest_n < steps.lowest_n) {
     return refuse(place + ".highest_n", steps.highest_n,
                   "at least lowest_n (" + base::formatNumber(steps.lowest_n) + ")");
@@ -84,8 +85,10 @@ double ForceSteps::at(int i) const { return std::round((lowest_n + i * step_n) *
 
 base::Result<void> validate(const ForceSettings& s) {
   if (auto ok = validateTerms(s.terms); !ok) return ok;
+  if (!(s.device_scale >= 1 && s.device_scale <= 20)) return refuse("device_scale", s.device_scale, "1 to 20");
+  const double most_n = kHighestForceN * s.device_scale;
   for (const double force_n : s.familiarisation_n) {
-    if (!isForce(force_n)) return refuse("familiarisation_n", force_n, forceWanted());
+    if (auto ok = validateForce(force_n, most_n, "familiarisation_n"); !ok) return ok;
   }
   if (!s.ascending && !s.random) {
     return base::fail(base::ErrorCode::kValue, "ascending", "no series", "the ascending series or the random block");
@@ -93,8 +96,8 @@ base::Result<void> validate(const ForceSettings& s) {
   if (s.descending && !s.ascending) {
     return base::fail(base::ErrorCode::kValue, "descending", "no ascending series", "one, whose end it starts from");
   }
-  if (auto ok = validateSteps(s.ladder, "ladder"); !ok) return ok;
-  if (auto ok = validateSteps(s.random_steps, "random_steps"); !ok) return ok;
+  if (auto ok = validateSteps(s.ladder, most_n, "ladder"); !ok) return ok;
+  if (auto ok = validateSteps(s.random_steps, most_n, "random_steps"); !ok) return ok;
 
   struct Range {
     const char* place;
@@ -111,7 +114,7 @@ base::Result<void> validate(const ForceSettings& s) {
                                          {"forward_least_mm_s", s.forward_least_mm_s, 1, 100, " mm/s"},
                                          {"device_friction_n", s.device_friction_n.value_or(0), 0, 1, " N"},
                                          {"ramp_s", s.ramp_s, 0.05, 1, " s"},
-                                         {"continuous_n", s.continuous_n, 0.01, kHighestForceN, " N"},
+                                         {"continuous_n", s.continuous_n, 0.01, most_n, " N"},
                                          {"hold_limit_s", s.hold_limit_s, 0.5, 60, " s"},
                                          {"pause_s", s.pause_s, 2, 60, " s"},
                                          {"rest_every", double(s.rest_every), 0, 1000, " steps"},

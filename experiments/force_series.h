@@ -52,9 +52,12 @@ struct ForceSettings {
 
   /// A judgement counts only if the hand moved forward during the force. The device's own friction hides small forces
   /// from a resting hand and adds to the force on a moving hand. Measured by ForwardMotion.
-  double forward_least_mm = 10;             ///< forward travel
-  double forward_least_mm_s = 10;           ///< slower motion does not count; the slowest mean of Table 1 is 31 mm/s
-  std::optional<double> device_friction_n;  ///< measured against forward motion; added to the felt force; 0 to 1
+  double forward_least_mm = 10;    ///< forward travel
+  double forward_least_mm_s = 10;  ///< slower motion does not count; the slowest mean of Table 1 is 31 mm/s
+  std::optional<double>
+      device_friction_n;  ///< measured against forward motion; added to the felt force, times the scale; 0 to 1
+
+  double device_scale = 1;  ///< the device gives the forces divided by it (procedure::Procedure); 1 to 20
 
   double ramp_s = 0.15;        ///< from zero to the full force; 0.05 to 1
   double continuous_n = 0.88;  ///< force that the device can hold permanently (a Touch)
@@ -66,7 +69,8 @@ struct ForceSettings {
   double start_zone_mm = 10;   ///< a step starts when the stylus is within this distance of its rest position
 };
 
-/// Returns an error with one sentence for invalid settings. Forces must be above 0 and at most kHighestForceN.
+/// Returns an error with one sentence for invalid settings. Forces must be above 0 and at most kHighestForceN times the
+/// scale.
 base::Result<void> validate(const ForceSettings& settings);
 
 /// Largest stimulus: the highest limit that an expert can unlock.

@@ -263,6 +263,10 @@ void addStudyOverview(HtmlPage& page, const ReportContext& context) {
                 " moved a device that gives no force. Nothing that was judged there counts; strokes there count only "
                 "where the protocol says virtual = accepted.");
   }
+  if (const double scale = context.about().device_scale; scale != 1) {
+    page.notice("The forces are beyond the device: in the hand they were 1 : " + base::formatNumber(scale) +
+                ". Every number here is that of the procedure.");
+  }
   std::size_t strokes = 0;
   std::size_t answers = 0;
   std::size_t judgements = 0;

@@ -32,17 +32,20 @@ double holdS(double force_n, const std::optional<double>& asked_s, const haptics
 
 Result<void> requireHoldsAt(const std::string& place, double force_n, const experiments::ForceSettings& settings,
                             const haptics::LimitSettings& limits) {
-  if (force_n > limits.force_cap_n) {
+  const double scale = settings.device_scale;
+  const std::string at_scale = scale == 1 ? "" : " at 1 : " + formatNumber(scale);
+  if (force_n > limits.force_cap_n * scale) {
     return fail(ErrorCode::kValue, place, formatNumber(force_n) + " N",
-                "at most " + formatNumber(limits.force_cap_n) + " N, the force cap of the device");
+                "at most " + formatNumber(limits.force_cap_n * scale) + " N, the force cap of the device" + at_scale);
   }
   const auto asked_s = force_n > settings.continuous_n ? std::optional(settings.hold_limit_s) : std::nullopt;
-  const double hold_s = holdS(force_n, asked_s, limits);
+  const double hold_s = holdS(force_n / scale, asked_s, limits);
   const double largest_n =
-      haptics::largestHoldN(settings.ramp_s, hold_s, limits.continuous_force_n, limits.thermal_window_s);
+      scale * haptics::largestHoldN(settings.ramp_s, hold_s, limits.continuous_force_n, limits.thermal_window_s);
   if (force_n <= largest_n) return {};
-  return fail(ErrorCode::kValue, place, formatNumber(force_n) + " N for " + formatNumber(hold_s) + " s",
-              "at most " + base::formatFixed(largest_n, 2) + " N, which the motors of the device can hold so long");
+  return fail(
+      ErrorCode::kValue, place, formatNumber(force_n) + " N for " + formatNumber(hold_s) + " s",
+      "at most " + base::formatFixed(largest_n, 2) + " N, which the motors of the device can hold so long" + at_scale);
 }
 
 }  // namespace
@@ -67,7 +70,7 @@ Result<void> requireHolds(const experiments::ForceSettings& settings, const hapt
 
 double pauseBeforeS(const experiments::ForcePlan& plan, const haptics::ThermalBudget& budget,
                     const haptics::LimitSettings& limits) {
-  const double force_n = plan.step.force_n;
+  const double force_n = plan.step.force_n / plan.device_scale;
   const haptics::PlannedHold planned{force_n, plan.ramp_s, holdS(force_n, plan.hold_limit_s, limits)};
   const auto rest_s = haptics::restBeforeS(budget, planned, limits.continuous_force_n, limits.thermal_window_s);
   return std::max(plan.pause_before_s, rest_s.value_or(0));

@@ -102,6 +102,7 @@ void visit(Visitor& v, experiments::ForceSettings& s) {
   v("forward_least_mm", s.forward_least_mm);
   v("forward_least_mm_s", s.forward_least_mm_s);
   v("device_friction_n", s.device_friction_n);
+  v.ifUnusual("device_scale", s.device_scale, 1);
   v("ramp_s", s.ramp_s);
   v("continuous_n", s.continuous_n);
   v("hold_limit_s", s.hold_limit_s);
@@ -130,6 +131,10 @@ class Writer {
  public:
   Json json = Json::object();
 
+  void ifUnusual(const char* key, double& member, double usual) {
+    if (member != usual) json[key] = member;
+  }
+
   template <class T>
   void operator()(const char* key, T& member) {
     if constexpr (kIsPlain<T>) {
@@ -152,6 +157,8 @@ class Writer {
 class Reader {
  public:
   Reader(JsonMembers& members, std::optional<base::Error>& error) : members_(members), error_(error) {}
+
+  void ifUnusual(const char* key, double& member, double /*usual*/) { members_.number(key, member); }
 
   template <class T>
   void operator()(const char* key, T& member) {

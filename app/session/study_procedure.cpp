@@ -23,8 +23,9 @@ using procedure::Procedure;
 using Json = nlohmann::ordered_json;
 
 /// Highest step of a ladder: the force universe to a tenth of a newton, as far as a device is asked to go.
-double highestStepN(double universe_end_n) {
-  return std::clamp(std::floor(universe_end_n * 10 + 0.5) / 10, 0.2, experiments::kHighestForceN);
+double highestStepN(const Procedure& procedure) {
+  const double most_n = experiments::kHighestForceN * procedure.device_scale;
+  return std::clamp(std::floor(procedure.output.max * 10 + 0.5) / 10, 0.2, std::floor(most_n * 10) / 10);
 }
 
 Result<ProcedurePtr> checked(Procedure read) {
@@ -164,8 +165,11 @@ Result<StudyProtocol> firstProtocol(const ProcedurePtr& procedure) {
   }
   if (procedure != procedure::defaultProcedure()) {
     auto& ladder = settings.force.ladder;
-    ladder.highest_n = highestStepN(procedure->output.max);
-    ladder.lowest_n = ladder.step_n = ladder.highest_n > 2 ? 0.2 : 0.1;
+    ladder.highest_n = highestStepN(*procedure);
+    ladder.lowest_n = ladder.step_n = ladder.highest_n > 6 ? 0.5 : ladder.highest_n > 2 ? 0.2 : 0.1;
+    if (ladder.step_n == 0.5) ladder.highest_n = std::floor(ladder.highest_n * 2) / 2;
+    settings.force.device_scale = procedure->device_scale;
+    settings.force.continuous_n *= procedure->device_scale;
     settings.force.familiarisation_n = {ladder.at(ladder.count() / 3)};
   }
   return procedure->protocol.empty() ? out : withPack(out, *procedure);

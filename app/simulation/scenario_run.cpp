@@ -230,7 +230,7 @@ base::Result<RunSummary> runScenario(const Scenario& scenario, const fuzzy::Forc
     TraceTick tick;
     haptics::ServoTick input{now_ns, (device)->read(now_ns), &orders.now(), orders.number(), false, stop, heartbeat_ns};
     tick.sample = core.tick(input);
-    (device)->write(core.axis().forceOnHand(tick.sample.force_n), now_ns);
+    (device)->write(core.deviceForce(tick.sample), now_ns);
     tick.sample.time_ns = now_ns - kTickNs;
     tick.wish = plan(time_s);
     tick.true_position_mm = (device)->truePositionMm();

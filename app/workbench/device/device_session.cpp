@@ -170,6 +170,7 @@ void addTo(haptics::ServoOrders& orders, ForceOrders force) {
   // Without force a fast hand is no danger: the speed experiment asks for it.
   orders.limits.guard_velocity = force.source != haptics::ForceSource::kFree;
   orders.stimulus = force.stimulus;
+  orders.scale = force.scale;
 }
 
 }  // namespace

@@ -54,6 +54,7 @@ struct ForceOrders {
   std::uint64_t placement = 0;                       ///< for kInsertion: another number begins another placement
   double start_depth_mm = 0;                         ///< for kInsertion: of the tube when a placement begins
   haptics::Stimulus stimulus;                        ///< for kStimulus: another number begins another stimulus
+  double scale = 1;  ///< the hand gets the force divided by it (Procedure::device_scale)
 };
 
 /// The cause of a trip, for the screen.

@@ -170,6 +170,7 @@ bool FeelController::prepare() {
   }
   depth_offset_mm_ = (*servo_scene)->renderer().depth_offset_mm;
   force_.scene = std::move(*servo_scene);
+  force_.scale = deviceScaleOf(scene_.procedure());
   ++force_.placement;
   conditions_new_ = false;
   return true;
@@ -309,6 +310,7 @@ bool FeelController::postScene(double fade_s) {
   }
   depth_offset_mm_ = (*servo_scene)->renderer().depth_offset_mm;
   force_.scene = std::move(*servo_scene);
+  force_.scale = deviceScaleOf(scene_.procedure());
   if (const auto orders = session_.setForce(force_)) latency_.posted(*orders, ticks_before);
   return true;
 }

@@ -406,9 +406,11 @@ void FeelPanel::showRecording(bool armed, std::optional<int> recorded_s) {
 
 void FeelPanel::showForce() {
   const haptics::Sample& sample = feel_.latest();
-  bar_->setScale(trace_->topN(), feel_.session().limits().force_cap_n);
+  bar_->setScale(trace_->topN(), feel_.session().limits().force_cap_n * sample.scale);
   bar_->setForces(sample.force_n, sample.source_force_n);
-  const QString force = forceText(sample.force_n, "N");
+  QString force = forceText(sample.force_n, "N");
+  // The number is that of the procedure.
+  if (sample.scale != 1) force = tr("%1, in the hand 1 : %2").arg(force, QString::number(sample.scale));
   if (force != force_->text()) force_->setText(force);
   const QString limits = limitText();
   limits_->setFullText(limits);

@@ -150,6 +150,7 @@ void OwnModelTrial::feel() {
   ForceOrders force;
   force.source = haptics::ForceSource::kInsertion;
   force.scene = model_->scene;
+  force.scale = device_scale_;
   force.placement = device_.newNumber();
   force.start_depth_mm = model_->regions[region_].from_mm - model_->depthOffsetMm();
   device_.setForce(force);

@@ -105,7 +105,7 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       check_in_(study, proxy_, plan_),
       grip_before_(device.grip()),
       trial_(device),
-      own_(std::make_unique<OwnModelTrial>(study, device)),
+      own_(std::make_unique<OwnModelTrial>(study, device, about().device_scale)),
       steps_(Steps::all(*this)) {
   connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
   connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);

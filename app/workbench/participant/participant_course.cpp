@@ -131,6 +131,7 @@ bool ForceTrial::add(std::span<const haptics::Sample> samples) {
 void ForceTrial::order() {
   ForceOrders force;
   force.source = haptics::ForceSource::kStimulus;
+  force.scale = plan_.device_scale;
   force.stimulus = {++number_, plan_.step.force_n, plan_.ramp_s, plan_.hold_limit_s, plan_.start_zone_mm};
   const auto orders = device_.setForce(force);
   if (!orders) return;  // the run has ended; another one begins with another trial

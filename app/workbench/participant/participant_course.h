@@ -64,8 +64,9 @@ class OwnModelTrial : public QObject {
   Q_OBJECT
 
  public:
-  /// Both outlive this.
-  OwnModelTrial(StudyConnection& study, DeviceSession& device) : study_(study), device_(device) {}
+  /// Both outlive this. `device_scale`: of the procedure.
+  OwnModelTrial(StudyConnection& study, DeviceSession& device, double device_scale)
+      : study_(study), device_(device), device_scale_(device_scale) {}
 
   /// Builds the model of the participant `code` and stores it as a version of its own; does nothing if that was asked
   /// before. Ends with `changed`.
@@ -100,6 +101,7 @@ class OwnModelTrial : public QObject {
 
   StudyConnection& study_;
   DeviceSession& device_;
+  double device_scale_;
   bool asked_ = false;
   std::shared_ptr<const OwnModel> model_;
   QString refused_;

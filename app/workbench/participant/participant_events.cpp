@@ -236,7 +236,7 @@ void ParticipantController::startAgain() {
   met_ = correcting_ = false;
   replies_ = 0;
   form_.reset();
-  own_ = std::make_unique<OwnModelTrial>(study_, device_);
+  own_ = std::make_unique<OwnModelTrial>(study_, device_, about().device_scale);
   followOwnModel();
   steps_ = Steps::all(*this);
   const ParticipantState before = std::exchange(state_, {});

@@ -23,7 +23,7 @@ void ThermalFollower::add(const Sample& sample, const LimitSettings& limits) noe
   budget_.advance(sample.time_ns, held_n_, rating_n, limits.thermal_window_s);
   begun_ = true;
   last_ns_ = sample.time_ns;
-  held_n_ = sample.force_n;
+  held_n_ = sample.force_n / sample.scale;
 }
 
 namespace {

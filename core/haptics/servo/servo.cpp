@@ -166,7 +166,7 @@ void Servo::tick(std::int64_t now_ns) noexcept {
   input.heartbeat_ns = heartbeat_ns_.load(std::memory_order_relaxed);
   const Sample sample = core_.tick(input);
 
-  device_.write(core_.axis().forceOnHand(sample.force_n), now_ns);
+  device_.write(core_.deviceForce(sample), now_ns);
   ring_.push(sample);
   recorder_.record(sample, core_.tripped());
   meter_.restarts(core_.restarts());

@@ -19,7 +19,10 @@ bool sameAxis(const AxisMapping& a, const AxisMapping& b) noexcept {
 }  // namespace
 
 ServoCore::ServoCore(const DeviceInfo& device, const ThermalBudget& thermal)
-    : period_s_(1 / device.rate_hz), safety_(device.hold_s, thermal), insertion_(largestStiffnessNMm(device)) {}
+    : period_s_(1 / device.rate_hz),
+      largest_stiffness_n_mm_(largestStiffnessNMm(device)),
+      safety_(device.hold_s, thermal),
+      insertion_(largest_stiffness_n_mm_) {}
 
 Sample ServoCore::tick(const ServoTick& tick) noexcept {
   const ServoOrders& orders = *tick.orders;
@@ -50,16 +53,25 @@ Sample ServoCore::tick(const ServoTick& tick) noexcept {
   input.let_go = turned;
   safety_.begin(input, orders.enable, orders.limits);
 
+  if (orders.scale != scale_) takeScale(orders.scale);
   const double source_n = sources(tick, position_mm, dt_s);
-  const LimitedForce limited = safety_.limit(source_n, orders.limits);
+  const LimitedForce limited = safety_.limit(source_n / scale_, orders.limits);
   force_n_ = limited.force_n;
 
   Sample sample = sampleOf(tick);
   sample.position_mm = position_mm;
   sample.source_force_n = source_n;
-  sample.force_n = limited.force_n;
+  sample.force_n = limited.force_n * scale_;
   sample.limited |= limited.limited;
   return sample;
+}
+
+/// A device that gives a share of the force renders a spring that is stiffer by as much. What is in the hand goes on
+/// under the slew limit.
+void ServoCore::takeScale(double scale) noexcept {
+  constexpr double kFadeS = 0.05;
+  scale_ = std::max(1.0, scale);
+  insertion_.limitStiffness(largest_stiffness_n_mm_ * scale_, kFadeS);
 }
 
 /// The active source, and what the others still fade: each lets go within 30 ms of its own.
@@ -74,7 +86,7 @@ double ServoCore::sources(const ServoTick& tick, double position_mm, double dt_s
   insertion.active = orders.source == ForceSource::kInsertion;
   insertion.enabled = enabled;
   insertion.position_mm = position_mm;
-  insertion.force_cap_n = orders.limits.force_cap_n;
+  insertion.force_cap_n = orders.limits.force_cap_n * scale_;
   insertion.scene = orders.scene.get();
   if (orders.scene) insertion.fade_s = orders.scene->fadeS();
   insertion.dt_s = dt_s;
@@ -88,6 +100,7 @@ double ServoCore::sources(const ServoTick& tick, double position_mm, double dt_s
   stimulus.enabled = enabled;
   stimulus.position_mm = position_mm;
   stimulus.dt_s = dt_s;
+  stimulus.scale = scale_;
   return insertion_n + stimulus_.tick(stimulus, orders.stimulus, orders.limits);
 }
 
@@ -95,6 +108,7 @@ Sample ServoCore::sampleOf(const ServoTick& tick) const noexcept {
   const render::RendererState& tube = insertion_.state();
   const bool engaged = tube.phase != render::Phase::kReleased;
   Sample sample;
+  sample.scale = scale_;
   sample.tick = ticks_;
   sample.time_ns = tick.now_ns;
   sample.read_age_ns = tick.device.number > 0 ? tick.now_ns - tick.device.time_ns : 0;

@@ -31,7 +31,9 @@ struct ServoOrders {
   double start_depth_mm = 0;
   AxisMapping axis;  ///< a new axis: the force fades along the old axis and starts along the new one at the next press
   EnableSettings enable;
-  LimitSettings limits;
+  LimitSettings limits;  ///< of the device
+  /// 1 : scale, >= 1. The hand gets the force of the source divided by it.
+  double scale = 1;
 };
 
 /// The input of one tick.
@@ -52,9 +54,10 @@ class ServoCore {
   /// `thermal`: the load of its motors so far.
   explicit ServoCore(const DeviceInfo& device, const ThermalBudget& thermal = {});
 
-  /// Runs one tick. The force for the device is `axis().forceOnHand(sample.force_n)`. Thread: servo. Real-time safe:
-  /// yes.
+  /// Runs one tick. Thread: servo. Real-time safe: yes.
   Sample tick(const ServoTick& tick) noexcept;
+  /// The force for the device, of its last tick.
+  auto deviceForce(const Sample& sample) const noexcept { return axis_.forceOnHand(sample.force_n / sample.scale); }
 
   /// The device was told to give no force by another way than a tick. Call between two ticks.
   void toldNothing() noexcept { safety_.toldNothing(); }
@@ -73,9 +76,12 @@ class ServoCore {
 
  private:
   double sources(const ServoTick& tick, double position_mm, double dt_s) noexcept;
+  void takeScale(double scale) noexcept;
   Sample sampleOf(const ServoTick& tick) const noexcept;
 
   double period_s_;
+  double largest_stiffness_n_mm_;  ///< of the device
+  double scale_ = 1;               ///< in effect
   Safety safety_;
   render::Insertion insertion_;
   StimulusSource stimulus_;
@@ -84,7 +90,7 @@ class ServoCore {
   bool sampled_ = false;                    ///< the device had a sample at the last tick
   std::optional<std::uint64_t> placement_;  ///< of the last tick
   AxisMapping axis_;                        ///< in effect
-  double force_n_ = 0;                      ///< of the last tick
+  double force_n_ = 0;                      ///< of the last tick, on the hand
 };
 
 /// The stiffest spring that stays passive on `device` with a pinch grip, N/mm: half of b / (T / 2 + delay), with b =

@@ -13,9 +13,9 @@ namespace {
 constexpr double kRoundingS = 1e-9;
 
 /// Time at the full force; above the continuous rating no longer than the limits allow.
-double holdLimitS(const Stimulus& stimulus, const LimitSettings& limits) noexcept {
+double holdLimitS(const Stimulus& stimulus, double scale, const LimitSettings& limits) noexcept {
   const double asked_s = stimulus.hold_limit_s.value_or(std::numeric_limits<double>::infinity());
-  return stimulus.force_n > limits.continuous_force_n ? std::min(asked_s, limits.stimulus_hold_s) : asked_s;
+  return stimulus.force_n / scale > limits.continuous_force_n ? std::min(asked_s, limits.stimulus_hold_s) : asked_s;
 }
 
 /// Share of the ramp in one tick; a ramp without length is a step, which the slew limit takes.
@@ -66,7 +66,7 @@ void StimulusSource::advance(const StimulusTick& tick, const LimitSettings& limi
       full_ = true;
       phase_ = StimulusPhase::kFull;
     }
-  } else if (phase_ == StimulusPhase::kFull && since_full_s_ > holdLimitS(stimulus_, limits) - kRoundingS) {
+  } else if (phase_ == StimulusPhase::kFull && since_full_s_ > holdLimitS(stimulus_, tick.scale, limits) - kRoundingS) {
     phase_ = StimulusPhase::kFalling;
   }
   if (phase_ == StimulusPhase::kFalling) {

@@ -49,6 +49,7 @@ struct StimulusTick {
   bool enabled = false;    ///< the hand holds the device
   double position_mm = 0;  ///< along the insertion axis
   double dt_s = 0.001;     ///< since the last tick
+  double scale = 1;        ///< the hand gets the force divided by it
 };
 
 /// One stimulus after another. Each starts once and rises linearly within its ramp. It ends when its time at the full

@@ -43,6 +43,24 @@ TEST(ForceDevice, AForceThatColdMotorsCannotHoldIsRefused) {
   EXPECT_NE(refusal(low, weak).find("random_steps.highest_n: found 1.1 N for 3 s"), std::string::npos);
 }
 
+// At 1 : 3 the ladder of three times the forces is what the paper's ladder is at 1 : 1, and refused at the same place.
+TEST(ForceDevice, AScaleGoesAsFarBeyondTheDevice) {
+  ForceSettings settings;
+  settings.device_scale = 3;
+  settings.continuous_n *= 3;
+  settings.ladder = {0.3, 5.1, 0.3};
+  settings.familiarisation_n = {1.5};
+  EXPECT_TRUE(experiments::validate(settings));
+  EXPECT_EQ(refusal(settings), "");
+  settings.ladder.highest_n = 6.3;
+  EXPECT_EQ(refusal(settings),
+            "ladder.highest_n: found 6.3 N, wanted at most 6 N, the force cap of the device at 1 : 3");
+  settings.ladder.highest_n = 9.3;
+  EXPECT_FALSE(experiments::validate(settings));
+  settings.device_scale = 0.5;
+  EXPECT_FALSE(experiments::validate(settings));
+}
+
 // The servo ends what is above the rating after 3 s, whatever the settings ask for.
 TEST(ForceDevice, TheServosOwnTimeLimitCounts) {
   ForceSettings longer;

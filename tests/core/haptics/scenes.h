@@ -1,6 +1,7 @@
 // Scenes that tests of the servo feel: small models whose force follows by hand, and the NGT model.
 #pragma once
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <limits>
 #include <memory>
@@ -36,9 +37,12 @@ inline fuzzy::ForceModel constantModel(double force_n, const fuzzy::RendererPara
   model.name = "constant";
   model.inputs = {
       {"depth", "Depth", "mm", 0, 600, {{"all", "all", fuzzy::Shape::kTrapezoid, {from_mm, from_mm, 600, 600}}}}};
-  model.output = {"force", "Force",
-                  "N",     0,
-                  2,       {{"this", "this", fuzzy::Shape::kTriangle, {force_n - 0.05, force_n, force_n + 0.05}}}};
+  model.output = {"force",
+                  "Force",
+                  "N",
+                  0,
+                  std::max(2.0, force_n + 0.05),
+                  {{"this", "this", fuzzy::Shape::kTriangle, {force_n - 0.05, force_n, force_n + 0.05}}}};
   fuzzy::Expert expert;
   expert.id = expert.label = "E";
   expert.rules.push_back({{{"depth", "all"}}, "this"});

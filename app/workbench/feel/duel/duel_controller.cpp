@@ -10,6 +10,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/feel/procedure.h"
 #include "app/workbench/model/patient.h"
+#include "app/workbench/model/shown_procedure.h"
 #include "app/workbench/study/connection/study_connection.h"
 #include "experiments/two_interval.h"
 
@@ -246,6 +247,7 @@ void DuelController::giveStroke() {
   ForceOrders force;
   force.source = haptics::ForceSource::kInsertion;
   force.scene = *scene;
+  force.scale = deviceScaleOf(shownProcedure());
   force.placement = device_.newNumber();
   force.start_depth_mm = run_->start().from_mm - kLeadMm - offset_mm_;
   orders_ = device_.setForce(force).value_or(0);

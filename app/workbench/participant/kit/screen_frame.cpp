@@ -8,6 +8,7 @@
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/participant_state.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -38,14 +39,17 @@ ScreenFrame::ScreenFrame(const Look& look, QWidget* parent)
       title_(new Label(look, TextRole::kTitle, this)),
       hint_(new Label(look, TextRole::kMuted, this)),
       simulated_(new Label(look, TextRole::kTitle, phrase(QStringLiteral("sim.mark")), this)),
+      scale_(new Label(look, TextRole::kMuted, this)),
       back_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("nav.back")), this)),
       primary_(new Button(look, ButtonKind::kPrimary, phrase(QStringLiteral("nav.next")), this)) {
   setFocusPolicy(Qt::StrongFocus);
   title_->setWordWrap(false);
   hint_->setWordWrap(false);
   hint_->hide();
-  simulated_->setWordWrap(false);
-  simulated_->hide();
+  for (Label* const mark : {simulated_, scale_}) {
+    mark->setWordWrap(false);
+    mark->hide();
+  }
   connect(back_, &QAbstractButton::clicked, this, [this] {
     if (!turnPage(-1)) emit back();
   });
@@ -55,18 +59,17 @@ ScreenFrame::ScreenFrame(const Look& look, QWidget* parent)
   connect(&look, &Look::changed, this, &ScreenFrame::arrange);
 }
 
-void ScreenFrame::setSimulated(bool simulated) {
-  simulated_->setVisible(simulated);
-  arrange();
-}
-
 void ScreenFrame::setFreeHandLeft(bool left) {
   free_hand_left_ = left;
   arrange();
 }
 
 void ScreenFrame::setState(const ParticipantState& state) {
-  setSimulated(state.simulated);
+  simulated_->setVisible(state.simulated);
+  const double scale = procedure::orDefault(state.procedure).device_scale;
+  if (scale != 1) scale_->setPhrase(phrase(QStringLiteral("sim.scale"), {QString::number(scale)}));
+  scale_->setVisible(scale != 1);
+  arrange();
   may_go_back_ = state.can_go_back;
   showBack();
 }
@@ -133,8 +136,12 @@ void ScreenFrame::arrange() {
 
   const int title_height = title_->sizeHint().height();
   title_->setGeometry(all.left(), all.top(), std::min(title_->sizeHint().width(), all.width()), title_height);
-  simulated_->setGeometry(title_->geometry().right() + 3 * gap, all.top(), simulated_->sizeHint().width(),
-                          title_height);
+  int mark_left = title_->geometry().right() + 3 * gap;
+  for (Label* const mark : {simulated_, scale_}) {
+    if (mark->isHidden()) continue;
+    mark->setGeometry(mark_left, all.top(), mark->sizeHint().width(), title_height);
+    mark_left = mark->geometry().right() + 2 * gap;
+  }
 
   // The row of buttons; Back stands at the other side of the primary button.
   int buttons_height = 0;

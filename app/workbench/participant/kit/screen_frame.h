@@ -76,12 +76,11 @@ class ScreenFrame : public QWidget {
  private:
   void arrange();
 
-  void setSimulated(bool simulated);
-
   const Look& look_;
   Label* title_;
   Label* hint_;
   Label* simulated_;
+  Label* scale_;  ///< where a device gives only a share of the forces
   Button* back_;
   Button* primary_;
   QWidget* main_ = nullptr;

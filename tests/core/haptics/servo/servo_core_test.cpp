@@ -253,6 +253,53 @@ TEST(ServoCore, TheStiffestSpringFollowsFromDampingAndDelay) {
   EXPECT_NEAR(largestStiffnessNMm(touch), 0.095, 1e-15);
 }
 
+double deviceForceN(const ServoHand& hand) {
+  return -dot(hand.core.deviceForce(hand.sample), hand.orders.axis.inwards());
+}
+
+TEST(ServoCore, AScaleGivesAShareOfAStimulusAndTheLimitsStayThoseOfTheDevice) {
+  ServoHand scaled(ForceSource::kStimulus);
+  ServoHand plain(ForceSource::kStimulus);
+  for (ServoHand* const hand : {&scaled, &plain}) {
+    hand->tick.device.buttons = 0;
+    hand->step(50);
+    hand->orders.scale = hand == &scaled ? 4 : 1;
+    hand->orders.stimulus = {1, hand == &scaled ? 6.0 : 1.5, 0.15, std::nullopt, std::nullopt};
+    hand->tick.device.buttons = 1;
+  }
+  for (int i = 0; i < 6000; ++i) {
+    scaled.step(1, 0.01);
+    plain.step(1, 0.01);
+    ASSERT_NEAR(deviceForceN(scaled), plain.sample.force_n, 1e-12) << i;
+    ASSERT_NEAR(scaled.sample.force_n, 4 * plain.sample.force_n, 1e-11) << i;
+    ASSERT_EQ(scaled.sample.limited, plain.sample.limited) << i;
+    ASSERT_EQ(scaled.sample.stimulus, plain.sample.stimulus) << i;
+  }
+  EXPECT_EQ(scaled.sample.source_force_n, 4 * plain.sample.source_force_n);
+}
+
+TEST(ServoCore, AScaledForceIsNeverAboveTheCapOfTheDevice) {
+  ServoHand hand(ForceSource::kInsertion);
+  hand.orders.scale = 3;
+  hand.post(constantScene(5));
+  hand.step(800, 60);
+  EXPECT_NEAR(hand.sample.force_n, 5, 1e-6);
+  EXPECT_NEAR(deviceForceN(hand), 5.0 / 3, 1e-6);
+  EXPECT_EQ(hand.sample.phase, render::Phase::kSlidingIn);
+  hand.post(constantScene(20));
+  hand.step(1500, 90);
+  EXPECT_NEAR(deviceForceN(hand), hand.orders.limits.force_cap_n, 1e-6);
+  // Another scale in the hand: no step beyond the slew of the device.
+  hand.largest_step_n = 0;
+  double before_n = deviceForceN(hand);
+  hand.orders.scale = 1;
+  for (int i = 0; i < 300; ++i) {
+    hand.step(1, 0.05);
+    ASSERT_LE(std::abs(deviceForceN(hand) - before_n), hand.orders.limits.release_slew_n_s * 1e-3 + kRounding) << i;
+    before_n = deviceForceN(hand);
+  }
+}
+
 TEST(ServoCore, TheSameInputsGiveTheSameBitsAndACopyGoesOn) {
   const auto scripted = [](ServoHand& hand, base::Random& random, int ticks) {
     std::vector<double> seen;

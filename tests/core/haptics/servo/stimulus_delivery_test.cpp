@@ -155,7 +155,7 @@ bool deliveredWithAStallOf(int stall_ms) {
     const DeviceState state = device->read(i * kTickNs);
     if (i > 1500 && i <= 1500 + stall_ms) continue;
     const Sample sample = core.tick({i * kTickNs, state, &orders, 1, false, false, i * kTickNs});
-    device->write(core.axis().forceOnHand(sample.force_n), i * kTickNs);
+    device->write(core.deviceForce(sample), i * kTickNs);
     delivery.add(sample);
   }
   return delivery.delivered();
