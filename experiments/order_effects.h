@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/study/session_records.h"
+#include "experiments/stop_force.h"
 
 namespace tactus::experiments {
 
@@ -25,6 +26,7 @@ struct DoneInOrder {
   std::vector<std::pair<std::string, double>> speeds;  ///< level and mean speed, mm/s, as the levels came
   std::vector<study::JudgementRecord> judgements;      ///< of the session that counts, without corrected ones
   std::vector<Answer> answers;
+  std::vector<StopAnswer> stops{};  ///< of the judgements that count
 };
 
 /// A mean over participants, with its standard error where there are two or more.

@@ -69,6 +69,8 @@ void addParticipants(HtmlPage& page, const ReportContext& context);
 void addDataFindings(HtmlPage& page, const ReportContext& context);
 /// Whether the words follow the hand: blanks, hidden repeats, up against down, and what the order of the trials does.
 void addOrderEffects(HtmlPage& page, const ReportContext& context);
+/// The force at which each participant would stop; nothing of a procedure that does not ask for it.
+void addStopForces(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp
 void addRules(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp

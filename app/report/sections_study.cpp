@@ -411,6 +411,33 @@ void addOrderEffects(HtmlPage& page, const ReportContext& context) {
   if (!lines.empty()) page.list(lines);
 }
 
+void addStopForces(HtmlPage& page, const ReportContext& context) {
+  Table table{
+      .caption = strong("Where they would stop.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                 " Beside the word of each force they said whether they would push on. Would stop at: the force "
+                 "at which a participant stops half of the time. It is no part of the model.",
+      .head = {{{.text = "Participant"},
+                numberCell("Forces", true),
+                numberCell("Would stop"),
+                numberCell("Goes on up to, N"),
+                numberCell("Stops from, N", true),
+                numberCell("Would stop at, N")}},
+      .body = {}};
+  const auto newtons = [](const std::optional<double>& force_n) {
+    return force_n ? base::formatFixed(*force_n, 2) : std::string("–");
+  };
+  for (const auto& one : context.in.in_order) {
+    if (one.stops.empty()) continue;
+    const auto force = experiments::stopForce(one.stops);
+    table.body.push_back({headingCell(one.participant), numberCell(std::to_string(force.asked), true),
+                          numberCell(std::to_string(force.stops)), numberCell(newtons(force.highest_on_n)),
+                          numberCell(newtons(force.lowest_stop_n), true), numberCell(newtons(force.stop_force_n))});
+  }
+  if (table.body.empty()) return;
+  page.section("Where they would stop");
+  page.table(table);
+}
+
 void addDataFindings(HtmlPage& page, const ReportContext& context) {
   if (context.in.data.empty()) return;
   page.section("What to look at in the data");

@@ -188,6 +188,7 @@ base::Result<std::string> studyReport(const StudyReportInputs& inputs) {
   addParticipants(page, context);
   addDataFindings(page, context);
   addOrderEffects(page, context);
+  addStopForces(page, context);
   addTerms(page, context);
   if (with_experts) {
     addModelSections(page, context);

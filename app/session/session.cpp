@@ -45,10 +45,11 @@ int sessionsInTurn(const SessionSettings& settings, const std::vector<study::Ses
 
 /// What the log says beside an answer.
 std::vector<Note> notesOf(const study::RecordId& record, const std::optional<AnswerInput>& input,
-                          std::optional<ResponseMark> mark) {
+                          std::optional<ResponseMark> mark, std::optional<bool> would_stop = {}) {
   std::vector<Note> out;
   if (input) out.push_back(answerInput(record, *input));
   if (mark) out.push_back(responseMarked(record, *mark));
+  if (would_stop) out.push_back(wouldStop(record, *would_stop));
   return out;
 }
 
@@ -221,11 +222,12 @@ Result<void> Session::judge(const experiments::ForceAnswer& answer, const std::o
   const bool asked = answer.kind != study::ForceJudgement::Kind::kNoAnswer;
   const auto mark = asked ? responseMark(record.response_s) : std::nullopt;
   return state_->store(
-      record, [&] { state_->force = std::move(after); }, notesOf(record.entry.id, input, mark));
+      record, [&] { state_->force = std::move(after); },
+      notesOf(record.entry.id, input, mark, asked ? answer.would_stop : std::nullopt));
 }
 
 Result<void> Session::correctJudgement(study::ForceJudgement::Kind kind, const std::string& term,
-                                       const std::optional<AnswerInput>& input) {
+                                       const std::optional<AnswerInput>& input, std::optional<bool> would_stop) {
   const bool rates = part() == SessionPart::kRating && block() == Block::kForce;
   if (part() != SessionPart::kForce && !rates) return notNow("a corrected judgement", part());
   if (input) {
@@ -238,7 +240,7 @@ Result<void> Session::correctJudgement(study::ForceJudgement::Kind kind, const s
   auto after = *state_->force;
   if (auto ok = after.add(record); !ok) return ok;
   return state_->store(
-      record, [&] { state_->force = std::move(after); }, notesOf(record.entry.id, input, std::nullopt));
+      record, [&] { state_->force = std::move(after); }, notesOf(record.entry.id, input, std::nullopt, would_stop));
 }
 
 Result<void> Session::reply(const questionnaires::Reply& reply, double response_s,

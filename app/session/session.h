@@ -105,12 +105,13 @@ class Session {
   /// Rejects an accepted stroke of this session. The protocol then asks for it again.
   base::Result<void> rejectStroke(const study::RecordId& stroke, const std::string& reason);
   /// `input`: how the answer was entered; stored with it, all or none. An answer that came very soon or very late gets
-  /// a note (responseMark).
+  /// a note (responseMark); so does what she says of stopping here.
   base::Result<void> judge(const experiments::ForceAnswer& answer, const std::optional<AnswerInput>& input = {});
   /// Another word for the last judgement that counts, also after the last step until the block is ended: a record of
   /// its own, which counts instead (ForceProtocol::correction).
   base::Result<void> correctJudgement(study::ForceJudgement::Kind kind, const std::string& term,
-                                      const std::optional<AnswerInput>& input = {});
+                                      const std::optional<AnswerInput>& input = {},
+                                      std::optional<bool> would_stop = {});
   base::Result<void> reply(const questionnaires::Reply& reply, double response_s,
                            const std::optional<AnswerInput>& input = {});
   /// Moves to the previous or the next question, or to the first one without an answer. Also possible from the rating

@@ -20,6 +20,7 @@ using base::Result;
 
 constexpr const char* kAnswerInput = "answer_input";
 constexpr const char* kResponseTime = "response_time";
+constexpr const char* kWouldStop = "would_stop";
 constexpr const char* kOwnModelVerdict = "own_model_verdict";
 constexpr const char* kOwnModelMark = "own_model_mark";
 
@@ -61,6 +62,12 @@ void readId(JsonMembers& members, base::JsonKey key, std::optional<study::Record
   if (text.empty()) return;
   id = study::parseRecordId(text);
   if (!id) members.refuse(key.name, "32 hexadecimal digits");
+}
+
+void readRecord(JsonMembers& members, study::RecordId& record) {
+  std::optional<study::RecordId> id;
+  readId(members, required("record"), id);
+  record = id.value_or(study::RecordId{});
 }
 
 template <class Read>
@@ -138,6 +145,12 @@ Note answerInput(const study::RecordId& record, const AnswerInput& input) {
   return note(kAnswerInput, json);
 }
 
+Note wouldStop(const study::RecordId& judgement, bool would_stop) {
+  auto json = object();
+  json.key("record").value(toText(judgement)).key("stop").value(would_stop);
+  return note(kWouldStop, json);
+}
+
 std::string_view name(ResponseMark mark) noexcept { return kMarks[static_cast<std::size_t>(mark)]; }
 
 std::optional<ResponseMark> responseMark(double response_s) noexcept {
@@ -169,9 +182,7 @@ Result<std::optional<ResponseMarkLine>> responseMarkIn(const study::EventRecord&
   if (event.kind != kResponseTime) return std::nullopt;
   ResponseMarkLine line;
   const auto ok = readDetail(event, [&](JsonMembers& members) {
-    std::optional<study::RecordId> record;
-    readId(members, required("record"), record);
-    line.record = record.value_or(study::RecordId{});
+    readRecord(members, line.record);
     if (const auto mark = members.word(required("mark"), kMarks)) line.mark = static_cast<ResponseMark>(*mark);
   });
   if (!ok) return tl::unexpected(ok.error());
@@ -203,12 +214,21 @@ Result<std::optional<AnswerInputLine>> answerInputIn(const study::EventRecord& e
   if (event.kind != kAnswerInput) return std::nullopt;
   AnswerInputLine line;
   const auto ok = readDetail(event, [&](JsonMembers& members) {
-    std::optional<study::RecordId> record;
-    readId(members, required("record"), record);
-    line.record = record.value_or(study::RecordId{});
+    readRecord(members, line.record);
     if (const auto means = members.word(required("means"), kMeans)) line.input.means = static_cast<InputMeans>(*means);
     members.textOrEmpty("start_word", line.input.start_word);
     members.integer("presses", line.input.presses, kCount);
+  });
+  if (!ok) return tl::unexpected(ok.error());
+  return line;
+}
+
+Result<std::optional<WouldStopLine>> wouldStopIn(const study::EventRecord& event) {
+  if (event.kind != kWouldStop) return std::nullopt;
+  WouldStopLine line;
+  const auto ok = readDetail(event, [&](JsonMembers& members) {
+    readRecord(members, line.judgement);
+    members.flag(required("stop"), line.would_stop);
   });
   if (!ok) return tl::unexpected(ok.error());
   return line;

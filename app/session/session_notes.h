@@ -77,6 +77,10 @@ base::Result<void> validate(const AnswerInput& input);
 /// `record`: the judgement or the answer.
 Note answerInput(const study::RecordId& record, const AnswerInput& input);
 
+/// Whether the participant would stop at the force of a judgement (procedure::Procedure::stop_question).
+/// `judgement`: the record of the judgement.
+Note wouldStop(const study::RecordId& judgement, bool would_stop);
+
 /// An answer that came sooner than a person can read and choose, or so late that something came in between.
 enum class ResponseMark { kSoon, kLate };
 inline constexpr double kSoonS = 0.3;  ///< less: the press was meant for something else (facts on the screens, part 3)
@@ -133,6 +137,11 @@ struct ResponseMarkLine {
 base::Result<std::optional<Circumstances>> circumstancesIn(const study::EventRecord& event);
 base::Result<std::optional<ResponseMarkLine>> responseMarkIn(const study::EventRecord& event);
 base::Result<std::optional<AnswerInputLine>> answerInputIn(const study::EventRecord& event);
+struct WouldStopLine {
+  study::RecordId judgement;
+  bool would_stop = false;
+};
+base::Result<std::optional<WouldStopLine>> wouldStopIn(const study::EventRecord& event);
 base::Result<std::optional<OwnModelLine>> ownModelIn(const study::EventRecord& event);
 
 /// Whether a note of this kind would be taken for a step of the session itself (began, paused, aborted, …).

@@ -88,6 +88,7 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
       out.levels[rate->terms[k].id] = levelAt(rate->terms[k].id, speeds * typicalOf(*rate, k), seed + k + 1);
   }
   // What the procedure is like is the same for every expert; how each feels it differs.
+  out.responder.stop_from_n = 0.8 * out.responder.beyond_from_n;
   base::Random common(1);
   const auto highest = static_cast<double>(form.answers.size() - 1);
   const auto effects = effectsOf(procedure, highest, common);

@@ -244,6 +244,8 @@ Result<void> SimulatedNurse::doJudgement(Session& session) {
   if (!plan.question.answers.empty()) {
     answer.kind = response.kind;
     answer.term = response.term;
+    if (session.settings().about().stop_question)
+      answer.would_stop = response.percept_n >= traits_.responder.stop_from_n;
   }
   pass_time_(plan.pause_before_s + plan.ramp_s + length_s);
   return session.judge(answer);

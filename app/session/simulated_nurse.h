@@ -38,6 +38,7 @@ struct ResponderTraits {
   std::string code;                 ///< participant
   std::vector<double> threshold_n;  ///< ascending thresholds between the terms, from the smallest term
   double felt_from_n = 0.04;        ///< a smaller percept is judged `not_felt`
+  double stop_from_n = 1.0;         ///< a percept of this size or more: she would stop
   double beyond_from_n = 1.15;      ///< a percept of this size or more is judged `beyond_practice`
   double noise = 1;                 ///< noise of the percept in just-noticeable differences; 0: none
   double lapse = 0.02;              ///< probability of a random term, 0 to 1

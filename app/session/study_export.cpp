@@ -133,6 +133,36 @@ std::string wordIntervalsText(const study::Study& study) {
   return csv.text();
 }
 
+RecordTable stopForcesTable() {
+  return {kStopForcesTable,
+          kStopForcesTable,
+          "A judged force, and whether the participant would stop at it",
+          "",
+          {kParticipant,
+           {"series", ColumnKind::kText, "", "ascending, descending or random"},
+           {"step", ColumnKind::kInteger, "", "Place in the series, from 1"},
+           {"force_n", ColumnKind::kNumber, "N", "Commanded force"},
+           {"would_stop", ColumnKind::kFlag, "", "1 where the participant would not push on"}}};
+}
+
+/// In the order of the new codes: P10 comes after P9.
+std::vector<experiments::StopAnswer> withNewCodes(std::vector<experiments::StopAnswer> stops,
+                                                  const std::map<std::string, std::string>& codes) {
+  std::erase_if(stops, [&](const auto& stop) { return !codes.contains(stop.participant); });
+  for (auto& stop : stops) stop.participant = codes.at(stop.participant);
+  std::stable_sort(stops.begin(), stops.end(), [](const auto& a, const auto& b) {
+    return std::pair(a.participant.size(), a.participant) < std::pair(b.participant.size(), b.participant);
+  });
+  return stops;
+}
+
+std::string stopForcesText(const std::vector<experiments::StopAnswer>& answers) {
+  base::CsvWriter csv({"participant", "series", "step", "force_n", "would_stop"});
+  for (const auto& one : answers)
+    csv.cell(one.participant).cell(one.series).cell(one.step).cell(one.force_n).cell(one.would_stop ? 1 : 0).endRow();
+  return csv.text();
+}
+
 }  // namespace
 
 std::string asJson(const Codebook& codebook) {
@@ -249,10 +279,12 @@ class Exporter {
     done_.participants = view.study.participants.size();
     if (auto note = simulatedNote(view.study); !note.empty()) codebook_.notes.push_back(std::move(note));
     TACTUS_TRY(auto all_trials, trials(file_, view));
+    TACTUS_TRY(auto stops, stopAnswers(file_, view));
     std::vector<std::string> bands;
     if (options_.shareable) {
       auto anonymous = shareable(view.study, options_.seed);
       all_trials = shareable(std::move(all_trials), anonymous.codes);
+      stops = withNewCodes(std::move(stops), anonymous.codes);
       view.study = std::move(anonymous.study);
       bands = std::move(anonymous.bands);
     }
@@ -269,6 +301,10 @@ class Exporter {
     view_tables_ = viewTables(inputs_, options_.shareable);
     view_tables_.push_back(trialsTable(options_.shareable));
     view_tables_.push_back(wordIntervalsTable());
+    if (procedure::of(view.study).stop_question) {
+      if (auto ok = base::writeFileAtomically(path(kStopForcesTable), stopForcesText(stops)); !ok) return ok;
+      view_tables_.push_back(stopForcesTable());
+    }
     for (const auto& table : view_tables_) {
       codebook_.tables.push_back({std::string(table.file), &table});
       if (options_.mark == store::ByteOrderMark::kNone) continue;

@@ -19,6 +19,9 @@ inline constexpr std::string_view kCodebookFormat = "tactus-study-export";
 /// From the lowest to the highest force that each participant called by each word (elicitation/force/word_intervals.h).
 inline constexpr std::string_view kWordIntervalsTable = "word_intervals.csv";
 
+/// Where the participants would stop (experiments/stop_force.h); only of a procedure that asks for it.
+inline constexpr std::string_view kStopForcesTable = "stop_forces.csv";
+
 /// A codebook under construction: the tables in order, with their file names below the folder.
 struct Codebook {
   struct Table {
@@ -52,11 +55,12 @@ struct StudyExport {
 };
 
 /// Writes into `folder`: participants.csv, speeds.csv, judgements.csv, answers.csv and rules.csv in the format of
-/// readStudyFolder (core/study/csv_tables.h), trials.csv, word_intervals.csv, codebook.json and codebook.md, and below
-/// `records` everything in the study file (core/store/record_tables.h). The same study gives the same bytes. The folder
-/// appears completely or not at all. It must be new, empty, or an earlier export, which is replaced. If the study has
-/// no view for elicitation (study_view.h), a full export omits the five tables, with a note. Leftovers of crashes
-/// beside the study and the folder are deleted, with a note, if they are certainly ours (export_folder.h).
+/// readStudyFolder (core/study/csv_tables.h), trials.csv, word_intervals.csv, of a procedure that asks for it
+/// stop_forces.csv, codebook.json and codebook.md, and below `records` everything in the study file
+/// (core/store/record_tables.h). The same study gives the same bytes. The folder appears completely or not at all. It
+/// must be new, empty, or an earlier export, which is replaced. If the study has no view for elicitation
+/// (study_view.h), a full export omits the five tables, with a note. Leftovers of crashes beside the study and the
+/// folder are deleted, with a note, if they are certainly ours (export_folder.h).
 base::Result<StudyExport> exportStudy(const store::StudyFile& file, const std::string& folder,
                                       const ExportOptions& options = {});
 

@@ -45,6 +45,24 @@ base::Result<StudyAside> asideOf(const store::StudyFile& file) {
   return out;
 }
 
+base::Result<std::vector<experiments::StopAnswer>> stopAnswers(const store::StudyFile& file, const StudyView& view) {
+  std::vector<experiments::StopAnswer> out;
+  if (!procedure::of(view.study).stop_question) return out;
+  TACTUS_TRY(const auto events, store::events(file));
+  std::map<study::RecordId, bool> said;
+  for (const auto& event : events) {
+    TACTUS_TRY(const auto line, wouldStopIn(event));
+    if (line) said[line->judgement] = line->would_stop;
+  }
+  for (std::size_t i = 0; i < view.judgement_ids.size(); ++i) {
+    const auto found = said.find(view.judgement_ids[i]);
+    if (found == said.end()) continue;
+    const auto& judgement = view.study.judgements[i];
+    out.push_back({judgement.participant, judgement.series, judgement.step, judgement.force_n, found->second});
+  }
+  return out;
+}
+
 base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view) {
   std::vector<experiments::DoneInOrder> out;
   std::map<std::string, std::size_t> places;
@@ -72,6 +90,12 @@ base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::Stu
   for (const auto& judgement : judgements) {
     const auto found = of_session.find(judgement.entry.session);
     if (found != of_session.end()) out[found->second].judgements.push_back(judgement);
+  }
+
+  TACTUS_TRY(auto stops, stopAnswers(file, view));
+  for (auto& stop : stops) {
+    const auto place = places.find(stop.participant);
+    if (place != places.end()) out[place->second].stops.push_back(std::move(stop));
   }
 
   TACTUS_TRY(const auto answers, store::answers(file));

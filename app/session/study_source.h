@@ -30,6 +30,10 @@ struct StudyAside {
 
 base::Result<StudyAside> asideOf(const store::StudyFile& file);
 
+/// What the participants of `view` said of stopping at the forces that count, in the order of its judgements. `view` is
+/// of the same file.
+base::Result<std::vector<experiments::StopAnswer>> stopAnswers(const store::StudyFile& file, const StudyView& view);
+
 /// What each participant of `view` did, in its order, with the catch trials: of the sessions that count
 /// (experiments/order_effects.h). `view` is of the same file.
 base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::StudyFile& file, const StudyView& view);

@@ -85,9 +85,11 @@ class ParticipantController::Steps::Force final : public Step {
     return true;
   }
   void ask() override {
-    if (course_.correcting_) course_.chosen_ = wordOf(*course_.at()->judged);
+    if (!course_.correcting_) return;
+    course_.chosen_ = wordOf(*course_.at()->judged);
+    stops_ = stopped_;
   }
-  void close() override { asks_if_sure_ = false; }
+  void close() override { asks_if_sure_ = stops_ = false; }
   void show(ParticipantState& state) override {
     using Phase = ForceState::Phase;
     const bool correcting = course_.correcting_;
@@ -109,13 +111,17 @@ class ParticipantController::Steps::Force final : public Step {
     if (correcting) out.phase = Phase::kAnswer;
     out.waits_for_push = out.phase == Phase::kFeel && push_clock_.wait() != HoldWait::kNot;
     out.sure = out.phase == Phase::kAnswer && asks_if_sure_;
+    out.asks_stop = asksStop();
+    out.stops = stops_;
     state.waits = out.phase != Phase::kFeel ? HoldWait::kNot : std::max(clock_.wait(), push_clock_.wait());
     state.can_go_on = out.phase == Phase::kAnswer && !out.chosen.isEmpty();
     state.can_go_back = correcting || course_.at()->judged;
     state.force = std::move(out);
   }
   void choose(const QString& id) override {
-    if (!mayAnswer() || !course_.answerOf(id)) return;
+    if (!mayAnswer()) return;
+    if (asksStop() && id == QLatin1String("would_stop")) stops_ = !stops_;
+    if (!course_.answerOf(id)) return;
     asks_if_sure_ = asks_if_sure_ && id == course_.chosen_;
     course_.chosen_ = id;
   }
@@ -142,8 +148,11 @@ class ParticipantController::Steps::Force final : public Step {
   HoldClock clock_;
   HoldClock push_clock_;
   bool asks_if_sure_ = false;  ///< whether it is larger than all that she meets: the series would end
+  bool stops_ = false;         ///< she would stop at this force
+  bool stopped_ = false;       ///< at the force before
 
   ForceTrial& trial() { return course_.trial_; }
+  bool asksStop() const { return course_.about().stop_question; }
   bool mayAnswer() { return course_.correcting_ || trial().wasPushed(); }
   /// Also of a catch trial, which must look the same.
   bool endsTheSeries() const {
@@ -158,14 +167,18 @@ class ParticipantController::Steps::Force final : public Step {
       answer.kind = option->kind;
       if (option->kind == study::ForceJudgement::Kind::kTerm) answer.term = option->id;
       input = course_.answerInput();
+      if (asksStop()) answer.would_stop = stops_;
     }
+    stopped_ = stops_;
     trial().cancel();
     course_.proxy_.judge(course_.at()->step, answer, std::move(input));
   }
   void correct() {
-    if (course_.chosen_ != wordOf(*course_.at()->judged)) {
-      course_.proxy_.correctJudgement(course_.at()->step, *course_.answerOf(course_.chosen_), course_.answerInput());
+    if (course_.chosen_ != wordOf(*course_.at()->judged) || stops_ != stopped_) {
+      course_.proxy_.correctJudgement(course_.at()->step, *course_.answerOf(course_.chosen_), course_.answerInput(),
+                                      asksStop() ? std::optional(stops_) : std::nullopt);
     }
+    stopped_ = stops_;
     course_.correcting_ = false;
   }
 };

@@ -290,12 +290,17 @@ void ScreenNurse::judge(const ForceState& force, bool practice) {
     hands_.press(wordId(wordFor(felt_n_)));
     return wait(0.5, 1);
   }
+  if (force.asks_stop && force.stops != (percept_n_ >= traits_.responder.stop_from_n)) {
+    hands_.press("for.stop");
+    return wait(0.3, 0.6);
+  }
   if (hands_.press(force.sure ? "for.sure_yes" : "nav.confirm") && !practice) said_ = force.chosen;
   wait(0.8, 1.2);
 }
 
 QString ScreenNurse::wordFor(double felt_n) {
   const session::Response response = responder_.judge(felt_n, random_);
+  percept_n_ = response.percept_n;
   using Kind = study::ForceJudgement::Kind;
   if (response.kind == Kind::kNotFelt) return QStringLiteral("not_felt");
   if (response.kind == Kind::kBeyondPractice) return QStringLiteral("beyond_practice");

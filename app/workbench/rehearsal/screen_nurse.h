@@ -118,6 +118,7 @@ class ScreenNurse {
   double busy_until_s_ = 0;
   session::Recording path_;  ///< of the hand, while it holds
   double path_since_s_ = 0;
+  double percept_n_ = 0;                          ///< of the force that was judged last
   double felt_n_ = 0;                             ///< the largest force since the hand took the handle
   std::uint64_t serial_ = 0;                      ///< of the state before
   std::optional<QString> said_;                   ///< a word that she has just confirmed

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/bundle/zip.h"
+#include "core/base/tables/csv.h"
 #include "core/base/text.h"
 
 #include "tests/app/cli/run_program.h"
@@ -109,6 +110,7 @@ class Packs : public InFolder {
       json["output"]["terms"][3]["points"][2] = 1.5;
       json["wordings"] = {"forms/form.fr.json"};
       json.erase("pictures");
+      json["stop_question"] = true;
     });
     change("other/forms/form.json", [](PackJson& json) {
       json["answers"] = PackJson::array();
@@ -120,13 +122,15 @@ class Packs : public InFolder {
         item["if"] = {{"gel", item["if"]["gel"]}, {"way", item["if"]["depth"]}};
         items.push_back(item);
       }
+      items.push_back({{"number", 99}, {"if", {{"direction", "out"}, {"way", "bend"}}}});
       json["items"] = items;
     });
     fs::rename("other/forms/form.en.json", "other/forms/form.fr.json");
     change("other/forms/form.fr.json", [](PackJson& json) {
       json["language"] = "fr";
       json["question"] = "Quelle est la force ?";
-      json["phrases"] = {{"gel", {{"none", "Sonde sèche."}, {"plenty", "Sonde avec du gel."}}},
+      json["phrases"] = {{"direction", {{"out", "La sonde sort."}}},
+                         {"gel", {{"none", "Sonde sèche."}, {"plenty", "Sonde avec du gel."}}},
                          {"way", {{"entry", "À l'entrée."}, {"bend", "Dans la courbe."}, {"inside", "Dedans."}}}};
       json["answers"] = PackJson::object();
       for (int i = 0; i < 4; ++i) json["answers"]["w" + std::to_string(i)] = "mot " + std::to_string(i);
@@ -134,6 +138,8 @@ class Packs : public InFolder {
     change("other/words.json", [](PackJson& json) {
       PackJson texts = PackJson::object();
       for (const auto& [id, text] : json["texts"].items()) texts[id] = {{"fr", text["en"]}};
+      texts["s.direction"] = {{"fr", "Sens"}};
+      texts["s.direction.out"] = {{"fr", "En sortant"}};
       for (int i = 0; i < 4; ++i) texts["w.w" + std::to_string(i)] = {{"fr", "mot " + std::to_string(i)}};
       json["texts"] = texts;
     });
@@ -177,6 +183,8 @@ TEST_F(Packs, AnotherKindGoesThroughTheWholeJob) {
 
   const ProgramRun simulated({"study", "simulate", "s.tactus", "--nurses", "3"});
   ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const ProgramRun plan({"study", "plan", "s.tactus", "--studies", "5", "--most-nurses", "3"});
+  EXPECT_EQ(plan.status, 0) << plan.err;
   const ProgramRun build({"build", "s.tactus", "--out", "m.tactus.json"});
   ASSERT_EQ(build.status, 0) << build.err;
   const PackJson model = PackJson::parse(readText("m.tactus.json"));
@@ -185,19 +193,63 @@ TEST_F(Packs, AnotherKindGoesThroughTheWholeJob) {
   EXPECT_EQ(model["provenance"]["settings"]["procedure"]["id"], "sonde");
   const ProgramRun bundle({"bundle", "m.tactus.json", "--out", "b"});
   ASSERT_EQ(bundle.status, 0) << bundle.err;
+  EXPECT_NE(bundle.err.find("procedure/ is left out"), std::string::npos) << bundle.err;
+  const ProgramRun whole({"bundle", "m.tactus.json", "--out", "b", "--study", "s.tactus"});
+  EXPECT_EQ(whole.err.find("procedure/"), std::string::npos) << whole.err;
   EXPECT_EQ(ProgramRun({"verify", "b"}).status, 0);
+  EXPECT_EQ(PackJson::parse(ProgramRun({"pack", "check", "b/procedure", "--json"}).out)["sha256"],
+            model["provenance"]["settings"]["procedure"]["sha256"]);
   EXPECT_EQ(foreignWords("b"), "");
+  for (const auto& expert : model["experts"]) EXPECT_EQ(expert["rules"].size(), 6U) << "the way out is no rule";
   const ProgramRun report({"report", "s.tactus", "--out", "report/r.html"});
   fs::create_directory("report");
   const ProgramRun again({"report", "s.tactus", "--out", "report/r.html"});
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_EQ(foreignWords("report"), "");
+  for (const char* section : {"Where they would stop", "On the way out"})
+    EXPECT_NE(readText("report/r.html").find(section), std::string::npos) << section;
 
   // The tables carry the pack, so another machine builds the same.
   ASSERT_EQ(ProgramRun({"study", "export", "s.tactus", "tables"}).status, 0);
   const ProgramRun other_build({"build", "tables", "--out", "n.tactus.json"});
   ASSERT_EQ(other_build.status, 0) << other_build.err;
+  for (const std::vector<std::string>& command : {std::vector<std::string>{"vote", "tables/judgements.csv", "--json"},
+                                                  {"agreement", "tables/answers.csv", "--json"}}) {
+    const ProgramRun run(command);
+    EXPECT_EQ(run.status, 0) << command[0] << run.err;
+    EXPECT_NE(run.out.find("w3"), std::string::npos) << run.out;
+  }
+  EXPECT_EQ(ProgramRun({"vote", "s.tactus", "--pack", "nasopharyngeal-swab"}).status, 1);
+  const auto stops = base::CsvTable::read("tables/stop_forces.csv");
+  ASSERT_TRUE(stops) << stops.error().message();
+  EXPECT_EQ(stops->rowCount(), base::CsvTable::read("tables/judgements.csv")->rowCount());
+  ASSERT_EQ(ProgramRun({"study", "export", "s.tactus", "shared", "--shareable"}).status, 0);
+  EXPECT_EQ(base::CsvTable::read("shared/stop_forces.csv")->rowCount(), stops->rowCount());
   EXPECT_EQ(PackJson::parse(readText("n.tactus.json"))["experts"], model["experts"]);
+}
+
+TEST_F(Packs, ForcesBeyondADeviceHaveAScale) {
+  ASSERT_EQ(ProgramRun({"pack", "new", "mine"}).status, 0);
+  change("mine/procedure.json", [](PackJson& json) {
+    json["device_scale"] = 3;
+    json["output"]["max"] = 8;
+    json["output"]["terms"].back()["points"][2] = 8;
+    json["output"]["terms"].back()["points"][3] = 8;
+    json.erase("protocol");
+  });
+  const ProgramRun made({"study", "new", "s.tactus", "--pack", "mine"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto protocol = ProgramRun({"study", "protocol", "s.tactus"}).out;
+  EXPECT_NE(protocol.find("force.ladder.highest_n = 8"), std::string::npos) << protocol;
+  const ProgramRun simulated({"study", "simulate", "s.tactus", "--nurses", "2"});
+  ASSERT_EQ(simulated.status, 0) << simulated.err;
+  const ProgramRun report({"report", "s.tactus", "--out", "r.html"});
+  ASSERT_EQ(report.status, 0) << report.err;
+  EXPECT_NE(readText("r.html").find("in the hand they were 1 : 3"), std::string::npos);
+  change("mine/procedure.json", [](PackJson& json) { json["device_scale"] = 0.5; });
+  const ProgramRun broken({"pack", "check", "mine"});
+  EXPECT_EQ(broken.status, 1);
+  EXPECT_NE(broken.err.find("/device_scale"), std::string::npos) << broken.err;
 }
 
 TEST_F(Packs, AZipFileIsOneToo) {

@@ -66,6 +66,62 @@ TEST_F(SessionTest, HowAnAnswerWasEnteredIsStoredWithIt) {
   EXPECT_EQ(shown(), before);
 }
 
+TEST_F(SessionTest, WhereSheWouldStopIsStoredBesideTheWord) {
+  auto with = start();
+  with.settings.blocks = {Block::kForce};
+  with.settings.force.familiarisation_n = {};
+  with.settings.force.ladder = {0.2, 0.4, 0.2};
+  with.settings.force.descending = false;
+  begin(with);
+  ASSERT_TRUE(session_->tell({}));
+  ForceAnswer answer;
+  answer.forward_mm = 40;
+  answer.forward_speed_mm_s = 60;
+  answer.response_s = 2;
+  answer.kind = Kind::kTerm;
+  answer.term = "small";
+  answer.would_stop = true;
+  ASSERT_TRUE(session_->judge(answer));
+  const auto said = [&] {
+    const auto line = wouldStopIn(store::events(*file_)->back());
+    EXPECT_TRUE(line && *line);
+    EXPECT_EQ((*line)->judgement, store::judgements(*file_)->back().entry.id);
+    return (*line)->would_stop;
+  };
+  EXPECT_TRUE(said());
+  ASSERT_TRUE(session_->correctJudgement(Kind::kTerm, "small", {}, false));
+  EXPECT_FALSE(said());
+  // Where nobody was asked, nothing is said.
+  answer.would_stop.reset();
+  const auto before = store::events(*file_)->size();
+  ASSERT_TRUE(session_->judge(answer));
+  EXPECT_EQ(store::events(*file_)->size(), before);
+}
+
+TEST_F(SessionTest, FrictionOfTheDeviceCountsAtTheScale) {
+  auto scaled = std::make_shared<procedure::Procedure>(*procedure::defaultProcedure());
+  scaled->device_scale = 3;
+  auto with = start();
+  with.settings.procedure = scaled;
+  with.settings.blocks = {Block::kForce};
+  with.settings.force.familiarisation_n = {};
+  with.settings.force.ladder = {3, 6, 3};
+  with.device_friction_n = 0.1;
+  begin(with);
+  ASSERT_TRUE(session_->tell({}));
+  EXPECT_EQ(session_->force()->next().device_scale, 3);
+  ForceAnswer answer;
+  answer.forward_mm = 40;
+  answer.forward_speed_mm_s = 60;
+  answer.kind = Kind::kTerm;
+  answer.term = "large";
+  ASSERT_TRUE(session_->judge(answer));
+  EXPECT_DOUBLE_EQ(*store::judgements(*file_)->back().felt_n, 3.3);
+  ASSERT_NO_FATAL_FAILURE(restart());
+  EXPECT_EQ(session_->force()->next().device_scale, 3);
+  EXPECT_EQ(session_->force()->next().step.force_n, 6);
+}
+
 TEST_F(SessionTest, ACorrectedJudgementIsARecordOfItsOwnAndCountsInstead) {
   auto with = start();
   with.settings.blocks = {Block::kForce};

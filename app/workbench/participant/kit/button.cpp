@@ -92,6 +92,7 @@ constexpr double kToleranceMm = 10;
 constexpr double kButtonWidestMm = 110;  // of a line; longer texts take two
 constexpr double kQuietWidestMm = 20;
 constexpr double kQuietHeightMm = 12;
+constexpr double kChosenEdge = 3;   // px
 constexpr double kQuietText = 0.6;  // of the text around
 constexpr int kButtonTextFlags = Qt::AlignCenter | Qt::TextWordWrap;
 
@@ -143,13 +144,16 @@ void Button::refreshState() {
   update();
 }
 
+QString Button::shown(const QString& text) const { return isChecked() ? QStringLiteral("✓ ") + text : text; }
+
 QSize Button::sizeHint() const {
   const int padding = look_.mm(kButtonPaddingMm);
   const bool quiet = kind_ == ButtonKind::kQuiet;
   int wide = quiet ? 0 : look_.mm(kLeastWidthMm);
   int high = look_.mm(quiet ? kQuietHeightMm : kind_ == ButtonKind::kForceOff ? kForceOffMm : kButtonHeightMm);
   for (const Phrase& phrase : {text_, reason_.value_or(Phrase{}), reserved_}) {
-    const QSize needed = room(look_.say(phrase));
+    const QString text = look_.say(phrase);
+    const QSize needed = room(isCheckable() ? QStringLiteral("✓ ") + text : text);
     wide = std::max(wide, needed.width() + 2 * padding);
     high = std::max(high, needed.height() + padding);
   }
@@ -182,7 +186,7 @@ QColor Button::fill() const {
     case ButtonKind::kPlain:
     case ButtonKind::kQuiet: break;
   }
-  return isDown() ? colors::kChosen : colors::kCard;
+  return isDown() || isChecked() ? colors::kChosen : colors::kCard;
 }
 
 void Button::paintEvent(QPaintEvent* /*event*/) {
@@ -192,12 +196,13 @@ void Button::paintEvent(QPaintEvent* /*event*/) {
   const double corner = look_.mm(kButtonCornerMm);
   const bool framed = kind_ == ButtonKind::kPlain || kind_ == ButtonKind::kQuiet;
   const bool plain = framed || !isEnabled();
-  painter.setPen(framed && isEnabled() ? QPen(colors::kEdge, 1.5) : QPen(Qt::NoPen));
+  const QPen edge = isChecked() ? QPen(colors::kInk, kChosenEdge) : QPen(colors::kEdge, 1.5);
+  painter.setPen(framed && isEnabled() ? edge : QPen(Qt::NoPen));
   painter.setBrush(fill());
   painter.drawRoundedRect(face, corner, corner);
   painter.setPen(plain ? colors::kInk : QColor(Qt::white));
   const double padding = look_.mm(kButtonPaddingMm);
-  painter.drawText(face.adjusted(padding / 2, 0, -padding / 2, 0), kButtonTextFlags, text());
+  painter.drawText(face.adjusted(padding / 2, 0, -padding / 2, 0), kButtonTextFlags, shown(text()));
   if (isRinged(*this)) drawRing(painter, face, corner);
 }
 

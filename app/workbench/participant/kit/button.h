@@ -64,6 +64,8 @@ class Button : public QAbstractButton {
  private:
   void refreshState();
   QColor fill() const;
+  /// A checked button has a tick before its text.
+  QString shown(const QString& text) const;
   /// What `text` takes, on two lines if it is long, px.
   QSize room(const QString& text) const;
 

@@ -110,6 +110,8 @@ struct ForceState {
   bool warm = false;            ///< the pause is long because the device rests
   bool before = false;          ///< it is about the force before, whose word may be changed
   bool waits_for_push = false;  ///< a hand holds the handle, but does not push
+  bool asks_stop = false;       ///< the procedure asks whether she would stop at this force
+  bool stops = false;           ///< she would
   bool sure = false;            ///< asks whether it is larger than all that she meets, before the series ends
 };
 

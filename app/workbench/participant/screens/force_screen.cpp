@@ -19,6 +19,7 @@ ForceScreen::ForceScreen(const Look& look, QWidget* parent)
       lead_(nullptr),
       hint_(nullptr),
       choices_(new Choices(look, this)),
+      stop_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("for.stop")), this)),
       feel_again_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("nav.feel_again")), this)) {
   push_->setPicture(pushPicture());
   texts_->add(push_);
@@ -28,10 +29,13 @@ ForceScreen::ForceScreen(const Look& look, QWidget* parent)
   texts_->center();
   setMain(texts_);
   setAnswers(choices_);
+  stop_->setCheckable(true);
+  addExtra(stop_);
   addExtra(feel_again_);
   choices_->setAnswers(forceWords(look));
   primaryButton().setPhrase(phrase(QStringLiteral("nav.confirm")));
   primaryButton().reserve(phrase(QStringLiteral("err.choose")));
+  connect(stop_, &QAbstractButton::clicked, this, [this] { emit picked(QStringLiteral("would_stop")); });
   connect(feel_again_, &QAbstractButton::clicked, this, &ForceScreen::feelAgain);
   setState({});
 }
@@ -60,6 +64,8 @@ void ForceScreen::setState(const ParticipantState& state) {
   choices_->choose(state_.chosen);
   choices_->light(state_.lit);
   feel_again_->setVisible(answering && !state_.before);
+  stop_->setVisible(answering && state_.asks_stop);
+  stop_->setChecked(state_.stops);
   primaryButton().setVisible(answering);
   primaryButton().setPhrase(phrase(state_.sure ? QStringLiteral("for.sure_yes") : QStringLiteral("nav.confirm")));
   primaryButton().waitFor(state_.chosen.isEmpty() ? std::optional(phrase(QStringLiteral("err.choose"))) : std::nullopt);
@@ -70,6 +76,7 @@ void ForceScreen::setState(const ParticipantState& state) {
 QString ForceScreen::idOfKey(int key) const {
   if (state_.phase != ForceState::Phase::kAnswer) return {};
   if (key >= Qt::Key_1 && key <= Qt::Key_5) return choices_->onScale(key - Qt::Key_0);
+  if (key == Qt::Key_S && state_.asks_stop) return QStringLiteral("would_stop");
   if (key == Qt::Key_0) return QStringLiteral("not_felt");
   return key == Qt::Key_9 ? QStringLiteral("beyond_practice") : QString();
 }

@@ -22,7 +22,7 @@ class ForceScreen : public ScreenFrame {
   void feelAgain();
 
  protected:
-  /// From 1 the words, 0 not felt, 9 beyond practice.
+  /// From 1 the words, 0 not felt, 9 beyond practice, S would stop.
   QString idOfKey(int key) const override;
   /// F: feel again.
   void keyPressEvent(QKeyEvent* event) override;
@@ -35,6 +35,7 @@ class ForceScreen : public ScreenFrame {
   Label* lead_;
   Label* hint_;
   Choices* choices_;
+  Button* stop_;  ///< whether she would stop at this force
   Button* feel_again_;
 };
 

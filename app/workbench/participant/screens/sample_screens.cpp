@@ -117,7 +117,10 @@ ParticipantState asked(const Subject& about, const std::string& input, std::size
   const auto variable = std::find_if(about.procedure.inputs.begin(), about.procedure.inputs.end(),
                                      [&](const fuzzy::Variable& one) { return one.id == input; });
   const auto regions = procedure::regionsOf(about.procedure, about.form);
-  const study::ItemCondition wanted{input, variable->terms[std::min(term, variable->terms.size() - 1)].id};
+  const study::ItemCondition wanted =
+      variable == about.procedure.inputs.end()
+          ? study::kWayOut
+          : study::ItemCondition{input, variable->terms[std::min(term, variable->terms.size() - 1)].id};
   const QString place =
       regions.empty() ? QString() : QString::fromStdString(regions[std::min(region, regions.size() - 1)]);
   ReviewAnswer best;
@@ -187,11 +190,12 @@ SampleScreen choiceAfterForceOff(const QString& name, const ParticipantState& st
           }};
 }
 
-ParticipantState force(ForceState::Phase phase, const QString& chosen = {}) {
+ParticipantState force(const Subject& about, ForceState::Phase phase, const QString& chosen = {}) {
   ParticipantState state = at(ParticipantScreen::kForce, false);
   state.part = 2;
   state.force.phase = phase;
   state.force.chosen = chosen;
+  state.force.asks_stop = about.procedure.stop_question;
   return state;
 }
 
@@ -325,28 +329,29 @@ void addStrokes(const Subject& about, std::vector<SampleScreen>& all) {
 void addForces(const Subject& about, std::vector<SampleScreen>& all) {
   using Phase = ForceState::Phase;
   const QString large = about.word(3);
-  ParticipantState practice = force(Phase::kFeel);
+  ParticipantState practice = force(about, Phase::kFeel);
   practice.screen = ParticipantScreen::kPractice;
   all.push_back(sample<ForceScreen>("force_practice", practice));
-  all.push_back(sample<ForceScreen>("force_feel", force(Phase::kFeel)));
-  ParticipantState again = force(Phase::kFeel);
+  all.push_back(sample<ForceScreen>("force_feel", force(about, Phase::kFeel)));
+  ParticipantState again = force(about, Phase::kFeel);
   again.force.again = true;
   again.simulated = true;
   all.push_back(sample<ForceScreen>("force_again", again));
-  all.push_back(sample<ForceScreen>("force_pause", force(Phase::kPause)));
-  all.push_back(sample<ForceScreen>("force_answer", force(Phase::kAnswer)));
-  all.push_back(sample<ForceScreen>("force_answer_chosen", force(Phase::kAnswer, large)));
-  ParticipantState left = force(Phase::kAnswer, QStringLiteral("beyond_practice"));
+  all.push_back(sample<ForceScreen>("force_pause", force(about, Phase::kPause)));
+  all.push_back(sample<ForceScreen>("force_answer", force(about, Phase::kAnswer)));
+  all.push_back(sample<ForceScreen>("force_answer_chosen", force(about, Phase::kAnswer, large)));
+  ParticipantState left = force(about, Phase::kAnswer, QStringLiteral("beyond_practice"));
   left.left_handed = true;
+  left.force.stops = about.procedure.stop_question;
   all.push_back(sample<ForceScreen>("force_answer_left_handed", left));
-  ParticipantState sure = force(Phase::kAnswer, QStringLiteral("beyond_practice"));
+  ParticipantState sure = force(about, Phase::kAnswer, QStringLiteral("beyond_practice"));
   sure.force.sure = true;
   all.push_back(sample<ForceScreen>("force_sure", sure));
-  ParticipantState unpushed = force(Phase::kFeel);
+  ParticipantState unpushed = force(about, Phase::kFeel);
   unpushed.force.waits_for_push = true;
   unpushed.waits = HoldWait::kHint;
   all.push_back(sample<ForceScreen>("force_push_hint", unpushed));
-  ParticipantState before = force(Phase::kAnswer, large);
+  ParticipantState before = force(about, Phase::kAnswer, large);
   before.force.before = true;
   all.push_back(sample<ForceScreen>("force_before", before));
 }

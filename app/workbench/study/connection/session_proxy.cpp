@@ -81,10 +81,10 @@ bool SessionProxy::judge(SessionStep step, const experiments::ForceAnswer& given
 }
 
 bool SessionProxy::correctJudgement(SessionStep step, const experiments::ForceAnswerOption& word,
-                                    std::optional<session::AnswerInput> input) {
-  return answer(step, [word, input = std::move(input)](session::Session& session) {
+                                    std::optional<session::AnswerInput> input, std::optional<bool> would_stop) {
+  return answer(step, [word, input = std::move(input), would_stop](session::Session& session) {
     const bool term = word.kind == study::ForceJudgement::Kind::kTerm;
-    return session.correctJudgement(word.kind, term ? word.id : std::string(), input);
+    return session.correctJudgement(word.kind, term ? word.id : std::string(), input, would_stop);
   });
 }
 

@@ -55,7 +55,7 @@ class SessionProxy : public QObject {
   bool judge(SessionStep step, const experiments::ForceAnswer& answer, std::optional<session::AnswerInput> input = {});
   /// Session::correctJudgement.
   bool correctJudgement(SessionStep step, const experiments::ForceAnswerOption& word,
-                        std::optional<session::AnswerInput> input = {});
+                        std::optional<session::AnswerInput> input = {}, std::optional<bool> would_stop = {});
   bool reply(SessionStep step, const questionnaires::Reply& reply, double response_s,
              std::optional<session::AnswerInput> input = {});
   bool rate(SessionStep step, int effort, int comfort);
