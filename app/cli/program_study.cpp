@@ -145,8 +145,15 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
   addCommand(
       study, chosen, "plan", "How many nurses and questions? Simulated studies, their error and hours", studyPlan,
       [](CLI::App& command, StudyPlanOptions& o) {
-        command.add_option("STUDY", o.study, "A running study, as a file or a folder; default: a study to come")
-            ->check(notEmpty());
+        auto* const running =
+            command.add_option("STUDY", o.study, "A running study, as a file or a folder; default: a study to come")
+                ->check(notEmpty());
+        command
+            .add_option("--pack", o.pack,
+                        "What a study to come is about: a folder with a pack, or a procedure that `tactus pack show` "
+                        "lists; default: the first of these")
+            ->check(notEmpty())
+            ->excludes(running);
         command.add_option("--precision", o.precision_n, "Error that is wanted, N, root mean square")
             ->check(numberThat("a number above 0", [](double x) { return x > 0; }));
         command.add_option("--region", o.region, "Region, such as laryngopharynx; default: all")->check(notEmpty());
@@ -158,8 +165,8 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
             ->check(whole(2, planning::kMostNurses));
         command
             .add_option("--questions", o.questions,
-                        "Numbers of questions; default: 15,30,45, for a running study "
-                        "ten fewer, as many and ten more")
+                        "Numbers of questions; default: a third, two thirds and all of the form, for a "
+                        "running study ten fewer, as many and ten more")
             ->delimiter(',')
             ->check(whole(1, 100));
         command

@@ -156,11 +156,13 @@ base::Result<Output> studyBands(const StudyBandsOptions& options);
 
 struct StudyPlanOptions {
   std::string study;  ///< a running study, as a file or a folder; empty: a study to come
+  std::string pack;   ///< procedure of a study to come; empty: the default procedure
   double precision_n = 0.1;
   std::string region;  ///< id of a depth term; empty: all regions
   int most_nurses = 12;
-  std::vector<int> questions;   ///< empty: 15, 30 and 45; of a running study ten fewer, as many and ten more
-  std::vector<int> strokes;     ///< at each speed; empty: 4; of a running study as it has
+  std::vector<int>
+      questions;             ///< empty: a third, two thirds and all; of a running study ten fewer, as many and ten more
+  std::vector<int> strokes;  ///< at each speed; empty: 4; of a running study as it has
   std::vector<double> minutes;  ///< of the rest, a stroke, a force, a question; empty: those of planning::PartMinutes
   std::size_t studies = 200;
   std::uint64_t seed = 1;

@@ -16,6 +16,7 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::cli {
 namespace {
@@ -97,8 +98,12 @@ Result<Planned> planFrom(const StudyPlanOptions& options) {
   if (!options.minutes.empty())
     settings.minutes = {options.minutes[0], options.minutes[1], options.minutes[2], options.minutes[3]};
   if (options.study.empty()) {
-    out.questions = planning::defaultQuestions();
+    TACTUS_TRY(const auto about, options.pack.empty() ? procedure::defaultProcedure() : packNamed(options.pack));
+    out.questions = planning::questionsOf(about);
     out.family = planning::defaultFamily(out.questions);
+    if (options.questions.empty()) settings.questions = planning::thirdsOf(out.questions);
+    if (about != procedure::defaultProcedure())
+      out.notes.emplace_back("The nurses are invented from the pack: nothing is known of real ones in this procedure.");
   } else if (auto ok = takeStudy(options, out); !ok) {
     return tl::unexpected(ok.error());
   }

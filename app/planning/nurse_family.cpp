@@ -22,13 +22,18 @@ std::vector<double> exponentials(std::vector<double> logs) {
   return logs;
 }
 
-/// The mean word of S1, S2 and S3 at each question, over several seeds of their simulated answers.
-std::vector<double> typicalLevels(const study::Form& form) {
+bool isOfPaper(const Questions& questions) { return questions.about == procedure::defaultProcedure(); }
+
+/// The mean word of the simulated persons at each question that leads to a rule, over several seeds.
+std::vector<double> typicalLevels(const Questions& questions) {
   constexpr std::uint64_t kSeeds = 10;
+  const study::Form& form = questions.about->forms.front();
   std::vector<double> sum(form.items.size(), 0);
   std::vector<double> count(form.items.size(), 0);
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    for (const auto& answer : session::simulatedAnswers(form, seed)) {
+    const auto answers = isOfPaper(questions) ? session::simulatedAnswers(form, seed)
+                                              : session::simulatedExpert(*questions.about, form, seed, 0).answers;
+    for (const auto& answer : answers) {
       const auto item = std::find_if(form.items.begin(), form.items.end(),
                                      [&](const auto& one) { return one.number == answer.item; });
       const auto word = std::find_if(form.answers.begin(), form.answers.end(),
@@ -38,23 +43,41 @@ std::vector<double> typicalLevels(const study::Form& form) {
       ++count[place];
     }
   }
-  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] /= count[i];
-  return sum;
+  std::vector<double> out;
+  for (std::size_t i = 0; i < sum.size(); ++i) {
+    if (!study::isWayOut(form.items[i])) out.push_back(sum[i] / count[i]);
+  }
+  return out;
 }
 
 }  // namespace
 
-Questions defaultQuestions() {
-  const procedure::Procedure& about = *procedure::defaultProcedure();
-  const study::Form& form = about.forms.front();
+std::vector<std::string> Questions::words() const {
+  std::vector<std::string> out;
+  for (const auto& term : about->output.terms) out.push_back(term.id);
+  return out;
+}
+
+std::size_t Questions::speeds() const {
+  const auto* const rate = about->rateInput();
+  return rate == nullptr ? 0 : rate->terms.size();
+}
+
+Questions questionsOf(const session::ProcedurePtr& about) {
+  const study::Form& form = about->forms.front();
   Questions out;
-  out.inputs = about.inputs;
-  out.inputs[about.way()].terms = about.wayTerms(form.depth_terms)->terms;
+  out.about = about;
+  out.inputs = about->inputs;
+  out.inputs[about->way()].terms = about->wayTerms(form.depth_terms)->terms;
   for (const auto& item : form.items) {
+    if (study::isWayOut(item)) continue;  // leads to no rule
     auto& conditions = out.items.emplace_back();
     for (const auto& one : item.conditions) conditions.push_back({one.input, one.term});
   }
-  out.words = form.answers.size();
+  const auto protocol = session::firstProtocol(about);
+  TACTUS_CHECK(protocol.has_value());  // a pack without one is refused when it is read
+  const auto& ladder = protocol->settings.force.ladder;
+  for (int i = 0; i < ladder.count(); ++i) out.forces_n.push_back(ladder.at(i));
   return out;
 }
 
@@ -160,12 +183,19 @@ NurseFamily defaultFamily(const Questions& questions) {
   out.speed_mm_s = exponentials(moved.column_mean);
   out.speed_log = moved.row;
   out.speed_own_log = moved.cell;
-  out.level = typicalLevels(procedure::defaultProcedure()->forms.front());
+  out.level = typicalLevels(questions);
   TACTUS_CHECK(out.level.size() == questions.items.size());
   out.region = regionsOf(questions);
-  out.level_words = 0.5;
-  out.level_region_words = 0.4;
-  out.level_own_words = 0.45;
+  const double words = static_cast<double>(questions.words().size()) / 5;
+  out.level_words = 0.5 * words;
+  out.level_region_words = 0.4 * words;
+  out.level_own_words = 0.45 * words;
+  if (isOfPaper(questions)) return out;
+  const auto& about = *questions.about;
+  const auto typical = session::simulatedExpert(about, about.forms.front(), 1, 0).responder;
+  out.threshold_n = typical.threshold_n;
+  out.beyond_from_n = typical.beyond_from_n;
+  out.speed_mm_s = session::typicalSpeeds(about);
   return out;
 }
 

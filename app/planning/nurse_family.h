@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/study_procedure.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/fuzzy/force_model.h"
@@ -17,13 +18,20 @@ namespace tactus::planning {
 
 /// What a study asks: its questions, each about one condition in one region, and the variables that they name.
 struct Questions {
-  std::vector<fuzzy::Variable> inputs;               ///< with the depth terms of the form
+  session::ProcedurePtr about;
+  std::vector<fuzzy::Variable> inputs;               ///< with the terms of the way of the form
   std::vector<std::vector<fuzzy::Condition>> items;  ///< in the order of the form
-  std::size_t words = 5;                             ///< of the force
+  std::vector<double> forces_n;                      ///< that are judged, ascending
+
+  /// The ids of the words of the force, from the smallest.
+  std::vector<std::string> words() const;
+  /// The number of speeds at which strokes are done.
+  std::size_t speeds() const;
 };
 
-/// The form `ngt-force-v1`: 45 questions.
-Questions defaultQuestions();
+/// The questions of the first form of a procedure that lead to rules, and the forces of its first protocol. Of the
+/// default procedure: the form `ngt-force-v1` with 45 questions, and 0.1 to 1.7 N in steps of 0.1.
+Questions questionsOf(const session::ProcedurePtr& about);
 
 /// The region of each question as a number from 0, in the order of first appearance.
 std::vector<std::size_t> regionsOf(const Questions& questions);
@@ -33,7 +41,7 @@ struct TrueNurse {
   std::vector<double> threshold_n;  ///< ascending, one between two words of the force
   double beyond_from_n = 1.15;      ///< larger forces are beyond what she has felt
   std::vector<double> level;        ///< one per question: her word, from 0, before it is rounded
-  std::vector<double> speed_mm_s;   ///< mean speed at slow, medium and fast
+  std::vector<double> speed_mm_s;   ///< mean speed at each word of the rate, ascending; empty without a rate
 };
 
 /// Draws one nurse of a family.
@@ -68,6 +76,8 @@ struct NurseFamily {
 /// The family around the nurses of the paper. Thresholds: the four voters into whom the votes of Table 2 are split.
 /// Speeds: Table 1. Words: the mean of the simulated answers of the demo study; that nurses differ by .8 words in all
 /// (.5 together, .4 in a region, .45 by question) is a choice of this project.
+/// Of another procedure: the simulated experts of its pack (session::simulatedExpert), who differ as the nurses of the
+/// paper do, in words as .8 of 5. Nothing of it is known of real experts.
 NurseFamily defaultFamily(const Questions& questions);
 
 /// Standard deviations of the parts of a table: a row per nurse, columns in groups.

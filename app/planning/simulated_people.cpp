@@ -7,7 +7,6 @@
 
 #include "app/session/simulated_nurse.h"
 #include "core/base/statistics.h"
-#include "core/procedure/procedure.h"
 #include "elicitation/clustering/fcm.h"
 #include "elicitation/force/force_voting.h"
 #include "experiments/published_tables.h"
@@ -18,7 +17,6 @@ namespace {
 using base::Result;
 
 constexpr std::string_view kSeries = "ascending";
-constexpr int kForces = 17;
 constexpr int kSamples = 9;  // of a stroke
 
 /// The speeds along a stroke over its mean speed: minimum jerk, its spread made that of Table 1.
@@ -39,13 +37,15 @@ std::array<double, kSamples> strokeShape() {
   return out;
 }
 
-Result<void> addRamps(std::span<const double> strokes_mm_s, NurseData& out) {
+Result<void> addRamps(std::span<const double> strokes_mm_s, std::size_t levels, NurseData& out) {
   static const auto kShape = strokeShape();
   std::vector<double> samples;
   for (const double stroke : strokes_mm_s) {
     for (const double share : kShape) samples.push_back(stroke * share);
   }
-  TACTUS_TRY(const auto clusters, elicitation::fuzzyCMeans(samples));
+  elicitation::FcmSettings fcm;
+  fcm.clusters = levels;
+  TACTUS_TRY(const auto clusters, elicitation::fuzzyCMeans(samples, fcm));
   TACTUS_TRY(out.ramps, elicitation::alphaCutRamps(clusters.centres, 2, elicitation::kDefaultAlpha));
   out.largest_centre_mm_s = clusters.centres.back();
   return {};
@@ -57,20 +57,8 @@ std::size_t wordAt(double level, std::size_t words) {
 
 }  // namespace
 
-std::vector<std::string> wordIds() {
-  std::vector<std::string> out;
-  for (const auto& term : procedure::defaultProcedure()->output.terms) out.push_back(term.id);
-  return out;
-}
-
-std::vector<double> judgedForces() {
-  std::vector<double> out;
-  for (int step = 1; step <= kForces; ++step) out.push_back(step / 10.0);
-  return out;
-}
-
-Result<NurseData> dataOf(const TrueNurse& nurse, const RepeatNoise& noise, int strokes, const std::string& code,
-                         base::Random& random) {
+Result<NurseData> dataOf(const Questions& questions, const TrueNurse& nurse, const RepeatNoise& noise, int strokes,
+                         const std::string& code, base::Random& random) {
   NurseData out;
   session::ResponderTraits traits;
   traits.code = code;
@@ -78,8 +66,8 @@ Result<NurseData> dataOf(const TrueNurse& nurse, const RepeatNoise& noise, int s
   traits.beyond_from_n = nurse.beyond_from_n;
   traits.noise = noise.judgement_jnd;
   traits.lapse = noise.lapse;
-  session::SimulatedResponder responder(traits, wordIds());
-  for (const double force_n : judgedForces()) {
+  session::SimulatedResponder responder(traits, questions.words());
+  for (const double force_n : questions.forces_n) {
     const auto response = responder.judge(force_n, random);
     out.judged.push_back({code,
                           std::string(kSeries),
@@ -97,21 +85,23 @@ Result<NurseData> dataOf(const TrueNurse& nurse, const RepeatNoise& noise, int s
     for (int stroke = 0; stroke < strokes; ++stroke)
       speeds.push_back(speed * std::exp(noise.stroke_log * random.normal()));
   }
-  if (auto ok = addRamps(speeds, out); !ok) return tl::unexpected(ok.error());
+  if (speeds.empty()) return out;
+  if (auto ok = addRamps(speeds, nurse.speed_mm_s.size(), out); !ok) return tl::unexpected(ok.error());
   return out;
 }
 
-Result<NurseData> trueDataOf(const TrueNurse& nurse) {
+Result<NurseData> trueDataOf(const Questions& questions, const TrueNurse& nurse) {
   base::Random unused(1);
-  return dataOf(nurse, {0, 0, 0, 0}, 1, "N1", unused);
+  return dataOf(questions, nurse, {0, 0, 0, 0}, 1, "N1", unused);
 }
 
-Result<fuzzy::Variable> outputOf(std::span<const NurseData> people, elicitation::ForceTermsFrom way) {
+Result<fuzzy::Variable> outputOf(const Questions& questions, std::span<const NurseData> people,
+                                 elicitation::ForceTermsFrom way) {
   std::vector<study::ForceJudgement> all;
   for (const auto& one : people) all.insert(all.end(), one.judged.begin(), one.judged.end());
-  TACTUS_TRY(const auto counts, elicitation::countVotes(all, kSeries, wordIds()));
+  TACTUS_TRY(const auto counts, elicitation::countVotes(all, kSeries, questions.words()));
   const auto votes = elicitation::vote(counts, static_cast<int>(people.size()));
-  TACTUS_TRY(auto terms, elicitation::forceTermsFrom(way, procedure::defaultProcedure()->output, all, kSeries, votes));
+  TACTUS_TRY(auto terms, elicitation::forceTermsFrom(way, questions.about->output, all, kSeries, votes));
   return std::move(terms.output);
 }
 
@@ -131,7 +121,7 @@ fuzzy::ForceModel modelOf(const Questions& questions, std::span<const NurseData>
     input.max = end;
     input.terms = elicitation::speedTerms(input, averaged);
   }
-  const auto ids = wordIds();
+  const auto ids = questions.words();
   for (std::size_t who = 0; who < people.size(); ++who) {
     auto& expert = out.experts.emplace_back();
     expert.id = "N" + std::to_string(who + 1);

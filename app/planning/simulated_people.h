@@ -16,12 +16,6 @@
 
 namespace tactus::planning {
 
-/// The ids of the words of the force, from the smallest.
-std::vector<std::string> wordIds();
-
-/// The forces that are judged, N: 0.1 to 1.7 in steps of 0.1, ascending.
-std::vector<double> judgedForces();
-
 /// The data of one nurse in one study.
 struct NurseData {
   std::vector<study::ForceJudgement> judged;
@@ -31,13 +25,14 @@ struct NurseData {
 };
 
 /// Her data with `noise` drawn from `random`, with `strokes` at each speed. `code`: of the participant.
-base::Result<NurseData> dataOf(const TrueNurse& nurse, const RepeatNoise& noise, int strokes, const std::string& code,
-                               base::Random& random);
+base::Result<NurseData> dataOf(const Questions& questions, const TrueNurse& nurse, const RepeatNoise& noise,
+                               int strokes, const std::string& code, base::Random& random);
 /// The same without any noise: she herself.
-base::Result<NurseData> trueDataOf(const TrueNurse& nurse);
+base::Result<NurseData> trueDataOf(const Questions& questions, const TrueNurse& nurse);
 
 /// The force terms of the judgements of `people`, as buildModel makes them.
-base::Result<fuzzy::Variable> outputOf(std::span<const NurseData> people, elicitation::ForceTermsFrom way);
+base::Result<fuzzy::Variable> outputOf(const Questions& questions, std::span<const NurseData> people,
+                                       elicitation::ForceTermsFrom way);
 
 /// The averaged model of `people` with the answers to `asked` (indices of questions), as buildModel makes it.
 /// `output`: outputOf the same people.

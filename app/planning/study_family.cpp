@@ -27,13 +27,14 @@ constexpr double kLeastThresholdN = 0.01;
 double less(double sd, double noise_sd) { return std::sqrt(std::max(0.0, sd * sd - noise_sd * noise_sd)); }
 
 /// The logarithms of each participant's thresholds in one series, by participant.
-std::map<std::string, std::vector<double>> thresholdsOf(const std::vector<study::ForceJudgement>& judgements,
+std::map<std::string, std::vector<double>> thresholdsOf(const Questions& questions,
+                                                        const std::vector<study::ForceJudgement>& judgements,
                                                         const std::string& series) {
   std::map<std::string, std::vector<double>> out;
-  const auto counts = elicitation::countVotes(judgements, series, wordIds());
+  const auto counts = elicitation::countVotes(judgements, series, questions.words());
   if (!counts) return out;
   const auto votes = elicitation::vote(*counts);
-  const auto terms = elicitation::thresholdTerms(procedure::defaultProcedure()->output, judgements, series, votes);
+  const auto terms = elicitation::thresholdTerms(questions.about->output, judgements, series, votes);
   if (!terms) return out;
   for (const auto& one : terms->participants) {
     auto& row = out[one.participant];
@@ -49,30 +50,30 @@ Rows rowsOf(const std::map<std::string, std::vector<double>>& by_participant) {
 }
 
 /// Nurses who are all like `family` describes on average, with their judgements and words.
-std::vector<NurseData> alikeNurses(NurseFamily family, const RepeatNoise& noise) {
+std::vector<NurseData> alikeNurses(const Questions& questions, NurseFamily family, const RepeatNoise& noise) {
   family.threshold_log = family.threshold_own_log = 0;
   family.level_words = family.level_region_words = family.level_own_words = 0;
   family.speed_log = family.speed_own_log = 0;
   base::Random random(kAlikeSeed);
   std::vector<NurseData> out;
   for (std::size_t who = 0; who < kAlike; ++who) {
-    auto data = dataOf(family.draw(random), noise, 1, "N" + std::to_string(who + 1), random);
+    auto data = dataOf(questions, family.draw(random), noise, 1, "N" + std::to_string(who + 1), random);
     if (data) out.push_back(std::move(*data));
   }
   return out;
 }
 
-SpreadParts thresholdSpread(const std::vector<NurseData>& people) {
+SpreadParts thresholdSpread(const Questions& questions, const std::vector<NurseData>& people) {
   std::vector<study::ForceJudgement> all;
   for (const auto& one : people) all.insert(all.end(), one.judged.begin(), one.judged.end());
-  const auto rows = rowsOf(thresholdsOf(all, "ascending"));
+  const auto rows = rowsOf(thresholdsOf(questions, all, "ascending"));
   return rows.size() < 2 ? SpreadParts{} : spreadParts(rows);
 }
 
 /// The noise of judgements from those who judged several series; nothing if there are none.
-std::optional<double> judgementNoise(const study::Study& study, const std::string& series,
+std::optional<double> judgementNoise(const Questions& questions, const study::Study& study, const std::string& series,
                                      const SpreadParts& by_one_jnd) {
-  const auto first = thresholdsOf(study.judgements, series);
+  const auto first = thresholdsOf(questions, study.judgements, series);
   std::vector<std::string> others;
   for (const auto& one : study.judgements) {
     if (one.series != series && std::find(others.begin(), others.end(), one.series) == others.end())
@@ -81,7 +82,7 @@ std::optional<double> judgementNoise(const study::Study& study, const std::strin
   double square = 0;
   double count = 0;
   for (const auto& other : others) {
-    const auto again = thresholdsOf(study.judgements, other);
+    const auto again = thresholdsOf(questions, study.judgements, other);
     Rows differences;
     for (const auto& [participant, row] : first) {
       const auto second = again.find(participant);
@@ -126,8 +127,9 @@ void takeItems(const fuzzy::ForceModel& model, StudyFamily& out) {
 }
 
 /// The words of each expert by question; a missing one is the mean of those that are there.
-Rows levelsOf(const fuzzy::ForceModel& model, const std::vector<std::vector<fuzzy::Condition>>& items) {
-  const auto ids = wordIds();
+Rows levelsOf(const fuzzy::ForceModel& model, const Questions& questions) {
+  const auto& items = questions.items;
+  const auto ids = questions.words();
   std::vector<std::vector<std::optional<double>>> said;
   for (const auto& expert : model.experts) {
     auto& row = said.emplace_back(items.size());
@@ -152,7 +154,7 @@ Rows levelsOf(const fuzzy::ForceModel& model, const std::vector<std::vector<fuzz
 }
 
 void takeThresholds(const study::Study& study, const elicitation::BuildSettings& settings, StudyFamily& out) {
-  const auto rows = rowsOf(thresholdsOf(study.judgements, settings.series));
+  const auto rows = rowsOf(thresholdsOf(out.questions, study.judgements, settings.series));
   if (rows.size() < 2) {
     out.notes.push_back("The thresholds between the force words are assumed: fewer than two nurses judged forces.");
     return;
@@ -161,15 +163,15 @@ void takeThresholds(const study::Study& study, const elicitation::BuildSettings&
   auto& family = out.family;
   for (std::size_t i = 0; i < all.column_mean.size(); ++i) family.threshold_n[i] = std::exp(all.column_mean[i]);
   family.beyond_from_n = std::max(family.beyond_from_n, family.threshold_n.back());
-  const auto by_one_jnd = thresholdSpread(alikeNurses(family, out.noise));
-  if (const auto noise = judgementNoise(study, settings.series, by_one_jnd)) {
+  const auto by_one_jnd = thresholdSpread(out.questions, alikeNurses(out.questions, family, out.noise));
+  if (const auto noise = judgementNoise(out.questions, study, settings.series, by_one_jnd)) {
     out.noise.judgement_jnd = *noise;
   } else {
     out.notes.push_back(
         "The noise of the judgements is assumed, one just-noticeable difference: no two nurses judged "
         "more than one series.");
   }
-  const auto alike = thresholdSpread(alikeNurses(family, out.noise));
+  const auto alike = thresholdSpread(out.questions, alikeNurses(out.questions, family, out.noise));
   family.threshold_log = less(all.row, alike.row);
   family.threshold_own_log = less(all.cell, alike.cell);
 }
@@ -177,10 +179,11 @@ void takeThresholds(const study::Study& study, const elicitation::BuildSettings&
 void takeLevels(const elicitation::BuiltModel& built, StudyFamily& out) {
   auto& family = out.family;
   family.region = regionsOf(out.questions);
-  const auto all = spreadParts(levelsOf(built.model, out.questions.items), family.region);
+  const auto all = spreadParts(levelsOf(built.model, out.questions), family.region);
   family.level = all.column_mean;
   Rows rows;
-  for (const auto& one : alikeNurses(family, out.noise)) rows.emplace_back(one.words.begin(), one.words.end());
+  for (const auto& one : alikeNurses(out.questions, family, out.noise))
+    rows.emplace_back(one.words.begin(), one.words.end());
   const auto alike = spreadParts(rows, family.region);
   family.level_words = less(all.row, alike.row);
   family.level_region_words = less(all.group, alike.group);
@@ -189,6 +192,7 @@ void takeLevels(const elicitation::BuiltModel& built, StudyFamily& out) {
 }
 
 void takeSpeeds(const elicitation::BuiltModel& built, StudyFamily& out) {
+  if (out.questions.speeds() == 0) return;
   Rows rows;
   for (const auto& one : built.speeds) {
     std::vector<double> row;
@@ -213,18 +217,16 @@ void takeSpeeds(const elicitation::BuiltModel& built, StudyFamily& out) {
 
 Result<StudyFamily> familyOf(const study::Study& study, const elicitation::BuiltModel& built,
                              const elicitation::BuildSettings& settings) {
-  if (&built.about() != procedure::defaultProcedure().get()) {
-    return fail(ErrorCode::kValue, "procedure", base::quoted(built.about().id),
-                base::quoted(procedure::defaultProcedure()->id) + ", of which plans are made");
-  }
   StudyFamily out;
   out.nurses = built.model.experts.size();
   if (out.nurses < 2)
     return fail(ErrorCode::kData, "study", std::to_string(out.nurses) + " nurse with rules",
                 "at least two, to see how they differ");
-  out.family = defaultFamily(defaultQuestions());
-  out.questions.inputs = built.about().inputs;
-  out.questions.inputs[built.about().way()] = built.model.inputs[built.about().way()];
+  out.questions = questionsOf(study.procedure != nullptr ? study.procedure : procedure::defaultProcedure());
+  out.family = defaultFamily(out.questions);
+  out.questions.items.clear();
+  const std::size_t way = out.questions.about->way();
+  out.questions.inputs[way] = built.model.inputs[way];
   takeItems(built.model, out);
   if (out.questions.items.empty())
     return fail(ErrorCode::kData, "study", "no rules about regions that most nurses were asked about", "some");

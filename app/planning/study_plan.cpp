@@ -100,9 +100,9 @@ Result<std::vector<double>> truthOf(const Questions& questions, const NurseSourc
   std::vector<std::vector<double>> forces(settings.population);
   const auto one = [&](std::size_t who) {
     base::Random random(seedOf(settings.seed, 2 * who));
-    const auto data = trueDataOf(source(random));
+    const auto data = trueDataOf(questions, source(random));
     if (!data) return;
-    const auto output = outputOf({&*data, 1}, settings.force_terms);
+    const auto output = outputOf(questions, {&*data, 1}, settings.force_terms);
     if (!output) return;
     int silent = 0;
     if (!forcesOf(modelOf(questions, {&*data, 1}, all, *output), points, forces[who], silent)) forces[who].clear();
@@ -121,11 +121,11 @@ Result<std::vector<double>> truthOf(const Questions& questions, const NurseSourc
   return truth;
 }
 
-DesignError summary(const Design& design, const std::vector<Run>& runs, const PlanSettings& settings,
-                    std::size_t points) {
+DesignError summary(const Questions& questions, const Design& design, const std::vector<Run>& runs,
+                    const PlanSettings& settings, std::size_t points) {
   DesignError out;
   out.design = design;
-  out.hours = hoursOf(design, settings.minutes);
+  out.hours = hoursOf(questions, design, settings.minutes);
   std::vector<double> squares;
   std::vector<double> mean(points, 0);
   double silent = 0;
@@ -214,10 +214,16 @@ Result<void> check(const Questions& questions, const PlanSettings& settings) {
 
 }  // namespace
 
-double hoursOf(const Design& design, const PartMinutes& minutes) {
-  const double each = minutes.other + 3.0 * (design.strokes + kPractice) * minutes.stroke +
-                      static_cast<double>(judgedForces().size()) * minutes.force + design.questions * minutes.question;
+double hoursOf(const Questions& asked, const Design& design, const PartMinutes& minutes) {
+  const double each = minutes.other +
+                      static_cast<double>(asked.speeds()) * (design.strokes + kPractice) * minutes.stroke +
+                      static_cast<double>(asked.forces_n.size()) * minutes.force + design.questions * minutes.question;
   return design.nurses * each / 60;
+}
+
+std::vector<int> thirdsOf(const Questions& questions) {
+  const auto all = static_cast<int>(questions.items.size());
+  return {std::max(1, all / 3), std::max(1, 2 * all / 3), all};
 }
 
 const DesignError* StudyPlan::find(const Design& design) const {
@@ -292,13 +298,13 @@ Result<StudyPlan> planStudy(const Questions& questions, const NurseSource& sourc
       for (int who = 0; who < settings.most_nurses; ++who) {
         const auto nurse = source(random);
         base::Random noise(random.next());  // the numbers of strokes do not move the next nurse
-        auto data = dataOf(nurse, settings.noise, strokes, "N" + std::to_string(who + 1), noise);
+        auto data = dataOf(questions, nurse, settings.noise, strokes, "N" + std::to_string(who + 1), noise);
         if (!data) return;
         people.push_back(std::move(*data));
       }
       std::vector<Result<fuzzy::Variable>> outputs;
       for (int nurses = settings.least_nurses; nurses <= settings.most_nurses; ++nurses)
-        outputs.push_back(outputOf({people.data(), static_cast<std::size_t>(nurses)}, settings.force_terms));
+        outputs.push_back(outputOf(questions, {people.data(), static_cast<std::size_t>(nurses)}, settings.force_terms));
       for (const auto& items : asked) {
         for (const auto& output : outputs) {
           Run& run = runs[at][number];
@@ -317,7 +323,7 @@ Result<StudyPlan> planStudy(const Questions& questions, const NurseSource& sourc
     return fail(ErrorCode::kCancelled, "plan", "canceled", "the whole run");
 
   for (std::size_t i = 0; i < designs.size(); ++i)
-    out.designs.push_back(summary(designs[i], runs[i], settings, out.points.size()));
+    out.designs.push_back(summary(questions, designs[i], runs[i], settings, out.points.size()));
   const auto row = static_cast<std::size_t>(settings.most_nurses - settings.least_nurses + 1);
   for (std::size_t first = 0; first < designs.size(); first += row) pool(out.designs, first, first + row);
   for (std::size_t i = 0; i < designs.size(); ++i) {

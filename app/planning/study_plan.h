@@ -31,14 +31,14 @@ struct PartMinutes {
   double question = 1.0 / 6;
 };
 
-/// Working hours of the nurses of `design`: nurses · (other + 3 speeds · (strokes + 2 for practice) · stroke + 17
-/// forces · force + questions · question).
-double hoursOf(const Design& design, const PartMinutes& minutes);
+/// Working hours of the nurses of `design`: nurses · (other + speeds · (strokes + 2 for practice) · stroke +
+/// forces · force + questions · question), with the speeds and forces of `asked`.
+double hoursOf(const Questions& asked, const Design& design, const PartMinutes& minutes);
 
 struct PlanSettings {
   int least_nurses = 2;
   int most_nurses = 12;
-  std::vector<int> questions = {15, 30, 45};
+  std::vector<int> questions = {15, 30, 45};  ///< thirdsOf() of another form
   std::vector<int> strokes = {4};
   std::string region;  ///< id of a depth term; empty: all regions
   double precision_n = 0.1;
@@ -76,8 +76,11 @@ struct StudyPlan {
   const DesignError* find(const Design& design) const;
 };
 
+/// A third, two thirds and all of the questions.
+std::vector<int> thirdsOf(const Questions& questions);
+
 /// The points of a plan: Halton points over the inputs where a depth term (of `region`, if set) has a membership of at
-/// least one half; speeds up to 250 mm/s. Refused: an unknown region.
+/// least one half; rates up to 250 mm/s. Refused: an unknown region.
 base::Result<std::vector<std::vector<double>>> planPoints(const Questions& questions, const std::string& region,
                                                           std::size_t count);
 

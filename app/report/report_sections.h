@@ -74,10 +74,10 @@ void addStopForces(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp
 void addRules(HtmlPage& page, const ReportContext& context);
 // sections_rules.cpp
-void addConflicts(HtmlPage& page, const ReportContext& context);
-// sections_influence.cpp
 /// What the experts say of the way out, region by region, beside the way in; nothing of a form that does not ask.
 void addWayOut(HtmlPage& page, const ReportContext& context);
+void addConflicts(HtmlPage& page, const ReportContext& context);
+// sections_influence.cpp
 /// The bands "again", "others" and "next" around the averaged force.
 void addUncertainty(HtmlPage& page, const ReportContext& context);
 // sections_method.cpp
@@ -103,10 +103,10 @@ void addSurface(HtmlPage& page, const ReportContext& context);
 void addInfluences(HtmlPage& page, const ReportContext& context);
 void addExperts(HtmlPage& page, const ReportContext& context);
 void addReadings(HtmlPage& page, const ReportContext& context);
-// sections_feel.cpp
-/// Fig. 13 and 18: the force that a simulated hand feels from the averaged model. Adds nothing if the model cannot be
 /// What others published of the procedure, with what it is not; nothing of a pack without.
 void addPublishedForces(HtmlPage& page, const ReportContext& context);
+// sections_feel.cpp
+/// Fig. 13 and 18: the force that a simulated hand feels from the averaged model. Adds nothing if the model cannot be
 /// rendered.
 void addFeel(HtmlPage& page, const ReportContext& context);
 /// The blind comparisons of models by hand, each with its verdict; nothing without any.

@@ -75,8 +75,8 @@ Result<Session> Session::begin(store::StudyFile& file, const SessionStart& start
   }
   auto settings = start.settings;
   settings.force.device_friction_n = start.device_friction_n;
-  TACTUS_TRY(const auto persons, store::persons(file));
   settings.force.device_scale = settings.about().device_scale;
+  TACTUS_TRY(const auto persons, store::persons(file));
   const auto person =
       std::find_if(persons.begin(), persons.end(), [&](const study::Person& p) { return p.id == start.person; });
   if (person == persons.end()) {

@@ -69,6 +69,13 @@ std::map<std::string, std::vector<double>> effectsOf(const Procedure& procedure,
 
 }  // namespace
 
+std::vector<double> typicalSpeeds(const Procedure& procedure) {
+  std::vector<double> out;
+  const auto* const rate = procedure.rateInput();
+  for (std::size_t k = 0; rate != nullptr && k < rate->terms.size(); ++k) out.push_back(typicalOf(*rate, k));
+  return out;
+}
+
 NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form, std::uint64_t seed, double spread) {
   base::Random person(seed);
   NurseTraits out;
@@ -81,14 +88,15 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
   for (std::size_t k = 0; k + 1 < words.size(); ++k)
     out.responder.threshold_n.push_back(forces * boundaryAfter(words, k));
   out.responder.beyond_from_n = forces * procedure.output.max;
+  out.responder.stop_from_n = 0.8 * out.responder.beyond_from_n;
   out.responder.noise = 1;
   if (const auto* const rate = procedure.rateInput()) {
     const double speeds = std::exp(spread * person.normal());
+    const auto typical = typicalSpeeds(procedure);
     for (std::size_t k = 0; k < rate->terms.size(); ++k)
-      out.levels[rate->terms[k].id] = levelAt(rate->terms[k].id, speeds * typicalOf(*rate, k), seed + k + 1);
+      out.levels[rate->terms[k].id] = levelAt(rate->terms[k].id, speeds * typical[k], seed + k + 1);
   }
   // What the procedure is like is the same for every expert; how each feels it differs.
-  out.responder.stop_from_n = 0.8 * out.responder.beyond_from_n;
   base::Random common(1);
   const auto highest = static_cast<double>(form.answers.size() - 1);
   const auto effects = effectsOf(procedure, highest, common);
@@ -97,6 +105,10 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
   for (const auto& item : form.items) {
     double level = highest / 2;
     for (const auto& condition : item.conditions) {
+      if (condition == study::kWayOut) {
+        level -= kLessOnTheWayOut;
+        continue;
+      }
       const auto input = std::find_if(procedure.inputs.begin(), procedure.inputs.end(),
                                       [&](const auto& one) { return one.id == condition.input; });
       const auto term = std::find_if(input->terms.begin(), input->terms.end(),
@@ -106,10 +118,6 @@ NurseTraits simulatedExpert(const Procedure& procedure, const study::Form& form,
       const double effect = effects.at(input->id)[static_cast<std::size_t>(term - input->terms.begin())];
       level += own[input->id] * (input->id == procedure.wayInput().id ? effect - highest / 2 : effect);
     }
-      if (condition == study::kWayOut) {
-        level -= kLessOnTheWayOut;
-        continue;
-      }
     level += kOwnWords * person.normal();
     const double place = std::clamp(std::round(level), 0.0, highest);
     out.answers.push_back({{},

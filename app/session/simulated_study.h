@@ -46,6 +46,9 @@ NurseTraits simulatedNurseCalled(std::string_view code, std::uint64_t seed);
 NurseTraits simulatedExpert(const procedure::Procedure& procedure, const study::Form& form, std::uint64_t seed,
                             double spread);
 
+/// The mean speed of such an expert at each word of the rate, mm/s; empty without a rate.
+std::vector<double> typicalSpeeds(const procedure::Procedure& procedure);
+
 // A clock under the control of a simulation, so that the same seed gives the same study file.
 
 /// Time advances on request, and by one millisecond with each reading. Copies share the same time.

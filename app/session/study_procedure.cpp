@@ -200,10 +200,6 @@ Result<ProcedurePtr> procedureIn(const store::StudyFile& file) {
                       file.path());
 }
 
-Result<StudyProtocol> protocolOf(const store::StudyFile& file, const study::ProtocolRecord& record) {
-  TACTUS_TRY(auto out, parseStudyProtocol(record.text));
-  TACTUS_TRY(out.settings.procedure, procedureIn(file));
-  return out;
 Result<ProcedurePtr> procedureAt(const std::string& path) {
   std::error_code ignored;
   if (path.empty() || !std::filesystem::exists(path, ignored)) return ProcedurePtr{};
@@ -211,6 +207,10 @@ Result<ProcedurePtr> procedureAt(const std::string& path) {
   return procedureIn(file);
 }
 
+Result<StudyProtocol> protocolOf(const store::StudyFile& file, const study::ProtocolRecord& record) {
+  TACTUS_TRY(auto out, parseStudyProtocol(record.text));
+  TACTUS_TRY(out.settings.procedure, procedureIn(file));
+  return out;
 }
 
 Result<SessionSettings> settingsOf(const store::StudyFile& file, const study::SessionRecord& session) {

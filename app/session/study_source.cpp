@@ -190,6 +190,14 @@ std::vector<study::Form> knownForms(const procedure::Procedure& procedure) {
   return forms;
 }
 
+base::Result<ProcedurePtr> procedureOfTable(const std::string& table, const std::string& named) {
+  if (!named.empty()) return readPack(named);
+  const auto beside = std::filesystem::path(table).parent_path() / kPackFolder;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(beside, ignored)) return readPack(beside.string());
+  return procedure::defaultProcedure();
+}
+
 base::Result<study::StudyTables> readTables(const std::string& folder, ProcedurePtr procedure) {
   const auto pack = std::filesystem::path(folder) / kPackFolder;
   std::error_code ignored;
@@ -214,14 +222,6 @@ base::Result<void> writePack(const study::Study& study, const std::string& folde
   if (&about == procedure::defaultProcedure().get()) return {};
   for (const auto& [name, bytes] : about.files) {
     const auto path = std::filesystem::path(folder) / kPackFolder / name;
-base::Result<ProcedurePtr> procedureOfTable(const std::string& table, const std::string& named) {
-  if (!named.empty()) return readPack(named);
-  const auto beside = std::filesystem::path(table).parent_path() / kPackFolder;
-  std::error_code ignored;
-  if (std::filesystem::is_directory(beside, ignored)) return readPack(beside.string());
-  return procedure::defaultProcedure();
-}
-
     if (auto ok = base::makeFolder(path.parent_path().string()); !ok) return ok;
     if (auto ok = base::writeFileAtomically(path.string(), bytes); !ok) return ok;
   }

@@ -61,14 +61,14 @@ base::Result<study::StudyTables> readTables(const std::string& folder, Procedure
 /// Of a folder with the tables of a study: its pack.
 inline constexpr std::string_view kPackFolder = "procedure";
 
-/// Writes the pack of `study` into the folder `procedure` below `folder`; nothing of the default procedure.
-base::Result<void> writePack(const study::Study& study, const std::string& folder);
-
-/// Writes the tables of `study` into `folder` (csv_tables.h), with its pack beside them in the folder `procedure`
 /// The procedure that a single table is of: the pack `named` (readPack), else the one in the folder `procedure` beside
 /// `table`, else the default one. Never null.
 base::Result<ProcedurePtr> procedureOfTable(const std::string& table, const std::string& named);
 
+/// Writes the pack of `study` into the folder `procedure` below `folder`; nothing of the default procedure.
+base::Result<void> writePack(const study::Study& study, const std::string& folder);
+
+/// Writes the tables of `study` into `folder` (csv_tables.h), with its pack beside them in the folder `procedure`
 /// unless it is the default one.
 base::Result<void> writeTables(const study::Study& study, const std::string& folder);
 

@@ -54,6 +54,16 @@ TEST(StudyPlanCommand, DuringAStudy) {
   EXPECT_GE(json.at("gains")[0].at("buys_n").get<double>(), 0);
 }
 
+TEST(StudyPlanCommand, OfAnotherProcedure) {
+  const ProgramRun run(
+      {"study", "plan", "--pack", "nasopharyngeal-swab", "--studies", "10", "--most-nurses", "3", "--json"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json.at("designs").size(), 6U);  // 2 and 3 nurses by a third, two thirds and all of 18 questions
+  EXPECT_EQ(json.at("designs")[0].at("questions"), 6);
+  EXPECT_NE(json.at("notes").at(0).get<std::string>().find("invented"), std::string::npos);
+}
+
 TEST(StudyPlanCommand, AMistakeIsSaid) {
   const ProgramRun region({"study", "plan", "--region", "elbow", "--studies", "2"});
   EXPECT_EQ(region.status, 1);
@@ -61,6 +71,8 @@ TEST(StudyPlanCommand, AMistakeIsSaid) {
   EXPECT_EQ(ProgramRun({"study", "plan", "--questions", "46", "--studies", "2"}).status, 1);
   EXPECT_EQ(ProgramRun({"study", "plan", "--precision", "0"}).status, 2);
   EXPECT_EQ(ProgramRun({"study", "plan", "absent.tactus"}).status, 1);
+  EXPECT_EQ(ProgramRun({"study", "plan", "--pack", "absent"}).status, 1);
+  EXPECT_EQ(ProgramRun({"study", "plan", "absent.tactus", "--pack", "nasopharyngeal-swab"}).status, 2);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/planning/simulated_people.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::planning {
 namespace {
@@ -36,7 +37,7 @@ TEST(SpreadParts, FindsTheSpreadOfItsInput) {
 }
 
 TEST(NurseFamily, DefaultsComeFromThePublishedTables) {
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   const auto family = defaultFamily(questions);
   EXPECT_EQ(questions.items.size(), 45U);
   EXPECT_EQ(family.level.size(), 45U);
@@ -50,14 +51,14 @@ TEST(NurseFamily, DefaultsComeFromThePublishedTables) {
 }
 
 TEST(SimulatedPeople, TheForceTermsOfOneAreHerOwn) {
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   TrueNurse nurse;
   nurse.threshold_n = {0.25, 0.45, 0.65, 0.85};
   nurse.level.assign(45, 2);
   nurse.speed_mm_s = {50, 120, 220};
-  const auto data = trueDataOf(nurse);
+  const auto data = trueDataOf(questions, nurse);
   ASSERT_TRUE(data);
-  const auto output = outputOf({&*data, 1}, elicitation::ForceTermsFrom::kThresholds);
+  const auto output = outputOf(questions, {&*data, 1}, elicitation::ForceTermsFrom::kThresholds);
   ASSERT_TRUE(output);
   // Judged at 0.1, 0.2, …: a threshold half way between two forces is found exactly, with ramps of half a step.
   EXPECT_NEAR(output->terms[2].points[0], 0.40, 1e-9);

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <numeric>
 #include <string>
 
 #include "app/planning/simulated_people.h"
+#include "core/procedure/procedure.h"
 #include "elicitation/model/model_builder.h"
 #include "questionnaires/form_file.h"
 
@@ -19,6 +21,21 @@ using elicitation::ForceTermsFrom;
 
 NurseSource sourceOf(const NurseFamily& family) {
   return [family](base::Random& random) { return family.draw(random); };
+}
+
+/// A participant with these judgements and answers.
+void addTo(study::Study& study, const study::Form& form, const std::string& code, const NurseData& data) {
+  study::Participant person;
+  person.code = code;
+  person.simulated = true;
+  study.participants.push_back(person);
+  study.judgements.insert(study.judgements.end(), data.judged.begin(), data.judged.end());
+  std::size_t word = 0;
+  for (const auto& item : form.items) {
+    if (study::isWayOut(item)) continue;
+    study.answers.push_back(
+        {code, form.id, item.number, form.answers[data.words[word++]].term, study::Answer::Status::kAnswered});
+  }
 }
 
 PlanSettings smallPlan() {
@@ -52,7 +69,7 @@ TEST(StudyPlan, AConstantShiftFallsWithTheRootOfTheNurses) {
   settings.studies = 400;
   settings.population = 1000;
   settings.noise = {0, 0, 0, 0};
-  const auto plan = planStudy(defaultQuestions(), shifted, settings);
+  const auto plan = planStudy(questionsOf(procedure::defaultProcedure()), shifted, settings);
   ASSERT_TRUE(plan) << plan.error().message();
   // A step of 0.1 N adds its own 0.1 / sqrt(12) N at each threshold of a nurse; both thresholds of "medium" lie two
   // steps apart and round alike.
@@ -69,7 +86,7 @@ TEST(StudyPlan, AConstantShiftFallsWithTheRootOfTheNurses) {
 TEST(StudyPlan, TheSamePlanGivesTheSameBits) {
   PlanSettings settings = smallPlan();
   settings.studies = 20;
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   const auto source = sourceOf(defaultFamily(questions));
   const auto two = planStudy(questions, source, settings);
   settings.threads = 1;
@@ -91,7 +108,7 @@ TEST(StudyPlan, MoreNursesAreNeverWorse) {
     PlanSettings settings = smallPlan();
     settings.questions = {15, 30, 45};
     settings.force_terms = way;
-    const auto questions = defaultQuestions();
+    const auto questions = questionsOf(procedure::defaultProcedure());
     const auto plan = planStudy(questions, sourceOf(defaultFamily(questions)), settings);
     ASSERT_TRUE(plan);
     for (std::size_t i = 1; i < plan->designs.size(); ++i) {
@@ -112,7 +129,7 @@ TEST(StudyPlan, TheCheapestDesignIsTheOneWithTheFewestHoursThatMeetsThePrecision
   PlanSettings settings = smallPlan();
   settings.questions = {30, 45};
   settings.precision_n = 0.12;
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   const auto plan = planStudy(questions, sourceOf(defaultFamily(questions)), settings);
   ASSERT_TRUE(plan);
   double fewest = 1e9;
@@ -124,50 +141,66 @@ TEST(StudyPlan, TheCheapestDesignIsTheOneWithTheFewestHoursThatMeetsThePrecision
     EXPECT_EQ(plan->designs[*plan->cheapest].hours, fewest);
   }
   // By hand: 4 nurses of 5 + 3 * 6 * .2 + 17 * .2 + 45 / 6 minutes.
-  EXPECT_NEAR(hoursOf({4, 45, 4}, {}), 4 * (5 + 3.6 + 3.4 + 7.5) / 60, 1e-12);
+  EXPECT_NEAR(hoursOf(questions, {4, 45, 4}, {}), 4 * (5 + 3.6 + 3.4 + 7.5) / 60, 1e-12);
 }
 
 TEST(StudyPlan, ItsModelIsThatOfTheBuild) {
-  const auto questions = defaultQuestions();
-  const auto form = support::ngtForceForm();
-  const auto family = defaultFamily(questions);
-  base::Random random(5);
-  std::vector<NurseData> people;
-  study::Study study;
-  study.name = "three";
-  for (int who = 1; who <= 3; ++who) {
-    const std::string code = "N" + std::to_string(who);
-    auto data = dataOf(family.draw(random), {}, 4, code, random);
-    ASSERT_TRUE(data);
-    study::Participant person;
-    person.code = code;
-    person.simulated = true;
-    study.participants.push_back(person);
-    study.judgements.insert(study.judgements.end(), data->judged.begin(), data->judged.end());
-    for (std::size_t i = 0; i < form.items.size(); ++i) {
-      study.answers.push_back(
-          {code, form.id, form.items[i].number, form.answers[data->words[i]].term, study::Answer::Status::kAnswered});
+  for (const auto& id : procedure::builtInIds()) {
+    SCOPED_TRACE(id);
+    const auto about = procedure::builtIn(id);
+    const auto questions = questionsOf(about);
+    const auto& form = about->forms.front();
+    const auto family = defaultFamily(questions);
+    base::Random random(5);
+    std::vector<NurseData> people;
+    study::Study study;
+    study.name = "three";
+    study.procedure = about;
+    for (int who = 1; who <= 3; ++who) {
+      const std::string code = "N" + std::to_string(who);
+      auto data = dataOf(questions, family.draw(random), {}, 4, code, random);
+      ASSERT_TRUE(data);
+      addTo(study, form, code, *data);
+      people.push_back(std::move(*data));
     }
-    people.push_back(std::move(*data));
-  }
-  const auto built = elicitation::buildModel(study, {&form, 1}, {});
-  ASSERT_TRUE(built) << built.error().message();
-  const auto output = outputOf(people, ForceTermsFrom::kVote);
-  ASSERT_TRUE(output);
-  std::vector<std::size_t> all(form.items.size());
-  for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
-  const auto ours = modelOf(questions, people, all, *output);
-  EXPECT_EQ(ours.output, built->model.output);
-  ASSERT_EQ(ours.experts.size(), built->model.experts.size());
-  for (std::size_t e = 0; e < ours.experts.size(); ++e) EXPECT_EQ(ours.experts[e].rules, built->model.experts[e].rules);
-  for (std::size_t i = 0; i < ours.inputs.size(); ++i) {
-    if (ours.inputs[i].id == "speed") continue;  // this study has no strokes
-    EXPECT_EQ(ours.inputs[i].terms, built->model.inputs[i].terms);
+    const auto built = elicitation::buildModel(study, {&form, 1}, {});
+    ASSERT_TRUE(built) << built.error().message();
+    const auto output = outputOf(questions, people, ForceTermsFrom::kVote);
+    ASSERT_TRUE(output);
+    std::vector<std::size_t> all(questions.items.size());
+    std::iota(all.begin(), all.end(), 0U);
+    const auto ours = modelOf(questions, people, all, *output);
+    EXPECT_EQ(ours.output, built->model.output);
+    ASSERT_EQ(ours.experts.size(), built->model.experts.size());
+    for (std::size_t e = 0; e < ours.experts.size(); ++e)
+      EXPECT_EQ(ours.experts[e].rules, built->model.experts[e].rules);
+    for (std::size_t i = 0; i < ours.inputs.size(); ++i) {
+      if (fuzzy::roleOf(ours.inputs[i]) == fuzzy::Role::kRate) continue;  // this study has no strokes
+      EXPECT_EQ(ours.inputs[i].terms, built->model.inputs[i].terms);
+    }
   }
 }
 
+TEST(StudyPlan, APlanOfAnyProcedure) {
+  for (const auto& id : procedure::builtInIds()) {
+    SCOPED_TRACE(id);
+    const auto questions = questionsOf(procedure::builtIn(id));
+    PlanSettings settings = smallPlan();
+    settings.studies = 40;
+    settings.questions = thirdsOf(questions);
+    const auto plan = planStudy(questions, sourceOf(defaultFamily(questions)), settings);
+    ASSERT_TRUE(plan) << plan.error().message();
+    const int all = static_cast<int>(questions.items.size());
+    EXPECT_LT(plan->find({6, all, 4})->simulated_n, plan->find({2, all, 4})->simulated_n);
+    EXPECT_LT(plan->find({6, all, 4})->refused, 0.5);
+  }
+  // The 6 questions about the way out lead to no rule.
+  const auto catheter = questionsOf(procedure::builtIn("male-urethral-catheter"));
+  EXPECT_EQ(catheter.items.size(), 54U);
+}
+
 TEST(StudyPlan, CancelAndWrongSettingsAreSaid) {
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   const auto source = sourceOf(defaultFamily(questions));
   const auto canceled = planStudy(questions, source, smallPlan(), [](double) { return false; });
   ASSERT_FALSE(canceled);
@@ -221,7 +254,7 @@ NurseSource heavyTails(NurseFamily family) {
 }
 
 TEST(StudyPlan, ThePredictionHoldsForOtherFamilies) {
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   const auto family = defaultFamily(questions);
   PlanSettings settings = smallPlan();
   const char* const more = std::getenv("TACTUS_PLAN_STUDIES");
@@ -244,7 +277,7 @@ TEST(StudyPlan, ThePredictionHoldsForOtherFamilies) {
 
 TEST(StudyFamily, TheSpreadOfAStudyPredictsItsError) {
   // A study of many nurses of another family, through the build; the plan from its data against fresh studies.
-  const auto questions = defaultQuestions();
+  const auto questions = questionsOf(procedure::defaultProcedure());
   const auto form = support::ngtForceForm();
   auto truth = defaultFamily(questions);
   truth.threshold_log *= 0.7;
@@ -256,17 +289,9 @@ TEST(StudyFamily, TheSpreadOfAStudyPredictsItsError) {
   study.name = "pilot";
   for (int who = 1; who <= 40; ++who) {
     const std::string code = "N" + std::to_string(who);
-    const auto data = dataOf(source(random), {}, 4, code, random);
+    const auto data = dataOf(questions, source(random), {}, 4, code, random);
     ASSERT_TRUE(data);
-    study::Participant person;
-    person.code = code;
-    person.simulated = true;
-    study.participants.push_back(person);
-    study.judgements.insert(study.judgements.end(), data->judged.begin(), data->judged.end());
-    for (std::size_t i = 0; i < form.items.size(); ++i) {
-      study.answers.push_back(
-          {code, form.id, form.items[i].number, form.answers[data->words[i]].term, study::Answer::Status::kAnswered});
-    }
+    addTo(study, form, code, *data);
   }
   elicitation::BuildSettings build;
   build.force_terms = ForceTermsFrom::kThresholds;
