@@ -46,7 +46,7 @@ struct DepthMeasurement {
   std::string image;     ///< name of the image for people; empty: none was loaded
   bool example = false;  ///< the image is the anatomy drawing of the program
   double mm_per_px = kVisibleHumanMmPerPx;
-  std::vector<ImagePoint> path;           ///< the points that were clicked, from the nostril; may be too few for a path
+  std::vector<ImagePoint> path;           ///< the points that were clicked, from the entry; may be too few for a path
   std::vector<DepthBoundary> boundaries;  ///< between the regions in their order
   double scale = kSameAnatomy;            ///< of the person for whom the terms are; the image's person is 1
   /// Nose tip to ear lobe to xiphoid, of that person (insertion_length.h).

@@ -20,6 +20,7 @@
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/model/model_controller.h"
 #include "app/workbench/model/open_model.h"
+#include "app/workbench/model/shown_procedure.h"
 #include "app/workbench/shell/main_window.h"
 #include "app/workbench/shell/model_header.h"
 #include "app/workbench/shell/recent_files.h"
@@ -118,7 +119,8 @@ void ModelFiles::chooseImport() {
 
 bool ModelFiles::makeFromTemplate() {
   if (!mayLoseChanges()) return false;
-  auto model = templateModel(*procedure::defaultProcedure(), tr("New model"), folder());
+  const ProcedurePtr about = shownProcedure() != nullptr ? shownProcedure() : procedure::defaultProcedure();
+  auto model = templateModel(*about, tr("New model"), folder());
   if (!model) {
     window_.banner().showRemedy(tr("No new model was made. %1").arg(text(model.error().message())),
                                 {tr("Open a file…"), [this] { choose(); }});

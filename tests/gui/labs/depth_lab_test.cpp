@@ -5,17 +5,20 @@
 #include <QDir>
 #include <QImageReader>
 #include <QPainter>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <gtest/gtest.h>
 
+#include "app/session/study_procedure.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/depth/dicom_image.h"
 #include "app/workbench/labs/depth/length_page.h"
 #include "app/workbench/labs/frame/lab_screen.h"
+#include "core/procedure/procedure.h"
 #include "core/store/study_records.h"
 
 #include "tests/gui/sample_study.h"
@@ -328,6 +331,38 @@ TEST_F(DepthLabTest, ATypedLengthGivesThreeFormulasAndIsStored) {
   ASSERT_TRUE(comesTrue([this] { return !study.isOpen(); }));
   study.open(path);
   ASSERT_TRUE(comesTrue([this] { return lab.measurement().nose_ear_xiphoid_mm == 525; }));
+}
+
+TEST_F(DepthLabTest, MeasuresTheWayOfAnotherProcedure) {
+  data.hold(lab);
+  const auto catheter = procedure::builtIn("male-urethral-catheter");
+  const QString other = folder.filePath(QStringLiteral("catheter.tactus"));
+  tests::makeStudyFile(other, [&catheter](store::StudyFile& file, study::RecordIds& ids) {
+    session::SessionTools tools{[] { return study::Moment{1, 1}; }, ids};
+    ASSERT_TRUE(session::keepProcedure(file, catheter, tools));
+  });
+  study.open(other);
+  ASSERT_TRUE(comesTrue([&] { return lab.depth() == catheter->wayInput(); }));
+  ASSERT_TRUE(comesTrue([this] { return study.isOpen() && !study.isOpening() && !study.isBusy(); }));
+  ASSERT_EQ(lab.measurement().boundaries.size(), 5U);
+  const NumberBox* end = nullptr;
+  for (NumberBox* const box : view->findChildren<NumberBox*>()) {
+    if (box->accessibleName().contains(QStringLiteral("Prostate")) && box->isVisible()) end = box;
+  }
+  EXPECT_NE(end, nullptr);
+  for (const QPushButton* button : view->findChildren<QPushButton*>())
+    EXPECT_FALSE(button->isVisible() && button->text().contains(QStringLiteral("example")));
+  auto wanted = lab.measurement();
+  wanted.boundaries[0].depth_mm += 2;
+  lab.show(wanted);
+  lab.commit(QStringLiteral("boundary"));
+  ASSERT_TRUE(comesTrue([this] { return !study.isBusy(); }));
+  EXPECT_NE(lab.terms().terms, catheter->wayInput().terms);
+  const auto stored = store::depthMeasurement(tests::lookInto(other));
+  ASSERT_TRUE(stored && *stored);
+  EXPECT_EQ(elicitation::readMeasurement((*stored)->text)->boundaries[0].depth_mm, wanted.boundaries[0].depth_mm);
+  study.open(path);
+  ASSERT_TRUE(comesTrue([&] { return lab.depth() == procedure::defaultProcedure()->wayInput(); }));
 }
 
 }  // namespace

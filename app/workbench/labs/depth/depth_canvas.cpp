@@ -223,8 +223,10 @@ void DepthCanvas::paintEvent(QPaintEvent* /*event*/) {
   if (image_.isNull()) {
     painter.setPen(theme::mutedInk());
     painter.drawText(rect().adjusted(40, 0, -40, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("Load a sagittal image, or look at the example. Then click along the way of the tube, from "
-                        "the nostril to the stomach."));
+                     lab_.isOfPaper() ? tr("Load a sagittal image, or look at the example. Then click along the way of "
+                                           "the tube, from the nostril to the stomach.")
+                                      : tr("Load a sagittal image. Then click along the way, from the entry to the "
+                                           "end."));
     return;
   }
   painter.drawImage(QRectF(origin_, QSizeF(image_.width() * zoom_, image_.height() * zoom_)), image_);

@@ -19,12 +19,9 @@ std::int64_t utcNow() {
 
 DepthLab::DepthLab(LabData& data, std::function<QString()> author, QObject* parent)
     : UndoSource(parent), data_(data), author_(std::move(author)) {
-  depth_ = procedure::defaultProcedure()->wayInput();
-  terms_ = depth_;
-  begin({elicitation::emptyMeasurement(depth_)});
+  beginAnew();
   connect(&data_.connection(), &StudyConnection::opened, this, &DepthLab::read);
-  connect(&data_.connection(), &StudyConnection::closed, this,
-          [this] { begin({elicitation::emptyMeasurement(depth_)}); });
+  connect(&data_.connection(), &StudyConnection::closed, this, &DepthLab::beginAnew);
   connect(&data_, &LabData::settingsChanged, this, &DepthLab::depthsFromChanged);
   connect(&data_, &LabData::studyChanged, this, &DepthLab::depthsFromChanged);
 }
@@ -44,9 +41,9 @@ void DepthLab::setSeen(bool seen) {
 
 void DepthLab::read() {
   is_read_ = false;
-  begin({elicitation::emptyMeasurement(depth_)});
+  beginAnew();
   kept_ = std::make_shared<std::vector<Kept>>();
-  if (!seen_ || !data_.connection().isOpen() || !isMeasurable()) return;
+  if (!seen_ || !data_.connection().isOpen()) return;
   is_read_ = true;
   data_.connection().read(
       *this,
@@ -79,6 +76,14 @@ void DepthLab::read() {
           begin(state);
         };
       });
+}
+
+void DepthLab::beginAnew() {
+  const fuzzy::Variable& way = data_.connection().procedure()->wayInput();
+  const bool other = way != depth_;
+  if (other) depth_ = terms_ = way;
+  begin({elicitation::emptyMeasurement(depth_)});
+  if (other) emit depthChanged();
 }
 
 void DepthLab::begin(State state) {

@@ -30,7 +30,7 @@ class DepthLab : public UndoSource {
   const elicitation::DepthMeasurement& measurement() const { return now_.measurement; }
   /// The bytes of the image's file; empty for none, and for the example.
   const QByteArray& image() const { return *now_.image; }
-  /// The universe and the ids of the depth's terms.
+  /// The way of the study's procedure, with all its regions.
   const fuzzy::Variable& depth() const { return depth_; }
   /// The path through the points; nothing while there are fewer than two.
   const std::optional<elicitation::TubePath>& path() const { return path_; }
@@ -38,8 +38,9 @@ class DepthLab : public UndoSource {
   const fuzzy::Variable& terms() const { return terms_; }
   const QString& problem() const { return problem_; }
   bool isOpen() const { return data_.connection().isOpen(); }
-  /// Whether the open study is about the procedure for which the program has an anatomy: only its depths are measured.
-  bool isMeasurable() const { return data_.connection().procedure() == procedure::defaultProcedure(); }
+  /// Whether the study is about nasogastric tubes, for which the program has a drawing in millimeters and the formulas
+  /// of the bedside.
+  bool isOfPaper() const { return data_.connection().procedure() == procedure::defaultProcedure(); }
   /// Which depths the study's model has. `setDepthsFrom` is a setting of the labs, not of the measurement.
   elicitation::DepthsFrom depthsFrom() const { return data_.settings().depths; }
   void setDepthsFrom(elicitation::DepthsFrom from);
@@ -65,6 +66,8 @@ class DepthLab : public UndoSource {
   void redo() override;
 
  signals:
+  /// `depth` is that of another procedure; the measurement is empty then.
+  void depthChanged();
   void measurementChanged();
   /// `depthsFrom` or `isMeasured` changed.
   void depthsFromChanged();
@@ -83,6 +86,8 @@ class DepthLab : public UndoSource {
   };
   void read();
   void begin(State state);
+  /// An empty measurement of the way of the study's procedure.
+  void beginAnew();
   void go(std::size_t state);
   void refreshState();
   void store();

@@ -226,7 +226,6 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
           QStringLiteral("depth"), tr("Depth"), [&lab](bool wanted) { lab.setSeen(wanted); }, parent),
       lab_(lab),
       canvas_(new DepthCanvas(lab, this)) {
-  auto* content = new QWidget(this);
   auto* settings = new DepthSettingsPanel(lab, this);
   auto* beside = new QScrollArea(this);
   beside->setFrameShape(QFrame::NoFrame);
@@ -245,18 +244,7 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   hint->setFullText(tr("Wheel: zoom · right button: move the image"));
   setMuted(*hint);
   makeColumn(image, {{canvas_, 1}, makeRow({{hint, 1}, fit}, kStyleGap)}, kStyleGap, inset(theme::kGrid));
-  makeRow(content, {beside, {image, 5}, {makePages(), 4}});
-  auto* other = new WrappedLabel(this);
-  other->setText(tr("Depths are measured on an image for “%1” alone. The regions of this study are those of its own "
-                    "procedure.")
-                     .arg(text(procedure::defaultProcedure()->titleIn(programLanguage().toStdString()))));
-  makeColumn(this, {{content, 1}, {other, 1, Qt::AlignTop}});
-  const auto show_content = [this, content, other] {
-    content->setVisible(lab_.isMeasurable());
-    other->setVisible(!lab_.isMeasurable());
-  };
-  connect(&lab_, &DepthLab::measurementChanged, this, show_content);
-  show_content();
+  makeRow(this, {beside, {image, 5}, {makePages(), 4}});
   connect(fit, &QPushButton::clicked, canvas_, &DepthCanvas::zoomToAll);
   connect(settings, &DepthSettingsPanel::loadAsked, this, &DepthLabView::chooseImage);
   connect(settings, &DepthSettingsPanel::exampleAsked, this, &DepthLabView::showExample);
@@ -291,7 +279,10 @@ QWidget* DepthLabView::makePages() {
   keepFitted(*length, [length, length_page] {
     length->setMinimumWidth(std::min(length_page->minimumSizeHint().width(), kWidestLength));
   });
-  pages->addTab(length, tr("Insertion length"));
+  const int formulas = pages->addTab(length, tr("Insertion length"));
+  const auto follow_procedure = [this, pages, formulas] { pages->setTabVisible(formulas, lab_.isOfPaper()); };
+  connect(&lab_, &DepthLab::depthChanged, pages, follow_procedure);
+  follow_procedure();
   makeColumn(card, {pages}, theme::kGrid, {theme::kGrid + 4, theme::kGrid / 2, theme::kGrid, theme::kGrid});
   return card;
 }

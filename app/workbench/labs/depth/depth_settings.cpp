@@ -60,10 +60,16 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
                             tr("All depths of the terms times this factor: 0.93 for a small adult, 1.05 for a large "
                                "one. The measurement stays."),
                             {0.8, 1.2, 0.01}, this)),
+      example_(new QPushButton(tr("&Show the example"), this)),
       way_(new QLabel(this)),
       problem_(new QLabel(this)) {
   auto* load = new QPushButton(tr("&Load an image…"), this);
-  auto* example = new QPushButton(tr("&Show the example"), this);
+  auto* boundaries = new QWidget(this);
+  boundaries_ = new QGridLayout(boundaries);
+  boundaries_->setContentsMargins(0, 0, 0, 0);
+  boundaries_->setHorizontalSpacing(theme::kGrid / 2);
+  boundaries_->setVerticalSpacing(theme::kGrid / 2);
+  boundaries_->setColumnStretch(0, 1);
   name_->setTextFormat(Qt::PlainText);
   for (QLabel* label : {name_, way_}) setMuted(*label);
   for (QLabel* label : {name_, way_, problem_}) label->setWordWrap(true);
@@ -75,20 +81,20 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
   int row = 0;
   layout->addWidget(heading(tr("Image"), this), row++, 0, 1, 2);
   layout->addWidget(load, row++, 0, 1, 2);
-  layout->addWidget(example, row++, 0, 1, 2);
+  layout->addWidget(example_, row++, 0, 1, 2);
   layout->addWidget(name_, row++, 0, 1, 2);
   layout->addWidget(new QLabel(tr("One pixel is"), this), row, 0);
   layout->addWidget(mm_per_px_, row++, 1, Qt::AlignRight);
   layout->addWidget(length_, row++, 0, 1, 2);
-  layout->addWidget(heading(tr("Way of the tube"), this), row++, 0, 1, 2);
+  layout->addWidget(heading(tr("Way"), this), row++, 0, 1, 2);
   layout->addWidget(way_, row++, 0, 1, 2);
   layout->addWidget(heading(tr("Boundaries"), this), row++, 0, 1, 2);
-  layout->addWidget(makeBoundaries(), row++, 0, 1, 2);
+  layout->addWidget(boundaries, row++, 0, 1, 2);
   layout->addWidget(scale_, row++, 0, 1, 2);
   layout->addWidget(problem_, row++, 0, 1, 2);
   layout->setRowStretch(row, 1);
   connect(load, &QPushButton::clicked, this, &DepthSettingsPanel::loadAsked);
-  connect(example, &QPushButton::clicked, this, &DepthSettingsPanel::exampleAsked);
+  connect(example_, &QPushButton::clicked, this, &DepthSettingsPanel::exampleAsked);
   connect(length_, &QPushButton::clicked, this, &DepthSettingsPanel::lengthAsked);
   connect(mm_per_px_, &QDoubleSpinBox::valueChanged, this, [this] {
     auto wanted = lab_.measurement();
@@ -102,23 +108,21 @@ DepthSettingsPanel::DepthSettingsPanel(DepthLab& lab, QWidget* parent)
     lab_.show(wanted);
     lab_.commit(tr("anatomical scale"));
   });
+  connect(&lab_, &DepthLab::depthChanged, this, &DepthSettingsPanel::fillBoundaries);
   connect(&lab_, &DepthLab::measurementChanged, this, &DepthSettingsPanel::refreshState);
   connect(&lab_, &DepthLab::imageChanged, this, &DepthSettingsPanel::refreshState);
-  refreshState();
+  fillBoundaries();
 }
 
-QWidget* DepthSettingsPanel::makeBoundaries() {
-  auto* table = new QWidget(this);
-  auto* grid = new QGridLayout(table);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(theme::kGrid / 2);
-  grid->setVerticalSpacing(theme::kGrid / 2);
-  grid->setColumnStretch(0, 1);
+void DepthSettingsPanel::fillBoundaries() {
+  QWidget* const table = boundaries_->parentWidget();
+  qDeleteAll(table->findChildren<QWidget*>(Qt::FindDirectChildrenOnly));
+  rows_.clear();
   auto* depth_title = new QLabel(tr("at"), table);
   auto* overlap_title = new QLabel(tr("overlap ±"), table);
   for (QLabel* title : {depth_title, overlap_title}) setMuted(*title);
-  grid->addWidget(depth_title, 0, 1, Qt::AlignRight);
-  grid->addWidget(overlap_title, 0, 2, Qt::AlignRight);
+  boundaries_->addWidget(depth_title, 0, 1, Qt::AlignRight);
+  boundaries_->addWidget(overlap_title, 0, 2, Qt::AlignRight);
   const auto& terms = lab_.depth().terms;
   for (std::size_t k = 0; k + 1 < terms.size(); ++k) {
     const QString name = tr("%1 | %2").arg(labelOf(terms[k]), labelOf(terms[k + 1]));
@@ -128,16 +132,17 @@ QWidget* DepthSettingsPanel::makeBoundaries() {
     row.name->setFont(theme::smallFont());
     row.name->setWordWrap(true);
     const int line = static_cast<int>(k) + 1;
-    grid->addWidget(row.name, line, 0);
-    grid->addWidget(row.depth, line, 1);
-    grid->addWidget(row.overlap, line, 2);
+    boundaries_->addWidget(row.name, line, 0);
+    boundaries_->addWidget(row.depth, line, 1);
+    boundaries_->addWidget(row.overlap, line, 2);
     connect(row.depth, &QDoubleSpinBox::valueChanged, this,
             [this, k, row] { setBoundary(k, row.depth->exact(), lab_.measurement().boundaries[k].half_overlap_mm); });
     connect(row.overlap, &QDoubleSpinBox::valueChanged, this,
             [this, k, row] { setBoundary(k, lab_.measurement().boundaries[k].depth_mm, row.overlap->exact()); });
     rows_.push_back(row);
   }
-  return table;
+  example_->setVisible(lab_.isOfPaper());
+  refreshState();
 }
 
 void DepthSettingsPanel::setBoundary(std::size_t index, double depth_mm, double half_overlap_mm) {
@@ -151,7 +156,7 @@ void DepthSettingsPanel::refreshState() {
   const auto& measurement = lab_.measurement();
   const bool has_image = measurement.example || !lab_.image().isEmpty();
   name_->setText(has_image ? text(measurement.image)
-                           : tr("None yet. A sagittal image (PNG, JPEG, TIFF) through the middle of head and trunk."));
+                           : tr("None yet. A sagittal image (PNG, JPEG, TIFF) through the middle of the body."));
   length_->setEnabled(has_image);
   const QSignalBlocker quiet_scale(mm_per_px_);
   mm_per_px_->setExact(measurement.mm_per_px);
@@ -162,10 +167,10 @@ void DepthSettingsPanel::refreshState() {
     rows_[k].depth->setExact(measurement.boundaries[k].depth_mm);
     rows_[k].overlap->setExact(measurement.boundaries[k].half_overlap_mm);
   }
-  way_->setText(lab_.path() ? tr("%n point(s), %1 mm from the nostril to the end", nullptr,
+  way_->setText(lab_.path() ? tr("%n point(s), %1 mm from the entry to the end", nullptr,
                                  static_cast<int>(measurement.path.size()))
                                   .arg(numberText(lab_.path()->lengthMm(), 1))
-                            : tr("Click along the way on the image, from the nostril on. Drag a point to move it, Del "
+                            : tr("Click along the way on the image, from the entry on. Drag a point to move it, Del "
                                  "removes it; drag a red circle to the boundary of two regions."));
   problem_->setText(lab_.problem());
   problem_->setVisible(!lab_.problem().isEmpty());

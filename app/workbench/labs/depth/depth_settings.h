@@ -9,6 +9,7 @@
 class QDoubleSpinBox;
 class QHBoxLayout;
 class QLabel;
+class QGridLayout;
 class QPushButton;
 class QWidget;
 
@@ -39,7 +40,8 @@ class DepthSettingsPanel : public Card {
   void lengthAsked();
 
  private:
-  QWidget* makeBoundaries();
+  /// The rows of the boundaries between the regions of the way.
+  void fillBoundaries();
   void refreshState();
   void setBoundary(std::size_t index, double depth_mm, double half_overlap_mm);
 
@@ -54,6 +56,8 @@ class DepthSettingsPanel : public Card {
     NumberBox* overlap;
   };
   std::vector<Row> rows_;
+  QPushButton* example_;
+  QGridLayout* boundaries_;
   QLabel* way_;
   QLabel* problem_;
 };
