@@ -169,7 +169,7 @@ const std::map<std::string, Permission>& permissions() {
         {}}},
       {"app/bundle",
        {joined({"app/figures", "app/living", "app/report", "core/analysis", "core/exchange", "core/fuzzy",
-                "core/model_io", "core/render", "elicitation/force", "elicitation/rules"},
+                "core/model_io", "core/procedure", "core/render", "elicitation/force", "elicitation/rules"},
                {base}),
         {}}},
       {"app/living",

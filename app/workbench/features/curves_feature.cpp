@@ -37,7 +37,7 @@ void CurvesFeature::addActions(Bench& bench) {
       menus.addAction(MenuSlot::kFilePictures, tr("Open re&ference curve…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O);
   QAction* const picture =
       menus.addAction(MenuSlot::kFilePictures, tr("Save &picture of the curves…"), Qt::CTRL | Qt::Key_E);
-  QAction* const published = menus.addAction(MenuSlot::kFilePictures, tr("Lay pu&blished forces over the curves"));
+  QAction* const published = menus.addAction(MenuSlot::kFilePictures, tr("Add p&ublished forces to the curves"));
   published->setEnabled(false);
   QObject::connect(reference, &QAction::triggered, context, [&bench] { chooseReference(bench); });
   QObject::connect(published, &QAction::triggered, context,

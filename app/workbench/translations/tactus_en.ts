@@ -498,10 +498,10 @@
 <context>
     <name>tactus::workbench::DepthSettingsPanel</name>
     <message numerus="yes">
-        <source>%n point(s), %1 mm from the nostril to the end</source>
+        <source>%n point(s), %1 mm from the entry to the end</source>
         <translation>
-            <numerusform>%n point, %1 mm from the nostril to the end</numerusform>
-            <numerusform>%n points, %1 mm from the nostril to the end</numerusform>
+            <numerusform>%n point, %1 mm from the entry to the end</numerusform>
+            <numerusform>%n points, %1 mm from the entry to the end</numerusform>
         </translation>
     </message>
 </context>

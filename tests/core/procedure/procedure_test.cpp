@@ -119,7 +119,7 @@ TEST(Procedure, AsksAboutTheWayOutAndWhereToStop) {
   small.manifest["stop_question"] = true;
   small.form["items"].push_back({{"number", 3}, {"if", {{"direction", "out"}, {"way", "near"}}}});
   EXPECT_EQ(small.refusal(),
-            "p/words.json: texts: found no words in 'fr' for 's.direction' and 's.direction.out', "
+            "p/words.json: texts: found no words in 'fr' for 's.direction', 's.direction.out', "
             "wanted words for each");
   for (const char* id : {"s.direction", "s.direction.out"}) small.words["texts"][id] = {{"fr", "mot"}};
   EXPECT_EQ(small.refusal(),
