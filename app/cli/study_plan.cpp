@@ -1,6 +1,4 @@
 // How many nurses, how many questions: the error of whole simulated studies, for a study to come or one that runs.
-#include "app/planning/study_plan.h"
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -12,6 +10,7 @@
 #include "app/cli/study_build.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/terminal.h"
+#include "app/planning/planned_study.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"
@@ -26,151 +25,52 @@ using base::formatNumber;
 using base::JsonWriter;
 using base::Result;
 using planning::Design;
-using planning::DesignError;
+using planning::kSimulatedNurses;
+using planning::PlannedStudy;
 
-constexpr int kMoreNurses = 2;
-constexpr int kMoreQuestions = 10;
-constexpr std::string_view kSimulated =
-    "Simulated nurses, not real ones: they show what the method does with nurses like these, not what yours will say.";
-
-/// What is planned, and its result.
-struct Planned {
-  planning::Questions questions;
-  planning::NurseFamily family;
-  planning::PlanSettings settings;
-  std::optional<Design> now;  ///< of the running study
-  std::vector<std::string> notes;
+struct Planned : PlannedStudy {
   std::vector<std::string> warnings;
-  planning::StudyPlan plan;
 };
 
-/// The next step of a running study: what it saves in newtons.
-struct Gain {
-  Design from, to;
-  double buys_n = 0;
-};
-
-Result<void> takeStudy(const StudyPlanOptions& options, Planned& out) {
-  BuildOptions build;
-  build.study = options.study;
-  build.force_terms = options.force_terms;
-  build.replicates = 0;
-  TACTUS_TRY(const auto made, buildStudy(build));
-  TACTUS_TRY(auto found, planning::familyOf(made.tables.study, made.built, made.settings));
-  out.warnings = made.warnings();
-  out.questions = std::move(found.questions);
-  out.family = std::move(found.family);
-  out.settings.noise = found.noise;
-  out.notes = std::move(found.notes);
-  std::size_t rules = 0;
-  for (const auto& expert : made.built.model.experts) rules += expert.rules.size();
-  Design now;
-  now.nurses = static_cast<int>(found.nurses);
-  const auto items = static_cast<int>(out.questions.items.size());
-  now.questions = std::clamp(static_cast<int>((rules + found.nurses / 2) / found.nurses), 1, items);
-  if (found.strokes > 0) now.strokes = static_cast<int>(found.strokes);
-  out.now = now;
-  auto& settings = out.settings;
-  settings.strokes = {now.strokes};
-  if (options.questions.empty()) {
-    settings.questions = {std::max(1, now.questions - kMoreQuestions), now.questions,
-                          std::min(items, now.questions + kMoreQuestions)};
-  } else {
-    settings.questions.push_back(now.questions);
-  }
-  settings.most_nurses = std::max(settings.most_nurses, now.nurses + kMoreNurses);
-  settings.least_nurses = std::min(settings.least_nurses, now.nurses);
-  return {};
+planning::PlanSettings settingsFrom(const StudyPlanOptions& options) {
+  planning::PlanSettings out;
+  out.precision_n = options.precision_n;
+  out.region = options.region;
+  out.most_nurses = options.most_nurses;
+  out.questions = options.questions;
+  out.strokes = options.strokes;
+  out.studies = options.studies;
+  out.seed = options.seed;
+  out.force_terms = options.force_terms;
+  if (!options.minutes.empty())
+    out.minutes = {options.minutes[0], options.minutes[1], options.minutes[2], options.minutes[3]};
+  return out;
 }
 
 Result<Planned> planFrom(const StudyPlanOptions& options) {
   Planned out;
-  auto& settings = out.settings;
-  settings.precision_n = options.precision_n;
-  settings.region = options.region;
-  settings.most_nurses = options.most_nurses;
-  settings.least_nurses = std::min(settings.least_nurses, options.most_nurses);
-  if (!options.questions.empty()) settings.questions = options.questions;
-  if (!options.strokes.empty()) settings.strokes = options.strokes;
-  settings.studies = options.studies;
-  settings.seed = options.seed;
-  settings.force_terms = options.force_terms;
-  if (!options.minutes.empty())
-    settings.minutes = {options.minutes[0], options.minutes[1], options.minutes[2], options.minutes[3]};
   if (options.study.empty()) {
     TACTUS_TRY(const auto about, options.pack.empty() ? procedure::defaultProcedure() : packNamed(options.pack));
-    out.questions = planning::questionsOf(about);
-    out.family = planning::defaultFamily(out.questions);
-    if (options.questions.empty()) settings.questions = planning::thirdsOf(out.questions);
-    if (about != procedure::defaultProcedure())
-      out.notes.emplace_back("The nurses are invented from the pack: nothing is known of real ones in this procedure.");
-  } else if (auto ok = takeStudy(options, out); !ok) {
-    return tl::unexpected(ok.error());
-  }
-  for (auto* const list : {&settings.questions, &settings.strokes}) {
-    std::sort(list->begin(), list->end());
-    list->erase(std::unique(list->begin(), list->end()), list->end());
+    static_cast<PlannedStudy&>(out) = planning::planBefore(about, settingsFrom(options));
+  } else {
+    BuildOptions build;
+    build.study = options.study;
+    build.force_terms = options.force_terms;
+    build.replicates = 0;
+    TACTUS_TRY(const auto made, buildStudy(build));
+    TACTUS_TRY(static_cast<PlannedStudy&>(out),
+               planning::planDuring(made.tables.study, made.built, made.settings, settingsFrom(options)));
+    out.warnings = made.warnings();
   }
   const InterruptSignals interrupt;
-  const auto draw = [&family = out.family](base::Random& random) { return family.draw(random); };
-  TACTUS_TRY(out.plan, planning::planStudy(out.questions, draw, settings, [&](double) { return !interrupt.raised(); }));
-  return out;
-}
-
-std::vector<Gain> gainsOf(const Planned& planned) {
-  std::vector<Gain> out;
-  if (!planned.now) return out;
-  const auto* const now = planned.plan.find(*planned.now);
-  Design nurses = *planned.now;
-  nurses.nurses += kMoreNurses;
-  Design more = *planned.now;
-  more.questions = std::min(more.questions + kMoreQuestions, static_cast<int>(planned.questions.items.size()));
-  Design fewer = *planned.now;
-  fewer.questions = std::max(1, fewer.questions - kMoreQuestions);
-  for (const auto& to : {nurses, more, fewer}) {
-    const auto* const found = planned.plan.find(to);
-    if (found == nullptr || (to.nurses == now->design.nurses && to.questions == now->design.questions)) continue;
-    out.push_back({*planned.now, to, now->error_n - found->error_n});
-  }
-  return out;
-}
-
-std::string sentence(const Gain& gain) {
-  const auto newtons = formatFixed(std::abs(gain.buys_n), 3) + " N";
-  const bool buys = gain.buys_n >= 0;
-  const int nurses = gain.to.nurses - gain.from.nurses;
-  const int questions = gain.to.questions - gain.from.questions;
-  if (nurses > 0) return std::to_string(nurses) + " more nurses buy " + newtons + ".";
-  if (questions > 0)
-    return std::to_string(questions) + " more questions each " + (buys ? "buy " : "cost ") + newtons + ".";
-  return std::to_string(-questions) + " questions fewer each " + (buys ? "would gain " : "would cost ") + newtons + ".";
-}
-
-std::string designText(const Design& design) {
-  return std::to_string(design.nurses) + " nurses, " + std::to_string(design.questions) + " questions, " +
-         std::to_string(design.strokes) + " strokes at each speed";
-}
-
-std::string cheapestText(const Planned& planned) {
-  const auto& designs = planned.plan.designs;
-  if (planned.plan.cheapest) {
-    const auto& one = designs[*planned.plan.cheapest];
-    return "The cheapest design for ± " + formatNumber(planned.settings.precision_n) + " N: " + designText(one.design) +
-           ", " + formatFixed(one.hours, 1) + " hours.";
-  }
-  const auto best = std::min_element(designs.begin(), designs.end(),
-                                     [](const auto& a, const auto& b) { return a.high_n < b.high_n; });
-  std::string out = "No design reaches ± " + formatNumber(planned.settings.precision_n) +
-                    " N. The best of them: " + designText(best->design) + ", ± " + formatFixed(best->error_n, 3) +
-                    " N.";
-  if (best->bias_n > planned.settings.precision_n)
-    out += " More nurses of this kind would not help: " + formatFixed(best->bias_n, 3) + " N of it stay.";
+  if (auto ok = planning::simulate(out, [&](double) { return !interrupt.raised(); }); !ok)
+    return tl::unexpected(ok.error());
   return out;
 }
 
 std::string textOf(const Planned& planned) {
   const auto& settings = planned.settings;
-  std::string out = wrapped(kSimulated, "", 0);
+  std::string out = wrapped(kSimulatedNurses, "", 0);
   out += wrapped("Error of the averaged force " +
                      (settings.region.empty() ? std::string("in all regions") : "in " + settings.region) +
                      " for other nurses; " + std::to_string(settings.studies) +
@@ -185,8 +85,8 @@ std::string textOf(const Planned& planned) {
            formatFixed(one.low_n, 3) + " to " + formatFixed(one.high_n, 3) +
            rightAligned(formatFixed(one.p95_n, 3), 23) + rightAligned(formatFixed(one.hours, 1), 7) + "\n";
   }
-  out += "\n" + wrapped(cheapestText(planned), "", 0);
-  if (planned.now) out += wrapped("The study now: " + designText(*planned.now) + ".", "", 0);
+  out += "\n" + wrapped(cheapestSentence(planned), "", 0);
+  if (planned.now) out += wrapped("The study now: " + designText(planned.questions, *planned.now) + ".", "", 0);
   for (const auto& gain : gainsOf(planned)) out += wrapped(sentence(gain), "", 0);
   for (const auto& note : planned.notes) out += wrapped(note, "", 0);
   return out;
@@ -195,7 +95,7 @@ std::string textOf(const Planned& planned) {
 std::string jsonOf(const StudyPlanOptions& options, const Planned& planned) {
   const auto& settings = planned.settings;
   JsonWriter json;
-  json.beginObject().key("simulated").value(true).key("note").value(kSimulated);
+  json.beginObject().key("simulated").value(true).key("note").value(kSimulatedNurses);
   if (!options.study.empty()) json.key("study").value(options.study);
   json.key("seed").value(static_cast<std::size_t>(settings.seed));
   json.key("studies").value(settings.studies);

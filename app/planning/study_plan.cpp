@@ -221,18 +221,20 @@ double hoursOf(const Questions& asked, const Design& design, const PartMinutes& 
   return design.nurses * each / 60;
 }
 
-std::vector<int> thirdsOf(const Questions& questions) {
-  const auto all = static_cast<int>(questions.items.size());
-  return {std::max(1, all / 3), std::max(1, 2 * all / 3), all};
-}
-
 const DesignError* StudyPlan::find(const Design& design) const {
   for (const auto& one : designs) {
-    if (one.design.nurses == design.nurses && one.design.questions == design.questions &&
-        one.design.strokes == design.strokes)
-      return &one;
+    if (one.design == design) return &one;
   }
   return nullptr;
+}
+
+std::optional<std::size_t> cheapestOf(const StudyPlan& plan, double precision_n) {
+  std::optional<std::size_t> out;
+  for (std::size_t i = 0; i < plan.designs.size(); ++i) {
+    const auto& one = plan.designs[i];
+    if (one.refused < 1 && one.high_n <= precision_n && (!out || one.hours < plan.designs[*out].hours)) out = i;
+  }
+  return out;
 }
 
 Result<std::vector<std::vector<double>>> planPoints(const Questions& questions, const std::string& region,
@@ -326,12 +328,7 @@ Result<StudyPlan> planStudy(const Questions& questions, const NurseSource& sourc
     out.designs.push_back(summary(questions, designs[i], runs[i], settings, out.points.size()));
   const auto row = static_cast<std::size_t>(settings.most_nurses - settings.least_nurses + 1);
   for (std::size_t first = 0; first < designs.size(); first += row) pool(out.designs, first, first + row);
-  for (std::size_t i = 0; i < designs.size(); ++i) {
-    const auto& one = out.designs[i];
-    if (one.refused < 1 && one.high_n <= settings.precision_n &&
-        (!out.cheapest || one.hours < out.designs[*out.cheapest].hours))
-      out.cheapest = i;
-  }
+  out.cheapest = cheapestOf(out, settings.precision_n);
   return out;
 }
 

@@ -21,6 +21,8 @@ struct Design {
   int nurses = 4;
   int questions = 45;
   int strokes = 4;  ///< at each speed
+
+  bool operator==(const Design&) const = default;
 };
 
 /// Minutes of one nurse's session. Defaults: those with which the program announces the duration of a session.
@@ -38,9 +40,9 @@ double hoursOf(const Questions& asked, const Design& design, const PartMinutes& 
 struct PlanSettings {
   int least_nurses = 2;
   int most_nurses = 12;
-  std::vector<int> questions = {15, 30, 45};  ///< thirdsOf() of another form
-  std::vector<int> strokes = {4};
-  std::string region;  ///< id of a depth term; empty: all regions
+  std::vector<int> questions;  ///< numbers of them, at least one
+  std::vector<int> strokes;    ///< numbers at each speed, at least one
+  std::string region;          ///< id of a depth term; empty: all regions
   double precision_n = 0.1;
   std::size_t studies = 200;
   std::size_t population = 1000;  ///< nurses whose true models give the truth
@@ -71,13 +73,13 @@ struct StudyPlan {
   std::vector<std::vector<double>> points;  ///< where forces were compared
   std::vector<double> truth_n;
   std::vector<DesignError> designs;     ///< by strokes, then questions, then nurses, ascending
-  std::optional<std::size_t> cheapest;  ///< the fewest hours with high_n at most the precision
+  std::optional<std::size_t> cheapest;  ///< for the wanted precision
 
   const DesignError* find(const Design& design) const;
 };
 
-/// A third, two thirds and all of the questions.
-std::vector<int> thirdsOf(const Questions& questions);
+/// The design with the fewest hours of which `high_n` is at most `precision_n`: its index.
+std::optional<std::size_t> cheapestOf(const StudyPlan& plan, double precision_n);
 
 /// The points of a plan: Halton points over the inputs where a depth term (of `region`, if set) has a membership of at
 /// least one half; rates up to 250 mm/s. Refused: an unknown region.

@@ -18,6 +18,7 @@
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/method/method_lab_view.h"
+#include "app/workbench/labs/plan/plan_lab.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/session/setup_check.h"
@@ -206,6 +207,7 @@ struct LabsFeature {
  public:
   static void addExperts(Bench& bench);
   static void addMethod(Bench& bench);
+  static void addPlan(Bench& bench);
   static void addOverview(Bench& bench);
   static void askSignature(Bench& bench, const QString& what);
 };
@@ -304,6 +306,13 @@ void LabsFeature::addMethod(Bench& bench) {
   screen.watch([method] { return method->isDrawing(); });
 }
 
+void LabsFeature::addPlan(Bench& bench) {
+  LabScreen& screen = *bench.views.labs;
+  auto* const plan = new PlanLab(bench.labs.data, bench.labs.model, &screen);
+  screen.addLab(tr("Plan"), makePlanView(*plan), &bench.labs.corrections);
+  screen.watch(plan->work(), tr("Simulating studies"));
+}
+
 // From a setting of the speed lab until every plot in sight is painted with it.
 void timeSpeedLab(Bench& bench) {
   auto* const clock = new FrameClock(*bench.views.labs, bench.views.labs);
@@ -343,6 +352,7 @@ void addLabs(Bench& bench) {
   screen.watch([&rules = labs.rules] { return rules.isComparing(); });
   LabsFeature::addExperts(bench);
   LabsFeature::addMethod(bench);
+  LabsFeature::addPlan(bench);
   screen.showPrice(labs.price);
   screen.watch(labs.price.work(), LabsFeature::tr("Comparing the forces before and after"));
   bench.window.addScreen(Stage::kBuild, views.labs, MainWindow::Needs::kStudy);

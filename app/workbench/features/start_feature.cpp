@@ -58,7 +58,8 @@ QList<LabPlace> places() {
           {LabSearch::tr("Findings about the experts' rules"), "rules", "findings"},
           {LabSearch::tr("Agreement of the experts (Krippendorff, Kendall, Fleiss)"), "rules", "agreement"},
           {LabSearch::tr("Weights, and leaving one expert out"), "experts", "policies"},
-          {LabSearch::tr("Does a choice of the method matter?"), "method"}};
+          {LabSearch::tr("Does a choice of the method matter?"), "method"},
+          {LabSearch::tr("How many nurses and questions a study takes"), "plan"}};
 }
 
 }  // namespace

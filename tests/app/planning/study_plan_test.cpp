@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "app/planning/planned_study.h"
 #include "app/planning/simulated_people.h"
 #include "core/procedure/procedure.h"
 #include "elicitation/model/model_builder.h"
@@ -45,6 +46,7 @@ PlanSettings smallPlan() {
   settings.points = 24;
   settings.most_nurses = 6;
   settings.questions = {45};
+  settings.strokes = {4};
   settings.force_terms = ForceTermsFrom::kThresholds;
   return settings;
 }
@@ -187,12 +189,13 @@ TEST(StudyPlan, APlanOfAnyProcedure) {
     const auto questions = questionsOf(procedure::builtIn(id));
     PlanSettings settings = smallPlan();
     settings.studies = 40;
-    settings.questions = thirdsOf(questions);
-    const auto plan = planStudy(questions, sourceOf(defaultFamily(questions)), settings);
-    ASSERT_TRUE(plan) << plan.error().message();
+    settings.questions.clear();
+    auto planned = planBefore(procedure::builtIn(id), settings);
+    ASSERT_TRUE(simulate(planned, {}));
     const int all = static_cast<int>(questions.items.size());
-    EXPECT_LT(plan->find({6, all, 4})->simulated_n, plan->find({2, all, 4})->simulated_n);
-    EXPECT_LT(plan->find({6, all, 4})->refused, 0.5);
+    EXPECT_EQ(planned.settings.questions, (std::vector<int>{all / 3, 2 * all / 3, all}));
+    EXPECT_LT(planned.plan.find({6, all, 4})->simulated_n, planned.plan.find({2, all, 4})->simulated_n);
+    EXPECT_LT(planned.plan.find({6, all, 4})->refused, 0.5);
   }
   // The 6 questions about the way out lead to no rule.
   const auto catheter = questionsOf(procedure::builtIn("male-urethral-catheter"));
