@@ -1,10 +1,14 @@
 # cmake -D SCREENS=... -D GUIDE=... -P guide_pictures.cmake: the pictures of the guide, from those of `--screens`.
 set(pictures
+  build-carry tune/carry
   build-experts build/experts
   build-force build/force
   build-overview build/overview
+  build-plan build/plan
   build-rules build/rules
   build-usability build/rules_usability
+  build-word-intervals build/force_word_intervals
+  build-words-and-rules build/experts_words_and_rules
   collect-home collect/home
   collect-monitor collect/monitor
   collect-protocol collect/protocol_refused

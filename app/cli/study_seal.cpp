@@ -1,7 +1,5 @@
 #include "app/cli/study_seal.h"
 
-#include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <iostream>
 #include <optional>
@@ -14,18 +12,14 @@
 #include "app/cli/model_arguments.h"
 #include "app/cli/output_file.h"
 #include "app/cli/study_text.h"
+#include "app/session/sealing.h"
 #include "app/session/study_procedure.h"
 #include "app/version.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
-#include "core/store/batch.h"
-#include "core/store/entries.h"
-#include "core/store/model_versions.h"
-#include "core/store/persons.h"
 #include "core/store/sealed_references.h"
-#include "core/store/sessions.h"
 #include "elicitation/model/evidence.h"
 
 namespace tactus::cli {
@@ -33,7 +27,6 @@ namespace {
 
 using base::ErrorCode;
 using base::Result;
-using study::RecordId;
 
 constexpr std::size_t kLongestLine = 1000;
 
@@ -90,51 +83,11 @@ Result<std::string> readPassphrase(const std::string& path, bool twice) {
   return passphrase;
 }
 
-study::Moment momentNow() {
-  using namespace std::chrono;
-  return {utcNowMs(), duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count()};
-}
-
-/// The person who keeps the seal; a new one with the first record. No real person, so that none can withdraw it.
-Result<RecordId> sealKeeperOf(store::StudyFile& file, study::RecordIds& ids) {
-  TACTUS_TRY(const auto trials, store::sealedTrials(file));
-  TACTUS_TRY(const auto sessions, store::sessions(file));
-  for (const auto& session : sessions) {
-    if (!trials.empty() && session.id == trials.front().reference.entry.session) return session.person;
-  }
-  store::PersonCodes codes;
-  TACTUS_TRY(auto code, store::unusedCode(file, codes));
-  const study::Person person{ids.next(), std::move(code), false};
-  if (auto ok = store::append(file, person); !ok) return tl::unexpected(ok.error());
-  return person.id;
-}
-
-/// A new session of the person who keeps the seal, for one record. A part of the caller's batch.
-Result<study::Entry> newEntry(store::StudyFile& file) {
-  study::RecordIds ids;
-  study::SessionRecord session;
-  TACTUS_TRY(session.person, sealKeeperOf(file, ids));
-  session.id = ids.next();
-  session.kind = study::SessionKind::kUsability;
-  session.started = momentNow();
-  session.program = kGenerator;
-  if (auto ok = store::append(file, session); !ok) return tl::unexpected(ok.error());
-  study::ProfileRecord profile;
-  profile.entry = {ids.next(), session.id, session.started, study::EnteredBy::kProgram, std::nullopt, {}};
-  profile.category = store::kSealCategory;
-  if (auto ok = store::append(file, profile); !ok) return tl::unexpected(ok.error());
-  return study::Entry{ids.next(), session.id, momentNow(), study::EnteredBy::kResearcher, std::nullopt, {}};
-}
-
 Result<std::map<std::string, double>> curveConditions(const procedure::Procedure& about,
                                                       const std::vector<std::string>& at) {
   fuzzy::ForceModel model;
   model.inputs = about.inputs;
-  std::map<std::string, double> out;
-  const auto usual = elicitation::referenceInputs(about, {}, 0);
-  for (std::size_t k = 0; k < model.inputs.size(); ++k) {
-    if (k != about.way()) out[model.inputs[k].id] = usual[k];
-  }
+  auto out = session::usualConditions(about);
   for (const auto& text : at) {
     TACTUS_TRY(const auto given, inputOption(model, "--at", text));
     const auto& input = model.inputs[given.first];
@@ -153,24 +106,20 @@ std::string timesText(std::size_t times) {
 }  // namespace
 
 Result<Output> studySeal(const StudySealOptions& options) {
-  TACTUS_TRY(const auto content, base::readFile(options.reference, store::kMostSealedBytes));
+  session::SealOrder order;
+  order.name = options.reference;
+  order.note = options.note;
+  TACTUS_TRY(order.content, base::readFile(options.reference, store::kMostSealedBytes));
   std::vector<std::string> warnings;
   TACTUS_TRY(auto file, openToWrite(options.file, warnings));
   TACTUS_TRY(const auto procedure, session::procedureIn(file));
   const procedure::Procedure& about = procedure::orDefault(procedure);
-  TACTUS_TRY(const auto points, elicitation::readReferenceCurve(content, options.reference, about));
-  TACTUS_TRY(const auto conditions, curveConditions(about, options.at));
-  TACTUS_TRY(const auto earlier, store::sealedTrials(file));
-  if (!earlier.empty()) {
-    return base::inFile({ErrorCode::kValue,
-                         {},
-                         {},
-                         "a reference that is sealed already",
-                         "a study without one; a second curve belongs into a study of its own"},
-                        options.file);
-  }
-  TACTUS_TRY(const bool began, store::elicitationBegan(file));
-  if (began && !options.late) {
+  // What is wrong is said before the passphrase is asked for.
+  if (auto ok = elicitation::readReferenceCurve(order.content, options.reference, about); !ok)
+    return tl::unexpected(ok.error());
+  TACTUS_TRY(order.conditions, curveConditions(about, options.at));
+  TACTUS_TRY(const auto state, session::sealState(file));
+  if (state.trials.empty() && state.began && !options.late) {
     return base::inFile({ErrorCode::kValue,
                          {},
                          {},
@@ -179,28 +128,23 @@ Result<Output> studySeal(const StudySealOptions& options) {
                          "the report says so"},
                         options.file);
   }
-  TACTUS_TRY(const auto passphrase, readPassphrase(options.passphrase_file, true));
-  store::SealedReference record;
-  record.note = options.note;
-  record.conditions = conditions;
-  record.late = began;
-  TACTUS_TRY(auto batch, store::Batch::begin(file));
-  TACTUS_TRY(record.entry, newEntry(file));
-  if (auto ok = store::sealContent(record, content, passphrase); !ok) return tl::unexpected(ok.error());
-  if (auto ok = store::append(file, record); !ok) return tl::unexpected(ok.error());
-  if (auto ok = batch.commit(); !ok) return tl::unexpected(ok.error());
+  if (state.trials.empty()) {
+    TACTUS_TRY(order.passphrase, readPassphrase(options.passphrase_file, true));
+  }
+  TACTUS_TRY(const auto sealed, session::seal(file, order, kGenerator));
+  const store::SealedReference& record = sealed.record;
   for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
   for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
   const std::string utc = utcText(record.entry.when.utc_ms);
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("sealed_utc").value(utc);
-    json.key("sha256").value(record.sha256).key("points").value(points.size()).key("late").value(record.late);
+    json.key("sha256").value(record.sha256).key("points").value(sealed.points).key("late").value(record.late);
     json.key("notices").values(warnings).endObject();
     return Output{json.text(), std::move(warnings)};
   }
   return Output{
-      "Sealed " + std::to_string(points.size()) + " points of " + base::oneLine(options.reference) + " in " +
+      "Sealed " + std::to_string(sealed.points) + " points of " + base::oneLine(options.reference) + " in " +
           base::oneLine(options.file) + " at " + utc + (record.late ? ", late: the elicitation has begun" : "") +
           "\nSHA-256 " + record.sha256 +
           "\nKeep the passphrase: without it nobody can open the reference. Keep the CSV file away from all who "
@@ -212,14 +156,8 @@ Result<Output> studyOpen(const StudyOpenOptions& options) {
   if (auto ok = requireOutput(options.out, {options.file}); !ok) return tl::unexpected(ok.error());
   std::vector<std::string> warnings;
   TACTUS_TRY(auto file, openToWrite(options.file, warnings));
-  TACTUS_TRY(const auto trials, store::sealedTrials(file));
-  if (trials.empty()) {
-    return base::inFile({ErrorCode::kReference, {}, {}, "no sealed reference", "one sealed with `tactus study seal`"},
-                        options.file);
-  }
-  TACTUS_TRY(const auto versions, store::modelVersions(file));
-  const bool signed_off = std::any_of(versions.begin(), versions.end(), store::isSignOff);
-  if (!signed_off && !options.early) {
+  TACTUS_TRY(const auto state, session::sealState(file));
+  if (!state.trials.empty() && !state.signed_off && !options.early) {
     return base::inFile({ErrorCode::kValue,
                          {},
                          {},
@@ -227,49 +165,30 @@ Result<Output> studyOpen(const StudyOpenOptions& options) {
                          "a sign-off in the history of the model; --early opens all the same, and the report says so"},
                         options.file);
   }
-  TACTUS_TRY(const auto passphrase, readPassphrase(options.passphrase_file, false));
-  std::optional<base::Error> refused;
-  const store::SealedTrial* opened = nullptr;
-  store::SealOpening record;
-  for (const auto& trial : trials) {  // a merge can bring several
-    auto content = store::openContent(trial.reference, passphrase);
-    if (!content) {
-      refused = content.error();
-      continue;
-    }
-    opened = &trial;
-    record.content = std::move(*content);
-    break;
+  std::string passphrase;
+  if (!state.trials.empty()) {
+    TACTUS_TRY(passphrase, readPassphrase(options.passphrase_file, false));
   }
-  if (opened == nullptr) return base::inFile(*refused, options.file);
-  record.reference = opened->reference.entry.id;
-  record.early = !signed_off;
-  TACTUS_TRY(auto batch, store::Batch::begin(file));
-  TACTUS_TRY(record.entry, newEntry(file));
-  if (auto ok = store::append(file, record); !ok) return tl::unexpected(ok.error());
-  if (auto ok = batch.commit(); !ok) return tl::unexpected(ok.error());
-  TACTUS_TRY(const auto procedure, session::procedureIn(file));
-  TACTUS_TRY(const auto points,
-             elicitation::readReferenceCurve(record.content, options.file, procedure::orDefault(procedure)));
+  TACTUS_TRY(const auto opened, session::unseal(file, passphrase, kGenerator));
+  const store::SealOpening& record = opened.opening;
   for (auto& notice : noticesOf(file)) warnings.push_back(std::move(notice));
   for (auto& warning : closeSaved(file)) warnings.push_back(std::move(warning));
-  const std::size_t times = opened->openings.size() + 1;
   const std::string utc = utcText(record.entry.when.utc_ms);
   std::string text;
   if (options.json) {
     base::JsonWriter json;
     json.beginObject().key("file").value(options.file).key("opened_utc").value(utc);
-    json.key("sealed_utc").value(utcText(opened->reference.entry.when.utc_ms));
-    json.key("sha256").value(opened->reference.sha256).key("points").value(points.size());
-    json.key("early").value(record.early).key("openings").value(times);
-    json.key("changes_after").value(opened->changed_after.size()).key("notices").values(warnings).endObject();
+    json.key("sealed_utc").value(utcText(opened.reference.entry.when.utc_ms));
+    json.key("sha256").value(opened.reference.sha256).key("points").value(opened.points.size());
+    json.key("early").value(record.early).key("openings").value(opened.times);
+    json.key("changes_after").value(opened.changes_after).key("notices").values(warnings).endObject();
     text = json.text();
   } else {
     text = "Opened the reference of " + base::oneLine(options.file) + ", sealed at " +
-           utcText(opened->reference.entry.when.utc_ms) + ": " + std::to_string(points.size()) +
+           utcText(opened.reference.entry.when.utc_ms) + ": " + std::to_string(opened.points.size()) +
            " points, SHA-256 as sealed\nThis is noted in the study" +
            (record.early ? std::string(" as early, before a sign-off") : std::string()) + ". It was opened " +
-           timesText(times) + ". `tactus report` compares the model with it and lists each later change.\n";
+           timesText(opened.times) + ". `tactus report` compares the model with it and lists each later change.\n";
   }
   Output said{std::move(text), std::move(warnings)};
   if (options.out.empty()) return said;

@@ -37,11 +37,27 @@ const std::map<std::string, Permission>& permissions() {
   };
 
   // The rooms of the workbench: each may use everything below the window, and the rooms that it names.
-  const std::set<std::string> below =
-      joined({"app", "app/bundle", "app/demo", "app/editing", "app/figures", "app/link", "app/replay", "app/report",
-              "app/session", "app/devices", "app/webform", "core/render", "core/haptics/simulated", "core/store",
-              "core/model_io", "core/exchange/import", "core/analysis/pull", "experiments", "questionnaires"},
-             {base, haptics, elicitation, model});
+  const std::set<std::string> below = joined({"app",
+                                              "app/bundle",
+                                              "app/demo",
+                                              "app/editing",
+                                              "app/figures",
+                                              "app/link",
+                                              "app/planning",
+                                              "app/replay",
+                                              "app/report",
+                                              "app/session",
+                                              "app/devices",
+                                              "app/webform",
+                                              "core/render",
+                                              "core/haptics/simulated",
+                                              "core/store",
+                                              "core/model_io",
+                                              "core/exchange/import",
+                                              "core/analysis/pull",
+                                              "experiments",
+                                              "questionnaires"},
+                                             {base, haptics, elicitation, model});
   // Plots go through plot/; only what needs more of QCustomPlot than plot/ offers includes it.
   const auto room = [&](const std::set<std::string>& names, bool plots = false) {
     std::set<std::string> folders = below;

@@ -32,6 +32,7 @@ void addFeatures(Bench& bench) {
   addLabs(bench);
   addOrigins(bench);
   addReport(bench);
+  addSealing(bench);
   addStudyExport(bench);
   addNotes(bench);
   addHistory(bench);

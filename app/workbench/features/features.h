@@ -61,6 +61,8 @@ void addLabs(Bench& bench);
 void addOrigins(Bench& bench);
 /// The report of the open study in the menu File.
 void addReport(Bench& bench);
+/// A reference curve under seal, and its opening: the entries in the menu Study.
+void addSealing(Bench& bench);
 /// The study as tables, whole or to share.
 void addStudyExport(Bench& bench);
 /// What happened to the study, what is odd in its data, and what the build says of its model.

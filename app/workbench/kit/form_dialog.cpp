@@ -8,7 +8,7 @@
 
 namespace tactus::workbench {
 
-FormDialog::FormDialog(const QString& title, const QString& text, std::initializer_list<Row> rows, const QString& act,
+FormDialog::FormDialog(const QString& title, const QString& text, const QList<Row>& rows, const QString& act,
                        QWidget* parent)
     : QDialog(parent) {
   setWindowTitle(title);

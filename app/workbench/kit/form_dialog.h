@@ -2,9 +2,9 @@
 #pragma once
 
 #include <QDialog>
+#include <QList>
 #include <QPair>
 #include <QString>
-#include <initializer_list>
 
 namespace tactus::workbench {
 
@@ -14,8 +14,7 @@ class FormDialog : public QDialog {
   using Row = QPair<QString, QWidget*>;  ///< the label, with its key, and the field
 
   /// The dialog takes the fields. `act`: what OK does, a verb first.
-  FormDialog(const QString& title, const QString& text, std::initializer_list<Row> rows, const QString& act,
-             QWidget* parent);
+  FormDialog(const QString& title, const QString& text, const QList<Row>& rows, const QString& act, QWidget* parent);
 
   /// Whether the values can be accepted.
   void setReady(bool ready) { ok_->setEnabled(ready); }

@@ -239,6 +239,16 @@
     </message>
 </context>
 <context>
+    <name>PlanPlot</name>
+    <message numerus="yes">
+        <source>%n question(s)</source>
+        <translation>
+            <numerusform>%n question</numerusform>
+            <numerusform>%n questions</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>PullText</name>
     <message numerus="yes">
         <source>These words belong to %n experts: the forces of all of them move.</source>
@@ -356,6 +366,23 @@
         <translation>
             <numerusform>%n note of the build.</numerusform>
             <numerusform>%n notes of the build.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>SealFeature</name>
+    <message numerus="yes">
+        <source>%n point(s) of %1 are under seal. Keep the passphrase, and the file away from all who answer or edit. SHA-256 %2</source>
+        <translation>
+            <numerusform>%n point of %1 is under seal. Keep the passphrase, and the file away from all who answer or edit. SHA-256 %2</numerusform>
+            <numerusform>%n points of %1 are under seal. Keep the passphrase, and the file away from all who answer or edit. SHA-256 %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The reference is open: %n point(s), unchanged since it was sealed.</source>
+        <translation>
+            <numerusform>The reference is open: %n point, unchanged since it was sealed.</numerusform>
+            <numerusform>The reference is open: %n points, unchanged since it was sealed.</numerusform>
         </translation>
     </message>
 </context>

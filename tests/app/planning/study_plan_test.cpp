@@ -188,7 +188,9 @@ TEST(StudyPlan, APlanOfAnyProcedure) {
     SCOPED_TRACE(id);
     const auto questions = questionsOf(procedure::builtIn(id));
     PlanSettings settings = smallPlan();
-    settings.studies = 40;
+    settings.studies = 16;
+    settings.population = 60;
+    settings.points = 16;
     settings.questions.clear();
     auto planned = planBefore(procedure::builtIn(id), settings);
     ASSERT_TRUE(simulate(planned, {}));

@@ -89,6 +89,9 @@ class ReferenceController : public QObject {
   /// Adds the forces that others published of the procedure of the model, as flat lines over their stretch of the way:
   /// one for each end of a range. Ends with `changed` or `refused`.
   void addPublished(const procedure::Procedure& procedure);
+  /// Adds `curves`; those with the same names are replaced. Ends with `changed` or `refused`. `from`: where they come
+  /// from, for the sentence.
+  void add(std::vector<ReferenceCurve> curves, const QString& from);
   void remove(const QString& name);
   void setExpert(std::optional<std::size_t> expert);
 
@@ -98,7 +101,6 @@ class ReferenceController : public QObject {
   void refused(const QString& sentence);
 
  private:
-  void add(std::vector<ReferenceCurve> curves, const QString& from);
   void adoptModel();
   void drop();
   std::optional<ReferenceDifference> differenceOf(const ReferenceCurve& reference) const;
