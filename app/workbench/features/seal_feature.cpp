@@ -53,7 +53,7 @@ class SealFeature : public QObject {
 
 SealFeature::SealFeature(Bench& bench) : QObject(&bench.features), bench_(bench) {
   WindowMenus& menus = bench.window.menus();
-  QAction* const seal = menus.addAction(MenuSlot::kStudyModel, tr("Pu&t a reference curve under seal…"));
+  QAction* const seal = menus.addAction(MenuSlot::kStudyModel, tr("Put a reference curve under &seal…"));
   QAction* const open = menus.addAction(MenuSlot::kStudyModel, tr("Open the sealed &reference…"));
   for (QAction* const action : {seal, open})
     followStudy(bench, action, [&bench] { return bench.study.isOpen() && bench.study.takesOrders(); });
