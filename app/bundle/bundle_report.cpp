@@ -320,6 +320,9 @@ std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compi
   page.section("Steps and slopes");
   std::vector<Markup> items = stepTexts(bundle, compiled);
   addSlopes(model, compiled, items);
+  for (const std::string& event : fuzzy::eventTexts(model))
+    items.emplace_back("Puncture: " + event +
+                       ", once in a stroke. Only the tube has it: all forces here are without it.");
   page.list(items);
   page.table(rendererTable(model));
 

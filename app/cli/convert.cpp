@@ -109,6 +109,10 @@ base::Result<Output> convert(const ConvertOptions& options) {
   if (!files) return base::inFile(files.error(), options.model);
   if (const auto made = base::makeFolder(options.out); !made) return tl::unexpected(made.error());
   Output output{{}, read.warnings};
+  for (const std::string& event : fuzzy::eventTexts(read.model)) {
+    output.warnings.push_back(
+        base::oneLine(options.model + ": not in these files: puncture, " + event + "; the tube of a bundle has it"));
+  }
   std::vector<std::string> paths;
   for (const auto& [name, text] : *files) {
     const std::string path = options.out + "/" + name;

@@ -130,7 +130,10 @@ std::string summary(const Procedure& procedure) {
   std::vector<std::string> forms;
   for (const auto& form : procedure.forms)
     forms.push_back(form.id + " (" + std::to_string(form.items.size()) + " items)");
-  out += base::joined(forms, ", ") + "\n  languages " + base::joined(procedure.languages, ", ");
+  out += base::joined(forms, ", ") + "\n";
+  for (const fuzzy::TubeEvent& event : procedure.events)
+    out += "  puncture: " + eventText(procedure.wayInput(), event) + "\n";
+  out += "  languages " + base::joined(procedure.languages, ", ");
   return out + "\n  SHA-256 " + procedure.sha256 + "\n";
 }
 
@@ -150,7 +153,10 @@ void writeSummary(const Procedure& procedure, JsonWriter& json) {
   json.endArray().key("output").beginObject(kInline).key("id").value(procedure.output.id);
   json.key("max").value(procedure.output.max).key("terms").beginArray();
   for (const auto& term : procedure.output.terms) json.value(term.id);
-  json.endArray().endObject().key("forms").beginArray();
+  json.endArray().endObject().key("events").beginArray();
+  for (const fuzzy::TubeEvent& event : procedure.events)
+    json.beginObject(kInline).key("term").value(event.term).key("share").value(event.share).endObject();
+  json.endArray().key("forms").beginArray();
   for (const auto& form : procedure.forms) {
     json.beginObject(kInline).key("id").value(form.id).key("items").value(form.items.size()).endObject();
   }

@@ -123,6 +123,7 @@ fuzzy::ForceModel withoutExperts(const fuzzy::ForceModel& model) {
   out.renderer = model.renderer;
   out.checks = model.checks;
   out.contracts = model.contracts;
+  out.events = model.events;
   out.extra = model.extra;
   return out;
 }

@@ -145,6 +145,7 @@ class Grouping {
         const ForceModel& has = other.from ? base_ : after_;
         if (overlap(term, *findTerm(*termsIn(has, part.list), other.key))) join(p, q);
       }
+      if (other.kind == PartKind::kEvent && other.list == part.list && other.key == part.key) join(p, q);
       if (other.kind == PartKind::kRule && readsIn(with, other.expert, part.list) && namesTerm(other, part)) join(p, q);
     }
   }
@@ -288,6 +289,7 @@ class Trial {
       return labelOf(**findVariable(base_, part.list.variable)) + " is not in the new model.";
     }
     if (part.kind == PartKind::kRule) return whyNotRule(part);
+    if (part.kind == PartKind::kEvent) return whyNotEvent(part);
     const bool of_term =
         part.kind == PartKind::kTerm || part.kind == PartKind::kVertex || part.kind == PartKind::kTermName;
     return of_term ? whyNotTerm(part) : std::nullopt;
@@ -303,6 +305,15 @@ class Trial {
     const auto expert = *findExpert(base_, part.expert);
     return labelOf(*expert) + " has no rule " + conditionsText(base_, *expert, *ruleOf(part.from)) +
            " in the new model.";
+  }
+
+  std::optional<std::string> whyNotEvent(const ModelPart& part) const {
+    const auto addsTerm = [&](const ModelPart& other) {
+      return isStructure(other) && other.to && other.list == part.list && other.key == part.key;
+    };
+    const bool has_term = findTerm(*termsIn(target_, part.list), part.key) != nullptr;
+    if (!part.to || has_term || std::any_of(parts_.begin(), parts_.end(), addsTerm)) return std::nullopt;
+    return "The new model has no term " + part.key + " of " + labelOf(**findVariable(base_, part.list.variable)) + '.';
   }
 
   std::optional<std::string> whyNotTerm(const ModelPart& part) const {

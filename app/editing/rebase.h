@@ -32,6 +32,7 @@ enum class PartKind {
   kOwnTerms,      ///< whether an expert has an own list of terms for a variable, and which
   kTerm,          ///< a term that was added or removed, has another shape, or stands at another place of its list
   kVertex,        ///< a point of a term
+  kEvent,         ///< at a term of the way: the share of the force that is lost
   kTermName,      ///< id and label of a term
   kRule,
 };
@@ -56,7 +57,7 @@ using PartValue = std::variant<double, bool, fuzzy::Implication, fuzzy::Renderer
 /// One difference between two versions.
 struct ModelPart {
   PartKind kind = PartKind::kRule;
-  TermListId list;                ///< of terms and vertices; of an own list, with its owner; `variable` of a universe
+  TermListId list;                ///< of terms, vertices and events; of an own list with its owner; of a universe
   std::string expert;             ///< of a rule
   std::string key;                ///< id of the expert or term in the base, name of the hole, conditions of the rule
   std::size_t point = 0;          ///< of a vertex
@@ -78,6 +79,7 @@ struct ModelPart {
 std::vector<std::string> keysOf(const std::vector<fuzzy::Term>& terms);
 std::vector<std::string> keysOf(const std::vector<fuzzy::TermOverride>& lists);
 std::vector<std::string> keysOf(const std::vector<fuzzy::Expert>& experts);
+std::vector<std::string> keysOf(const std::vector<fuzzy::TubeEvent>& events);
 std::vector<std::string> keysOf(const std::vector<fuzzy::Rule>& rules);
 
 /// The parts in which `tuned` differs from `base`, in the order in which `put` has to put them. Refused: other

@@ -29,6 +29,12 @@ Keys keysOf(const std::vector<Expert>& experts) {
   return out;
 }
 
+Keys keysOf(const std::vector<fuzzy::TubeEvent>& events) {
+  Keys out;
+  for (const fuzzy::TubeEvent& event : events) out.push_back(event.term);
+  return out;
+}
+
 Keys keysOf(const std::vector<TermOverride>& lists) {
   Keys out;
   for (const TermOverride& own : lists) out.push_back(own.variable);
@@ -117,6 +123,7 @@ class Differences {
     nameBack();
     addExperts();
     forEachList([&](const TermListId& list, const auto& before, const auto& after) { addTerms(list, before, after); });
+    addEvents();
     for (const Expert& expert : base_.experts) {
       if (const auto now = findExpert(std::as_const(tuned_), expert.id)) addRules(expert, **now);
     }
@@ -202,6 +209,7 @@ class Differences {
         const TermNames from{was->id, was->label};
         const TermNames to{after[i].id, after[i].label};
         if (from.id != to.id) renameInRules(list, to.id, from.id);
+        moveEvents(tuned_, list, to.id, from.id);
         after[i].id = from.id;
         after[i].label = from.label;
         ModelPart part;
@@ -290,6 +298,24 @@ class Differences {
         part.list = list;
         part.point = p;
       }
+    }
+  }
+
+  void addEvents() {
+    const auto way = fuzzy::wayOf(base_.inputs);
+    if (!way) return;
+    const auto order = std::make_shared<const Keys>(keysOf(tuned_.events));
+    for (const KeyChange& change : changesOf(keysOf(base_.events), *order)) {
+      const auto value = [](const auto& events, const auto& place) {
+        return place ? std::optional<PartValue>(events[*place].share) : std::nullopt;
+      };
+      const auto from = value(base_.events, change.before);
+      const auto to = value(tuned_.events, change.after);
+      if (from == to && !change.moved) continue;
+      ModelPart& part =
+          add(PartKind::kEvent, change.after ? (*order)[*change.after] : base_.events[*change.before].term, from, to);
+      part.list.variable = base_.inputs[*way].id;
+      if (change.after && (!change.before || change.moved)) setOrder(part, order, *change.after);
     }
   }
 

@@ -111,6 +111,13 @@ class Putting {
       case PartKind::kOwnTerms: putOwnTerms(part); return;
       case PartKind::kTerm: putTerm(part); return;
       case PartKind::kVertex: term(part).points[part.point] = valueOf<double>(part.to); return;
+      case PartKind::kEvent: {
+        Keys keys = keysOf(model_.events);
+        place(model_.events, keys, part, [&](const fuzzy::TubeEvent*) {
+          return fuzzy::TubeEvent{part.key, valueOf<double>(part.to)};
+        });
+        return;
+      }
       case PartKind::kTermName: putName(part); return;
       case PartKind::kRule: putRule(part); return;
     }
@@ -189,6 +196,7 @@ class Putting {
       if (!reads(one, part.list)) continue;
       for (Rule& rule : one.rules) rule = withTerm(std::move(rule), model_, variable, part.key, to.id);
     }
+    moveEvents(model_, part.list, part.key, to.id);
   }
 
   void putRule(const ModelPart& part) {
@@ -246,6 +254,10 @@ std::optional<PartValue> valueIn(const ForceModel& model, const ModelPart& part)
     case PartKind::kVertex:
       return term && part.point < term->points.size() ? std::optional<PartValue>(term->points[part.point])
                                                       : std::nullopt;
+    case PartKind::kEvent: {
+      const auto at = placeOf(keysOf(model.events), part.key);
+      return at ? std::optional<PartValue>(model.events[*at].share) : std::nullopt;
+    }
     case PartKind::kTermName: return term ? std::optional<PartValue>(TermNames{term->id, term->label}) : std::nullopt;
     case PartKind::kRule: {
       if (!expert) return std::nullopt;
@@ -256,6 +268,9 @@ std::optional<PartValue> valueIn(const ForceModel& model, const ModelPart& part)
   return std::nullopt;
 }
 
-void put(ForceModel& model, std::span<const ModelPart* const> parts) { Putting(model).put(parts); }
+void put(ForceModel& model, std::span<const ModelPart* const> parts) {
+  Putting(model).put(parts);
+  fuzzy::eraseLostEvents(model);
+}
 
 }  // namespace tactus::editing

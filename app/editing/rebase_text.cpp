@@ -151,6 +151,9 @@ std::string partsTitle(const ForceModel& before, const ForceModel& after, Parts 
       title += first.from && first.to ? " / " + labelOf(*termOf(before, first)) + ": shape" : ": terms";
       break;
     case PartKind::kVertex: title = verticesTitle(before, main); break;
+    case PartKind::kEvent:
+      title = titleOf(before, first.list) + " / " + labelOf(*termOf(with, first)) + ": puncture";
+      break;
     case PartKind::kTermName:
       title = titleOf(before, first.list) + " / " + labelOf(*termOf(before, first)) + ": name";
       break;
@@ -192,6 +195,8 @@ std::string partsText(const ForceModel& model, Parts parts) {
       return labels.empty() ? kNone : labels;
     }
     case PartKind::kVertex: return placesText(model, main);
+    case PartKind::kEvent:
+      return value ? base::roundedNumber(std::get<double>(*value) * 100) + " % of the force is lost" : kNone;
     case PartKind::kTermName: {
       const Term* const term = termOf(model, first);
       return term == nullptr ? kNone : labelOf(*term);

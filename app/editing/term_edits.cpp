@@ -91,6 +91,14 @@ fuzzy::Rule withTerm(fuzzy::Rule rule, const fuzzy::ForceModel& model, const fuz
   return rule;
 }
 
+void moveEvents(fuzzy::ForceModel& model, const TermListId& list, const std::string& from, const std::string& to) {
+  const auto way = fuzzy::wayOf(model.inputs);
+  if (!way || !list.expert.empty() || list.variable != model.inputs[*way].id) return;
+  for (fuzzy::TubeEvent& event : model.events) {
+    if (event.term == from) event.term = to;
+  }
+}
+
 base::Result<void> letGo(fuzzy::Expert& expert, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
                          const std::string& term, RulesOfTerm rules) {
   const auto concerned = [&](const fuzzy::Rule& rule) { return names(rule, model, variable, term); };
@@ -228,6 +236,7 @@ Result<Edit> splitTerm(const ForceModel& model, const TermPlace& place, const Sp
     expert.rules = std::move(rules);
   }
 
+  moveEvents(out, place.list, term.id, parts.back().id);
   std::vector<std::string> cuts;
   for (const double cut : options.cuts) cuts.push_back(numberText(*open.variable, cut));
   std::string label = open.title() + " / " + labelOf(term) + ": split at " + base::joined(cuts, ", ");
@@ -338,6 +347,7 @@ Result<Edit> renameTerm(const ForceModel& model, const TermPlace& place, const s
     if (!reads(expert, place.list)) continue;
     for (auto& rule : expert.rules) rule = withTerm(std::move(rule), out, *open.variable, place.term, id);
   }
+  moveEvents(out, place.list, place.term, id);
   return finished(std::move(out), std::move(what));
 }
 
@@ -369,6 +379,9 @@ Result<Edit> removeTerm(const ForceModel& model, const TermPlace& place, const R
     closeGap(terms, *order, static_cast<std::size_t>(std::find(order->begin(), order->end(), index) - order->begin()));
   }
   terms.erase(terms.begin() + static_cast<std::ptrdiff_t>(index));
+  const std::size_t events = out.events.size();
+  fuzzy::eraseLostEvents(out);
+  if (out.events.size() < events) label += ", with its puncture";
   return finished(std::move(out), std::move(label));
 }
 

@@ -32,6 +32,10 @@ bool names(const fuzzy::Rule& rule, const fuzzy::ForceModel& model, const fuzzy:
 fuzzy::Rule withTerm(fuzzy::Rule rule, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
                      const std::string& from, const std::string& to);
 
+/// The event at the term `from` of the list, if there is one, is at `to` from now on. Expert's own lists have no
+/// events.
+void moveEvents(fuzzy::ForceModel& model, const TermListId& list, const std::string& from, const std::string& to);
+
 /// Removes the rules of `expert` that name the term, or refuses if there are any; `rules` chooses. `expert` and
 /// `variable` are parts of `model`.
 base::Result<void> letGo(fuzzy::Expert& expert, const fuzzy::ForceModel& model, const fuzzy::Variable& variable,
@@ -60,7 +64,8 @@ struct SplitOptions {
 /// Splits a trapezoid. The parts overlap around each cut so that their sum is the old term; a partition stays a
 /// partition. A rule with the term in a condition becomes one rule for each part, in their order and at its place, so
 /// the force outside the overlaps does not change. Consequents are never copied, because the copies would conflict: the
-/// rules of an output term stay with the part that holds the middle of its core. Refused: a triangle or Gaussian
+/// rules of an output term stay with the part that holds the middle of its core. An event stays at its place, with the
+/// last part. Refused: a triangle or Gaussian
 /// (convert it first), cuts or an overlap outside the core.
 base::Result<Edit> splitTerm(const fuzzy::ForceModel& model, const TermPlace& place, const SplitOptions& options);
 
@@ -74,7 +79,7 @@ fuzzy::Term suggestedTerm(const fuzzy::Variable& variable, const std::vector<fuz
 /// a partition, split a term without copying its rules instead (splitTerm).
 base::Result<Edit> addTerm(const fuzzy::ForceModel& model, const TermListId& list, const fuzzy::Term& term);
 
-/// Gives a term another id and label. The rules that use the list are updated.
+/// Gives a term another id and label. The rules that use the list are updated, and the event at the term.
 base::Result<Edit> renameTerm(const fuzzy::ForceModel& model, const TermPlace& place, const std::string& id,
                               const std::string& label);
 
@@ -85,7 +90,8 @@ struct RemoveOptions {
   bool sum_to_one = false;
 };
 
-/// Removes a term. Refused: the last term of a list; with `sum_to_one`, terms that do not sum to one.
+/// Removes a term, with the event at it. Refused: the last term of a list; with `sum_to_one`, terms that do not sum to
+/// one.
 base::Result<Edit> removeTerm(const fuzzy::ForceModel& model, const TermPlace& place, const RemoveOptions& options);
 
 }  // namespace tactus::editing

@@ -144,6 +144,11 @@ std::optional<Section> sectionOf(const fuzzy::ForceModel& model, const fuzzy::Co
         &script == &scripts[scripts.size() - 4] ? "<script type=\"application/json\" id=\"living-data\">" : "<script>";
     elements += script + "</script>\n";
   }
+  std::string punctures;
+  for (const std::string& event : fuzzy::eventTexts(model)) {
+    punctures += "<p class=\"living-hint\">Puncture: " + base::xmlEscaped(event) +
+                 ", once in a stroke. Only the tube has it; all other forces here are without it.</p>\n";
+  }
   char checksum[9];
   std::snprintf(checksum, sizeof checksum, "%08x", base::crc32(base::joined(scripts, "\n")));
   Section out;
@@ -154,10 +159,9 @@ std::optional<Section> sectionOf(const fuzzy::ForceModel& model, const fuzzy::Co
              (simulated ? "<span class=\"badge simulated\">simulated</span> Data of this model are simulated, not "
                           "measured on a person. "
                         : "") +
-             std::string(
-                 "Everything here is computed in this page, from the model inside it. Nothing is loaded and nothing is "
-                 "sent.</p>\n<div id=\"living-app\" hidden=\"hidden\"></div>\n") +
-             elements + "</div>\n";
+             "Everything here is computed in this page, from the model inside it. Nothing is loaded and nothing is "
+             "sent.</p>\n" +
+             punctures + "<div id=\"living-app\" hidden=\"hidden\"></div>\n" + elements + "</div>\n";
   return out;
 }
 

@@ -98,13 +98,20 @@ bool sameSettings(const render::RendererSettings& one, const render::RendererSet
   return one.friction == other.friction && one.depth_end_mm == other.depth_end_mm;
 }
 
-/// The renderer asks at the press, whatever it was told before.
-render::RendererInput inputAt(const RecordedStroke& stroke, std::size_t tick) {
+/// The renderer asks at the press, whatever it was told before. `done`: how many events of the model are.
+render::RendererInput inputAt(const RecordedStroke& stroke, std::size_t tick, std::size_t done) {
   render::RendererInput input;
   input.position_mm = stroke.position_mm[tick];
   input.enabled = true;
-  input.conditions = stroke.at_press.conditions + 1;
+  input.conditions = stroke.at_press.conditions + 1 + done;
   return input;
+}
+
+/// The force of the model where the tip has been as deep as `reach` says.
+ModelForce forceAt(const ServoScene& scene, const render::StrokeReach& reach, const ForcePoint& at) {
+  ModelForce out = scene.force(at);
+  out.force_n *= scene.events().left(reach.deepest_mm, at.depth_mm);
+  return out;
 }
 
 std::optional<double> holeOf(const RendererState& state) {
@@ -125,7 +132,7 @@ class AfterRun {
         settings_(settingsOf(*scene)),
         scene_(scene),
         region_(region) {
-    if (!sameSettings(settings_before_, settings_)) region_.reset();
+    if (!sameSettings(settings_before_, settings_) || scene_before->events() != scene->events()) region_.reset();
   }
 
   ComparedStroke run() {
@@ -133,13 +140,17 @@ class AfterRun {
     out_.after_n.reserve(size);
     RendererState before = stroke_.at_press;
     RendererState after = before;
+    render::StrokeReach reach_before;
+    render::StrokeReach reach;
     bool same = region_.has_value();  // both states have the same bits
     auto answer = before_.answers.begin();
     for (std::size_t i = 0; i < size; ++i) {
+      reach.follow(after, scene_->events());
       const bool asked = answer != before_.answers.end() && answer->tick == i;
       const bool stays = same && (!asked || !region_->holds(answer->point));
       if (region_) {
-        render::RendererInput input = inputAt(stroke_, i);
+        reach_before.follow(before, scene_->events());
+        render::RendererInput input = inputAt(stroke_, i, reach_before.done);
         if (asked) input.force = answer->force;
         before = render::step(before, input, settings_before_, stroke_.dt_s[i]);
       }
@@ -147,11 +158,12 @@ class AfterRun {
       if (stays) {
         after = before;
       } else {
-        after = render::stepAsking(after, inputAt(stroke_, i), settings_, stroke_.dt_s[i], [&](const ForcePoint& at) {
-          ++out_.asked;
-          return scene_->force(at);
-        });
-        same = region_ && after == before;
+        after = render::stepAsking(after, inputAt(stroke_, i, reach.done), settings_, stroke_.dt_s[i],
+                                   [&](const ForcePoint& at) {
+                                     ++out_.asked;
+                                     return forceAt(*scene_, reach, at);
+                                   });
+        same = region_ && after == before && reach == reach_before;
       }
       out_.after_n.push_back(after.force_n);
       if (!out_.hole_mm[1]) out_.hole_mm[1] = holeOf(after);
@@ -267,11 +279,14 @@ Result<StrokeRun> runStroke(const RecordedStroke& stroke, const editing::ReadyMo
   const render::RendererSettings settings = settingsOf(*scene);
   StrokeRun out;
   RendererState state = stroke.at_press;
+  render::StrokeReach reach;
   for (std::size_t i = 0; i < stroke.position_mm.size(); ++i) {
-    state = render::stepAsking(state, inputAt(stroke, i), settings, stroke.dt_s[i], [&](const ForcePoint& at) {
-      out.answers.push_back({i, at, scene->force(at)});
-      return out.answers.back().force;
-    });
+    reach.follow(state, scene->events());
+    state =
+        render::stepAsking(state, inputAt(stroke, i, reach.done), settings, stroke.dt_s[i], [&](const ForcePoint& at) {
+          out.answers.push_back({i, at, forceAt(*scene, reach, at)});
+          return out.answers.back().force;
+        });
     out.force_n.push_back(state.force_n);
     out.depth_mm.push_back(state.depth_mm + settings.friction.depth_offset_mm);
     if (!out.hole_mm) out.hole_mm = holeOf(state);

@@ -94,6 +94,8 @@ Listing listingOf(const fuzzy::ForceModel& model) {
   }
   for (const fuzzy::Contract& contract : model.contracts)
     listing.add("contract " + quoted(contract.id), contracts::sentenceOf(model, contract));
+  for (const fuzzy::TubeEvent& event : model.events)
+    listing.add("puncture at " + quoted(event.term), "share " + formatNumber(event.share));
   const fuzzy::RendererParameters renderer = model.renderer.value_or(fuzzy::RendererParameters{});
   for (const auto& field : fuzzy::kRendererFields) {
     listing.add(std::string("renderer, ") + field.key, formatNumber(renderer.*field.member));

@@ -48,9 +48,10 @@ std::string xmlComment(const std::string& text) {
 
 std::string fmlText(const ExpertView& view) {
   const std::string activation = view.model->implication == fuzzy::Implication::kScale ? "PROD" : "MIN";
-  std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" +
-                    (view.origin.empty() ? "" : xmlComment(view.origin)) +
-                    "<fuzzySystem xmlns=\"http://www.ieee1855.org\" name=\"" + view.name + "\">\n  <knowledgeBase>\n";
+  std::string out =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n" + (view.origin.empty() ? "" : xmlComment(view.origin));
+  for (const std::string& event : missingEvents(*view.model)) out += xmlComment(event);
+  out += "<fuzzySystem xmlns=\"http://www.ieee1855.org\" name=\"" + view.name + "\">\n  <knowledgeBase>\n";
   for (const NamedVariable& input : view.inputs) out += variableText(input, false);
   out += variableText(view.output, true) + "  </knowledgeBase>\n  <mamdaniRuleBase name=\"" + view.name +
          "__rules\" activationMethod=\"" + activation + "\" andMethod=\"MIN\" orMethod=\"MAX\">\n";

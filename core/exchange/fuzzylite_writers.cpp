@@ -58,6 +58,13 @@ std::string conditionsText(const ExpertView& view, const IndexedRule& rule, cons
   return out;
 }
 
+std::vector<std::string> missingEvents(const fuzzy::ForceModel& model) {
+  std::vector<std::string> out;
+  for (const std::string& event : fuzzy::eventTexts(model))
+    out.push_back("not in this file: puncture, " + base::oneLine(event));
+  return out;
+}
+
 std::string remarks(const ExpertView& view, std::string_view mark) {
   const std::string start = std::string(mark) + " ";
   std::string out = start + base::oneLine(view.model->name) + ", expert " + base::oneLine(view.expert->id) + "\n";
@@ -68,6 +75,7 @@ std::string remarks(const ExpertView& view, std::string_view mark) {
   };
   for (const NamedVariable& input : view.inputs) names(input);
   if (view.disabled_rules > 0) out += start + std::to_string(view.disabled_rules) + " disabled rules are left out\n";
+  for (const std::string& event : missingEvents(*view.model)) out += start + event + "\n";
   return out;
 }
 

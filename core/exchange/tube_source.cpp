@@ -10,6 +10,7 @@
 
 #include "core/base/text.h"
 #include "core/exchange/c_parts.h"
+#include "core/fuzzy/membership.h"
 #include "core/render/insertion_renderer.h"
 #include "core/render/tube_checks.h"
 
@@ -46,6 +47,22 @@ std::vector<std::pair<std::string, double>> numbersOf(const fuzzy::ForceModel& m
           {"SMALLEST", render::kSmallest}};
 }
 
+/// The numbers of the model's events, likewise.
+std::vector<std::pair<std::string, double>> eventNumbersOf(const fuzzy::ForceModel& model,
+                                                           const render::TubeInputs& inputs) {
+  if (model.events.empty()) return {};
+  const fuzzy::Variable& way = model.inputs[inputs.depth];
+  const double offset_mm = model.renderer.value_or(fuzzy::RendererParameters()).depth_offset_mm;
+  std::vector<std::pair<std::string, double>> out = {{"WAY_MIN_MM", way.min}, {"WAY_MAX_MM", way.max}};
+  for (std::size_t e = 0; e < model.events.size(); ++e) {
+    const fuzzy::Term& term = *fuzzy::findTerm(way.terms, model.events[e].term);
+    const std::string name = "EVENT_" + std::to_string(e + 1);
+    out.emplace_back(name + "_MM", fuzzy::endOfCore(way, term) - offset_mm);
+    out.emplace_back(name + "_SHARE", model.events[e].share);
+  }
+  return out;
+}
+
 /// `text` with each `@NAME@` replaced.
 std::string filled(std::string_view text, const std::vector<std::pair<std::string, std::string>>& values) {
   std::string out(text);
@@ -80,10 +97,48 @@ std::string inJavaScript(std::string_view body) {
 
 /// What both languages fill in.
 struct Filling {
-  std::string origin;      ///< a line of a comment, or nothing
-  std::string conditions;  ///< a comment of one line each
-  std::string places;      ///< of the inputs of the model, in C
+  std::string origin;       ///< a line of a comment, or nothing
+  std::string conditions;   ///< a comment of one line each
+  std::string places;       ///< of the inputs of the model, in C
+  std::string shares;       ///< of the events, in C
+  std::string counts;       ///< of the events, in C
+  bool trapezoids = false;  ///< some event is at a trapezoid or triangle
+  bool bells = false;       ///< some event is at a Gaussian
 };
+
+/// What each event of the model adds to the text.
+void addEvents(const fuzzy::ForceModel& model, const fuzzy::Variable& way, Filling& out) {
+  for (std::size_t e = 0; e < model.events.size(); ++e) {
+    const auto f = fuzzy::MembershipFunction::of(*fuzzy::findTerm(way.terms, model.events[e].term));
+    const std::string name = "EVENT_" + std::to_string(e + 1);
+    const std::string reached = std::string(e > 0 ? "\n" : "") + "  if (t->deepest_mm >= " + name + "_MM) ";
+    (f.gaussian ? out.bells : out.trapezoids) = true;
+    std::string membership = f.gaussian ? "bell(x, " + number(f.mean) + ", " + number(f.sigma) + ")" : "trapezoid(x";
+    if (!f.gaussian) {
+      for (const double point : {f.a, f.b, f.c, f.d}) membership += ", " + number(point);
+      membership += ")";
+    }
+    out.shares += reached + "left *= 1.0 - " + name + "_SHARE * " + membership + ";";
+    out.counts += reached + "done += 1;";
+  }
+}
+
+/// `text` with the lines for this model, and what it fills in.
+std::string linesOf(std::string_view text, const Filling& filling) {
+  const std::pair<std::string_view, bool> kMarks[] = {
+      {"@EVENTS@", !filling.counts.empty()}, {"@TRAPEZOID@", filling.trapezoids}, {"@BELL@", filling.bells}};
+  std::string out;
+  for (std::size_t from = 0; from < text.size();) {
+    const std::size_t end = std::min(text.find('\n', from), text.size() - 1) + 1;
+    std::string_view line = text.substr(from, end - from);
+    from = end;
+    const auto mark = std::find_if(std::begin(kMarks), std::end(kMarks),
+                                   [&](const auto& one) { return line.starts_with(one.first); });
+    if (mark != std::end(kMarks)) line = mark->second ? line.substr(mark->first.size()) : std::string_view();
+    out += line;
+  }
+  return filled(out, {{"@SHARES@", filling.shares}, {"@COUNTS@", filling.counts}});
+}
 
 Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inputs, const Origin& origin) {
   Filling out;
@@ -98,6 +153,7 @@ Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inpu
   }
   place(inputs.depth, "depth_mm");
   if (inputs.speed) place(*inputs.speed, "speed_mm_s");
+  addEvents(model, model.inputs[inputs.depth], out);
   out.origin = origin.model_sha256.empty() ? std::string() : " * " + comment(originText(origin)) + "\n";
   out.conditions =
       out.conditions.empty() ? " * There are no conditions.\n" : " * Conditions, in this order:\n" + out.conditions;
@@ -106,7 +162,9 @@ Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inpu
 
 std::string numbersText(const fuzzy::ForceModel& model, const render::TubeInputs& inputs, const std::string& declare) {
   std::string out;
-  for (const auto& [name, value] : numbersOf(model, inputs)) out += declare + name + " = " + number(value) + ";\n";
+  for (const auto& numbers : {numbersOf(model, inputs), eventNumbersOf(model, inputs)}) {
+    for (const auto& [name, value] : numbers) out += declare + name + " = " + number(value) + ";\n";
+  }
   return out;
 }
 
@@ -123,16 +181,17 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& ori
       filling.origin + filling.conditions +
       " *\n *   tube_state tube;\n *   tube_start(&tube, conditions);\n"
       " *   for (;;) { force_n = tube_step(&tube, position_mm, held, dt_s); ... }\n */\n" +
-      filled(kTubeHeader, {{"@CONDITIONS@", std::to_string(inputs.conditions.size())}});
+      filled(linesOf(kTubeHeader, filling), {{"@CONDITIONS@", std::to_string(inputs.conditions.size())}});
   out.source = "/* The tube of " + comment(model.name) +
                ": see tube.h. The numbers in parentheses are those of docs/renderer.md. Written by Tactus; edit the\n"
-               " * model, not this file. */\n#include \"tube.h\"\n\n#include \"force_model.h\"\n\n"
+               " * model, not this file. */\n#include \"tube.h\"\n\n#include \"force_model.h\"\n\n" +
+               std::string(filling.bells ? "#include <math.h>\n\n" : "") +
                "/* A product and a sum stay two operations, so that every processor gives the same bits. */\n"
                "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"fp-contract=off\")\n"
                "#elif defined(__clang__)\n#pragma STDC FP_CONTRACT OFF\n#endif\n\n" +
                numbersText(model, inputs, "static const double ") +
                filled(kTubeStartInC, {{"@INPUTS@", filling.places + (inputs.speed ? "" : "\n  (void)speed_mm_s;")}}) +
-               std::string(kTubeBody);
+               linesOf(kTubeBody, filling);
   return out;
 }
 
@@ -155,7 +214,8 @@ base::Result<std::string> jsTube(const fuzzy::ForceModel& model, const Origin& o
       "                                                                : globalThis.forceModel;\n"
       "const TUBE_CONDITIONS = " +
       std::to_string(inputs.conditions.size()) + ";\n" + numbersText(model, inputs, "const ") +
-      inJavaScript(filled(kTubeStartInJs, {{"@INPUTS@", filling.places}})) + inJavaScript(kTubeBody) +
+      inJavaScript(filled(linesOf(kTubeStartInJs, filling), {{"@INPUTS@", filling.places}})) +
+      inJavaScript(linesOf(kTubeBody, filling)) +
       "\nif (typeof module === 'object' && module.exports) {\n"
       "  module.exports = { tubeStart, tubePlace, tubeChange, tubeStep };\n} else {\n"
       "  Object.assign(globalThis, { tubeStart, tubePlace, tubeChange, tubeStep });\n}\n})();\n");

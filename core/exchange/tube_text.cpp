@@ -35,6 +35,8 @@ typedef struct tube_state {
   unsigned changes, asked_changes;
   int another_scene, unasked, untaken, answer_fired;
   double fade_s, fade_left_s, difference_n, answer_n, answer_depth_mm, answer_speed_mm_s;
+@EVENTS@  double deepest_mm; /* of the tip in the stroke */
+@EVENTS@  int events_done;
 } tube_state;
 
 /* A tube at depth 0, out of the hand. conditions: TUBE_CONDITIONS values in the order above; may be null where that
@@ -100,6 +102,7 @@ const std::string_view kTubeStartInJs = R"(
 const RELEASED = 0, STUCK = 1, SLIDING_IN = 2, SLIDING_OUT = 3;
 const NO_FAULT = 0, POSITION = 1, FORCE = 2, TIME = 3;
 const is_finite = Number.isFinite;
+@BELL@const exp = Math.exp;
 
 function copy_conditions(t, conditions) {
   t.conditions = Array.from({ length: TUBE_CONDITIONS }, (_, i) => conditions[i]);
@@ -118,6 +121,7 @@ function tubeStart(conditions) {
     model_n: 0, asked_depth_mm: 0, asked_speed_mm_s: 0, changes: 0, asked_changes: 0, another_scene: 1, unasked: 0,
     untaken: 0, answer_fired: 0, fade_s: 0, fade_left_s: 0, difference_n: 0, answer_n: 0, answer_depth_mm: 0,
     answer_speed_mm_s: 0
+@EVENTS@    , deepest_mm: 0, events_done: 0
   };
   copy_conditions(t, conditions);
   return t;
@@ -132,8 +136,9 @@ function ask_model(t, depth_mm, speed_mm_s) {
 }
 )";
 
-/// The recurrences, in the part of C that is JavaScript but for its declarations (`inJavaScript`). So they are written
-/// once, and the order of the operations is the same in both.
+/// A line that begins with `@EVENTS@` is for models with events, one with `@TRAPEZOID@` or `@BELL@` for models in which
+/// such a term has an event; here and in the texts above. The recurrences, in the part of C that is JavaScript but for
+/// its declarations (`inJavaScript`). So they are written once, and the order of the operations is the same in both.
 const std::string_view kTubeBody = R"(
 /* Exactly so, also where a number is none. */
 static double least(double a, double b) { return b < a ? b : a; }
@@ -179,6 +184,35 @@ static void take_scene(tube_state *t) {
   t->untaken = 0;
 }
 
+@EVENTS@/* (15) Events: each whose place the tip has reached in this stroke takes a share of the model's force. */
+@TRAPEZOID@static double trapezoid(double x, double a, double b, double c, double d) {
+@TRAPEZOID@  if (x < b) return x > a ? (x - a) / (b - a) : 0.0;
+@TRAPEZOID@  if (x <= c) return 1.0;
+@TRAPEZOID@  return x < d ? (d - x) / (d - c) : 0.0;
+@TRAPEZOID@}
+@TRAPEZOID@
+@BELL@static double bell(double x, double mean, double sigma) {
+@BELL@  const double u = (x - mean) / sigma;
+@BELL@  return exp(-0.5 * u * u);
+@BELL@}
+@BELL@
+@EVENTS@static double left_by_events(const tube_state *t, double way_mm) {
+@EVENTS@  const double x = within(way_mm, WAY_MIN_MM, WAY_MAX_MM);
+@EVENTS@  double left = 1.0;
+@EVENTS@@SHARES@
+@EVENTS@  return left;
+@EVENTS@}
+@EVENTS@
+@EVENTS@static void take_events(tube_state *t) {
+@EVENTS@  int done = 0;
+@EVENTS@  t->deepest_mm = t->motion == RELEASED ? t->depth_mm : most(t->deepest_mm, t->depth_mm);
+@EVENTS@@COUNTS@
+@EVENTS@  if (done == t->events_done) return;
+@EVENTS@  t->events_done = done;
+@EVENTS@  t->unasked = 1;
+@EVENTS@  ++t->changes;
+@EVENTS@}
+@EVENTS@
 /* (4) Whether and where the model is asked. */
 static int engages(const tube_state *t, double position_mm, int held) {
   return held && t->fault == NO_FAULT && is_usable(position_mm) &&
@@ -196,6 +230,7 @@ static double answer(tube_state *t, double depth_mm, double speed_mm_s) {
   const int before_fired = t->answer_fired;
   if (t->unasked || t->answer_depth_mm != depth_mm || t->answer_speed_mm_s != speed_mm_s) {
     ask_model(t, depth_mm, speed_mm_s);
+@EVENTS@    t->answer_n *= left_by_events(t, depth_mm);
     t->answer_depth_mm = depth_mm;
     t->answer_speed_mm_s = speed_mm_s;
     t->unasked = 0;
@@ -369,6 +404,7 @@ double tube_step(tube_state *t, double position_mm, int held, double dt_s) {
   /* (14) In this order. */
   fade_scene(t, dt_s);
   take_scene(t);
+@EVENTS@  take_events(t);
   engaged = engages(t, position_mm, held);
   depth_mm = t->depth_mm + OFFSET_MM;
   speed_mm_s = t->motion == SLIDING_IN ? most(0.0, t->slip_speed_mm_s) : 0.0;

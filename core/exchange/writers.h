@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/exchange/expert_view.h"
@@ -24,6 +25,9 @@ std::string conditionsText(const ExpertView& view, const IndexedRule& rule, cons
 
 /// A term as fuzzylite writes it: `Trapezoid 0 0 0.2 0.4`.
 std::string fuzzyliteShape(const fuzzy::Term& term);
+
+/// What no other format has, a line each: `not in this file: puncture, vein wall, 60 % of the force is lost`.
+std::vector<std::string> missingEvents(const fuzzy::ForceModel& model);
 
 /// `lines` of people's text, each behind `mark`: name, expert, origin, what the format cannot say.
 std::string remarks(const ExpertView& view, std::string_view mark);

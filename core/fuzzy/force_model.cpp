@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/text.h"
+
 namespace tactus::fuzzy {
 
 std::string_view name(Shape shape) noexcept {
@@ -71,6 +73,32 @@ std::optional<std::size_t> rateOf(std::span<const Variable> inputs) noexcept { r
 const Term* findTerm(const std::vector<Term>& terms, std::string_view id) noexcept {
   const auto it = std::find_if(terms.begin(), terms.end(), [id](const Term& term) { return term.id == id; });
   return it == terms.end() ? nullptr : &*it;
+}
+
+double endOfCore(const Variable& way, const Term& term) noexcept {
+  const double end = term.points[term.shape == Shape::kTrapezoid ? 2 : term.shape == Shape::kTriangle ? 1 : 0];
+  return std::clamp(end, way.min, way.max);
+}
+
+std::string eventText(const Variable& way, const TubeEvent& event) {
+  const Term* const term = findTerm(way.terms, event.term);
+  const bool labelled = term != nullptr && !term->label.empty();
+  return base::lowered(labelled ? term->label : event.term) + ", " + base::roundedNumber(event.share * 100) +
+         " % of the force is lost";
+}
+
+std::vector<std::string> eventTexts(const ForceModel& model) {
+  std::vector<std::string> out;
+  for (const TubeEvent& event : model.events)
+    out.push_back(eventText(model.inputs[wayOf(model.inputs).value()], event));
+  return out;
+}
+
+void eraseLostEvents(ForceModel& model) {
+  const auto way = wayOf(model.inputs);
+  std::erase_if(model.events, [&](const TubeEvent& event) {
+    return !way || findTerm(model.inputs[*way].terms, event.term) == nullptr;
+  });
 }
 
 const std::vector<Term>& termsFor(const Expert& expert, const Variable& variable) noexcept {

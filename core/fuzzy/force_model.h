@@ -20,6 +20,7 @@ inline constexpr std::size_t kMostTerms = 64;    ///< per variable
 inline constexpr std::size_t kMostRules = 4096;  ///< per expert
 inline constexpr std::size_t kMostExperts = 1024;
 inline constexpr std::size_t kMostContracts = 64;
+inline constexpr std::size_t kMostEvents = 8;
 
 enum class Shape {
   kTrapezoid,  ///< points a <= b <= c <= d
@@ -139,6 +140,15 @@ inline constexpr Contract::Kind kContractKinds[] = {
     Contract::Kind::kNeverRaises, Contract::Kind::kNeverLowers, Contract::Kind::kNeverHarder, Contract::Kind::kNoStep,
     Contract::Kind::kNeverAbove,  Contract::Kind::kNeverBelow,  Contract::Kind::kNeverSilent};
 
+/// A puncture: behind a word of the way a share of the force is lost, once in a stroke. Only a tube renders it, because
+/// it depends on what was felt before (docs/renderer.md); the force of the model itself knows no events.
+struct TubeEvent {
+  std::string term;  ///< of the way, in the variable's own list
+  double share = 0;  ///< in (0, 1)
+
+  bool operator==(const TubeEvent&) const = default;
+};
+
 /// A key and its value as JSON text.
 struct NamedJson {
   std::string key;
@@ -171,6 +181,7 @@ struct ForceModel {
   std::optional<RendererParameters> renderer;
   std::vector<Check> checks;
   std::vector<Contract> contracts;
+  std::vector<TubeEvent> events;
   std::vector<NamedJson> extra;  ///< unknown top-level keys of the model file
 
   bool operator==(const ForceModel&) const = default;
@@ -196,6 +207,18 @@ std::optional<std::size_t> rateOf(std::span<const Variable> inputs) noexcept;
 
 /// The term with the id `id`, or null.
 const Term* findTerm(const std::vector<Term>& terms, std::string_view id) noexcept;
+
+/// Where on the way `term` ends to hold fully: the last point of membership 1 (the third point of a trapezoid, the peak
+/// of the other shapes), within the universe.
+double endOfCore(const Variable& way, const Term& term) noexcept;
+
+/// `vein wall, 60 % of the force is lost`. `way`: the input whose term the event names.
+std::string eventText(const Variable& way, const TubeEvent& event);
+/// The same for each event of a valid model.
+std::vector<std::string> eventTexts(const ForceModel& model);
+
+/// Removes the events whose term the way no longer has.
+void eraseLostEvents(ForceModel& model);
 
 /// The terms of `variable` for `expert`: the expert's own list if there is one, else the variable's list. `variable` is
 /// an input of the model or its output.

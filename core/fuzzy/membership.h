@@ -27,6 +27,8 @@ struct MembershipFunction {
   /// `scale` times the membership. Keeps the digits that the membership alone would lose below the normal range of
   /// double.
   double scaled(double x, double scale) const noexcept;
+
+  bool operator==(const MembershipFunction&) const = default;
 };
 
 /// A trapezoid of an input: the smaller of two ramps, cut to [0, 1].

@@ -115,6 +115,36 @@ Problem checkContracts(const ForceModel& model) {
   return nullptr;
 }
 
+Problem checkEvents(const ForceModel& model) {
+  if (model.events.empty()) return nullptr;
+  const Place root;
+  const Place all = root["events"];
+  if (model.events.size() > kMostEvents) {
+    return problem(ErrorCode::kLimit, all, std::to_string(model.events.size()) + " events",
+                   "at most " + std::to_string(kMostEvents));
+  }
+  const auto way = wayOf(model.inputs);
+  if (!way) return problem(ErrorCode::kReference, all, "events in a model without a way", "an input that is the way");
+  NameList terms;
+  for (std::size_t i = 0; i < model.events.size(); ++i) {
+    const Place place = all[i];
+    const TubeEvent& event = model.events[i];
+    if (findTerm(model.inputs[*way].terms, event.term) == nullptr) {
+      std::vector<std::string> known;
+      for (const Term& term : model.inputs[*way].terms) known.push_back(term.id);
+      return problem(ErrorCode::kReference, place["term"], base::quoted(event.term),
+                     "a term of " + base::quoted(model.inputs[*way].id) + ": " + base::joined(known, ", "));
+    }
+    if (!terms.add(event.term)) {
+      return problem(ErrorCode::kSchema, place["term"], base::quoted(event.term) + " again", "each term once");
+    }
+    if (!(event.share > 0 && event.share < 1)) {
+      return problem(ErrorCode::kValue, place["share"], formatNumber(event.share), "a number above 0 and below 1");
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
 
 base::Result<void> validate(const ForceModel& model) {
@@ -133,6 +163,7 @@ Problem resolve(const ForceModel& model, ModelTables& tables) {
     if (auto wrong = checkRenderer(*model.renderer)) return wrong;
   }
   if (auto wrong = checkContracts(model)) return wrong;
+  if (auto wrong = checkEvents(model)) return wrong;
   return checkChecks(model);
 }
 

@@ -15,7 +15,8 @@ namespace tactus::fuzzy {
 /// - output terms: overlap the universe in positive width;
 /// - rules: known inputs and terms, each input once, weight in [0, 1], no rule twice in one expert;
 /// - weights: finite, >= 0, at least one > 0;
-/// - the ranges of the renderer parameters.
+/// - the ranges of the renderer parameters;
+/// - events: each on a term of the way, each term once, shares in (0, 1).
 /// model_io compares the values of `checks`.
 base::Result<void> validate(const ForceModel& model);
 

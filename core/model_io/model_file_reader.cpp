@@ -99,6 +99,7 @@ class ModelReader {
     if (const auto value = members.object("renderer")) model.renderer = renderer(*value);
     for (const JsonValue value : members.elements("checks")) model.checks.push_back(check(value));
     for (const JsonValue value : members.elements("contracts")) model.contracts.push_back(contract(value));
+    for (const JsonValue value : members.elements("events")) model.events.push_back(event(value));
     model.extra = named(members.others());
   }
 
@@ -230,6 +231,15 @@ class ModelReader {
     std::vector<JsonMembers::NamedText> where;
     members.texts("where", where);
     for (auto& [input, term] : where) out.where.push_back({std::move(input), std::move(term)});
+    warnOfOthers(members);
+    return out;
+  }
+
+  fuzzy::TubeEvent event(JsonValue object) {
+    fuzzy::TubeEvent out;
+    JsonMembers members(object, error_);
+    members.textOrEmpty(required("term"), out.term);
+    members.number(required("share"), out.share);
     warnOfOthers(members);
     return out;
   }

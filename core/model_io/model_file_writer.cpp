@@ -119,6 +119,12 @@ std::string formatModel(const fuzzy::ForceModel& model) {
     for (const auto& contract : model.contracts) append(json, contract);
     json.endArray();
   }
+  if (!model.events.empty()) {
+    json.key("events").beginArray();
+    for (const auto& event : model.events)
+      json.beginObject(Layout::kInline).key("term").value(event.term).key("share").value(event.share).endObject();
+    json.endArray();
+  }
   append(json, model.extra);
   json.endObject();
   return json.text();

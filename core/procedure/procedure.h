@@ -128,6 +128,7 @@ struct Procedure {
   double device_scale = 1;  ///< 1 : scale; a device gives the forces divided by it, where they are beyond its strength
   /// Beside the word of a force the participant says whether this is where she would stop (Tefik et al. 2024).
   bool stop_question = false;
+  std::vector<fuzzy::TubeEvent> events;  ///< on terms that each set of the way has
 
   PackFiles files;
 

@@ -187,6 +187,19 @@ std::vector<PublishedForce> readPublished(JsonMembers& json, const Procedure& pr
   return out;
 }
 
+/// The events of a model of each set of terms; `checkVariables` looks at them.
+std::vector<fuzzy::TubeEvent> readEvents(JsonMembers& json, Problem& error) {
+  std::vector<fuzzy::TubeEvent> out;
+  for (const JsonValue value : json.elements("events")) {
+    JsonMembers members(value, error);
+    fuzzy::TubeEvent& event = out.emplace_back();
+    members.text(required("term"), event.term);
+    members.number(required("share"), event.share);
+    members.refuseOthers();
+  }
+  return out;
+}
+
 /// Paths of files that must be in the pack.
 void wantFile(JsonMembers& json, std::string_view key, const std::string& path, const PackFiles& files) {
   if (path.empty() || files.contains(path)) return;
@@ -254,6 +267,7 @@ Procedure readManifest(JsonMembers& json, Problem& error, const PackFiles& files
   out.steps = readSteps(json, error);
   out.landmarks = readLandmarks(json, error);
   out.published = readPublished(json, out, error);
+  out.events = readEvents(json, error);
   if (const auto protocol = json.object("protocol")) out.protocol = protocol->json();
   json.number("device_scale", out.device_scale, {1, 20});
   json.flag("stop_question", out.stop_question);
@@ -347,6 +361,7 @@ Result<void> checkVariables(const Procedure& procedure) {
     model.inputs = procedure.inputs;
     model.inputs[procedure.way()].terms = set.terms;
     model.output = procedure.output;
+    model.events = procedure.events;
     const fuzzy::Rule rule{{{model.inputs.front().id, model.inputs.front().terms.front().id}},
                            model.output.terms.front().id};
     model.experts = {{"expert", "expert", 1, {}, {rule}}};

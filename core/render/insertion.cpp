@@ -42,6 +42,7 @@ void Insertion::limitStiffness(double largest_stiffness_n_mm, double fade_s) noe
 double Insertion::tick(const InsertionTick& tick) noexcept {
   fade(tick.dt_s);
   takeScene(tick.scene, tick.fade_s);
+  takeEvents(tick.scene);
   settings_.force_cap_n = std::max(0.0, tick.force_cap_n);
 
   RendererInput input;
@@ -100,10 +101,17 @@ void Insertion::fade(double dt_s) noexcept {
   fade_left_s_ = share > 0 ? fade_left_s_ - dt_s : 0;
 }
 
+void Insertion::takeEvents(const TubeScene* scene) noexcept {
+  if (scene == nullptr || !reach_.follow(state_, scene->events())) return;
+  unasked_ = true;
+  ++conditions_;
+}
+
 ModelForce Insertion::answer(const ForcePoint& point, const InsertionTick& tick) noexcept {
   const ModelForce before = answer_;
   if (unasked_ || point != asked_) {
     answer_ = tick.scene->force(point);
+    answer_.force_n *= tick.scene->events().left(reach_.deepest_mm, point.depth_mm);
     asked_ = point;
     unasked_ = false;
     ++counters_.asked;
@@ -202,6 +210,8 @@ void Insertion::eachMember(Self& self, Take& take) noexcept {
   takePoint(self.asked_, take);
   take.number(self.answer_.force_n, -kAnyN, kAnyN);
   take.whole(self.answer_.fired, 1);
+  take.number(self.reach_.deepest_mm, -kAnyMm, kAnyMm);
+  take.whole(self.reach_.done, fuzzy::kMostEvents);
   take.whole(self.counters_.ticks);
   take.whole(self.counters_.asked);
   take.whole(self.counters_.released);

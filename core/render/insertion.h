@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/render/insertion_renderer.h"
+#include "core/render/tube_events.h"
 #include "core/render/tube_scene.h"
 
 namespace tactus::render {
@@ -39,7 +40,11 @@ struct InsertionTick {
 /// tick's `fade_s`; the renderer's parameters move from old to new over the same time. Both act inside the friction,
 /// whose energy certificate holds for every F_d >= 0 and every parameter. So no change of scene feeds energy to the
 /// hand, and none leaves a force behind after a release. A second change during a fade continues the fade and never
-/// shortens it. All state is plain, copyable data. Thread: one at a time (the servo). Real-time safe: yes.
+/// shortens it.
+///
+/// Events of the scene: what the tip has passed in the stroke takes its share of the model's answer (TubeEvents). So
+/// F_d follows as after any other answer, and the certificate holds. All state is plain, copyable data. Thread: one at
+/// a time (the servo). Real-time safe: yes.
 class Insertion {
  public:
   /// `largest_stiffness_n_mm`: > 0. A stiffer model is rendered with this stiffness.
@@ -79,6 +84,7 @@ class Insertion {
   static void eachMember(Self& self, Take& take) noexcept;
   void takeScene(const TubeScene* scene, double fade_s) noexcept;
   void fade(double dt_s) noexcept;
+  void takeEvents(const TubeScene* scene) noexcept;
   ModelForce answer(const ForcePoint& point, const InsertionTick& tick) noexcept;
 
   double largest_stiffness_n_mm_;
@@ -96,7 +102,8 @@ class Insertion {
   std::uint64_t conditions_ = 0;  ///< changes if the renderer has to take a new answer
   bool unasked_ = true;           ///< the new scene has not been evaluated yet
   ForcePoint asked_;
-  ModelForce answer_;  ///< of the scene at `asked_`
+  ModelForce answer_;  ///< of the scene at `asked_`, with its events
+  StrokeReach reach_;
   SceneCounters counters_;
 };
 

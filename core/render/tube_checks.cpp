@@ -86,6 +86,27 @@ TubeTrace randomHand(const fuzzy::ForceModel& model, const TubeInputs& inputs, i
   return script.done();
 }
 
+/// Past the place of an event, back, on in the same stroke; back again, and past it in the next stroke.
+TubeTrace puncture(const std::string& name, double place_mm, double stiffness_n_mm,
+                   const std::vector<double>& conditions) {
+  // The hand leads the tube by as much as the spring takes at the cap, either way; a soft spring would need a long way.
+  const double lead_mm = std::min(kTubeCapN / stiffness_n_mm, 60.0);
+  const double back_mm = 2 * lead_mm + 3;
+  const double in_mm = std::max(place_mm, 0.0) + lead_mm + 1.5;
+  const double in_s = std::max(0.1, in_mm / 150);
+  return Script(name, conditions)
+      .hold(true)
+      .move(in_mm, in_s, in_s > 0.5 ? 0.002 : 0.001)
+      .move(-back_mm, back_mm / 150)
+      .move(back_mm, back_mm / 150)
+      .move(-back_mm, back_mm / 150)
+      .hold(false)
+      .rest(0.04)
+      .hold(true)
+      .move(back_mm, back_mm / 150)
+      .done();
+}
+
 }  // namespace
 
 base::Result<TubeInputs> tubeInputs(const fuzzy::ForceModel& model) {
@@ -106,7 +127,8 @@ base::Result<TubeInputs> tubeInputs(const fuzzy::ForceModel& model) {
 
 std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInputs& inputs) {
   const fuzzy::Variable& depth = model.inputs[inputs.depth];
-  const double end_mm = depth.max - model.renderer.value_or(fuzzy::RendererParameters()).depth_offset_mm;
+  const fuzzy::RendererParameters friction = model.renderer.value_or(fuzzy::RendererParameters());
+  const double end_mm = depth.max - friction.depth_offset_mm;
   const auto dry = conditionsAt(model, inputs, 0.9, 0.5);
   const auto wet = conditionsAt(model, inputs, 0.2, 0.75);
   std::vector<TubeTrace> out;
@@ -159,6 +181,11 @@ std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInpu
   out.push_back(wrong.rest(0.02).done());
   out.push_back(Script("a_press_in_motion", dry).move(120, 0.3).hold(true).move(300, 0.25).rest(0.1).done());
   for (int number = 1; number <= 2; ++number) out.push_back(randomHand(model, inputs, number));
+  for (const fuzzy::TubeEvent& event : model.events) {
+    const double place_mm = fuzzy::endOfCore(depth, *fuzzy::findTerm(depth.terms, event.term));
+    out.push_back(puncture("puncture_" + std::to_string(&event - model.events.data() + 1),
+                           place_mm - friction.depth_offset_mm, friction.stiffness_n_mm, dry));
+  }
   return out;
 }
 
@@ -177,6 +204,8 @@ TubeRun::TubeRun(const fuzzy::ForceModel& model, TubeInputs inputs, fuzzy::Compi
     : state_(std::make_unique<State>()) {
   state_->settings.renderer = model.renderer.value_or(fuzzy::RendererParameters());
   state_->settings.depth_end_mm = model.inputs[inputs.depth].max;
+  state_->settings.events =
+      TubeEvents(model.inputs[inputs.depth], model.events, state_->settings.renderer.depth_offset_mm);
   // Places among the free inputs.
   state_->settings.depth = inputs.speed && *inputs.speed < inputs.depth ? 1 : 0;
   if (inputs.speed) state_->settings.speed = inputs.depth < *inputs.speed ? 1 : 0;

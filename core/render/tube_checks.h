@@ -52,7 +52,8 @@ inline constexpr double kTubeCapN = 2;
 
 /// Insertions in which each rule of the renderer shows: strokes with stops, fast and slow, withdrawal, the entry and
 /// the end of the depth, a trembling hand, changes of the conditions in the hand, steps of other and of impossible
-/// lengths, and a random hand. Deterministic. `inputs`: of `model`.
+/// lengths, and a random hand. Then, for each event of the model, one that passes it, draws back, goes on, draws back
+/// and passes it in the next stroke. Deterministic. `inputs`: of `model`, which is valid.
 std::vector<TubeTrace> tubeTraces(const fuzzy::ForceModel& model, const TubeInputs& inputs);
 
 /// One insertion by the renderer of this program, step by step; it begins at depth 0, out of the hand.

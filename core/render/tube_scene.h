@@ -10,6 +10,7 @@
 #include "core/fuzzy/force_model.h"
 #include "core/fuzzy/scene.h"
 #include "core/render/renderer_state.h"
+#include "core/render/tube_events.h"
 
 namespace tactus::render {
 
@@ -19,6 +20,7 @@ struct TubeSettings {
   std::optional<std::size_t> speed;
   double depth_end_mm = std::numeric_limits<double>::infinity();  ///< end of the model's depth, including the offset
   fuzzy::RendererParameters renderer;
+  TubeEvents events;
 };
 
 /// Refuses a depth, a speed or a force in other units than mm, mm/s and N. A variable without a unit, or with the unit
@@ -32,13 +34,15 @@ class TubeScene {
   /// `scene`: its free inputs are those that `settings` names, and no other.
   TubeScene(fuzzy::Scene scene, const TubeSettings& settings);
 
-  /// The force for the renderer. Equal bit by bit to CompiledModel::evaluate. Thread: any. Real-time safe: yes.
+  /// The force of the model, without its events. Equal bit by bit to CompiledModel::evaluate. Thread: any. Real-time
+  /// safe: yes.
   ModelForce force(const ForcePoint& point) const noexcept;
 
   /// A number > 0, different for each scene made in this process. It identifies a scene better than its address, which
   /// may be reused.
   std::uint64_t serial() const noexcept { return serial_; }
   const fuzzy::RendererParameters& renderer() const noexcept { return settings_.renderer; }
+  const TubeEvents& events() const noexcept { return settings_.events; }
   /// End of the model's depth, including the offset; infinite for a model without depth.
   double depthEndMm() const noexcept { return settings_.depth_end_mm; }
 

@@ -24,6 +24,7 @@ struct LoadedModel {
   fuzzy::Variable output;              ///< without its terms
   std::vector<fuzzy::Expert> experts;  ///< without their rules
   fuzzy::RendererParameters renderer;
+  std::vector<fuzzy::TubeEvent> events;
 };
 
 /// What a tube keeps of its scene. Immutable.

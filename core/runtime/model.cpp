@@ -32,6 +32,7 @@ tactus_status load(std::string_view text, const std::string& file, tactus_model*
   loaded->output.terms.clear();
   loaded->experts = std::move(read->model.experts);
   for (fuzzy::Expert& expert : loaded->experts) expert.rules = {};
+  loaded->events = std::move(read->model.events);
   loaded->renderer = read->model.renderer.value_or(fuzzy::RendererParameters{});
   *model = new tactus_model{loaded};
   if (!read->warnings.empty()) message.say(read->warnings.front());

@@ -82,6 +82,7 @@ void addTube(const LoadedModel& model, const Fixed& fixed, tactus_scene& scene) 
       depth = &input;
       settings.depth = ids.size();
       settings.depth_end_mm = input.max;
+      settings.events = render::TubeEvents(input, model.events, model.renderer.depth_offset_mm);
     } else if (role == fuzzy::Role::kRate) {
       speed = &input;
       settings.speed = ids.size();

@@ -78,7 +78,7 @@ void fill(tactus_feel& feel, const tactus_tube& tube) noexcept {
 // A saved tube: the head, the identity of the scene, what the caller set, the insertion, and a checksum of all that.
 
 // The last character is the version. Written as a number, so that a machine with another order of bytes refuses it.
-constexpr std::uint64_t kHead = 0x5441435455424531;  // TACTUBE1
+constexpr std::uint64_t kHead = 0x5441435455424532;  // TACTUBE2
 constexpr std::size_t kIdentity = 64;                // hexadecimal digits
 
 using Head = std::array<std::uint64_t, 1 + kIdentity / 8>;

@@ -330,6 +330,7 @@ Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::For
 
   out.model.provenance = modelProvenance(study, out.experts, settings);
   out.model.renderer = fuzzy::RendererParameters{};
+  out.model.events = out.about().events;
   if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
   if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
   if (auto ok = fuzzy::validate(out.model); !ok) return tl::unexpected(ok.error());
@@ -401,6 +402,7 @@ Result<fuzzy::ForceModel> expertModel(const fuzzy::ForceModel& averaged, std::st
   for (auto& input : out.inputs) input.terms = fuzzy::termsFor(*expert, input);
   out.output.terms = fuzzy::termsFor(*expert, out.output);
   alone.overrides.clear();
+  fuzzy::eraseLostEvents(out);
   if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());
   return out;
 }

@@ -32,7 +32,9 @@ LandmarkMarks::LandmarkMarks(QCustomPlot& plot, Place place)
   plot.installEventFilter(this);
 }
 
-void LandmarkMarks::setVariable(const fuzzy::Variable& variable) { landmarks_ = landmarksFor(variable); }
+void LandmarkMarks::setVariable(const fuzzy::Variable& variable, std::span<const fuzzy::TubeEvent> events) {
+  landmarks_ = landmarksFor(variable, events);
+}
 
 QString LandmarkMarks::explanation() const {
   QStringList lines;

@@ -2,6 +2,7 @@
 // the mouse over it tells the rest. Needs QCustomPlot: only plotting code includes this.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "app/workbench/plot/landmarks.h"
@@ -22,8 +23,8 @@ class LandmarkMarks : public QCPLayerable {
 
   LandmarkMarks(QCustomPlot& plot, Place place);
 
-  /// Shows the landmarks for the axis of `variable`; none if it is not the depth.
-  void setVariable(const fuzzy::Variable& variable);
+  /// Shows the landmarks for the axis of `variable`, with the events of its model; none if it is not the depth.
+  void setVariable(const fuzzy::Variable& variable, std::span<const fuzzy::TubeEvent> events = {});
   enum class Text {
     kNames,    ///< but numbers in a low plot, unless the place is kAbove
     kNumbers,  ///< for low plots

@@ -1,7 +1,8 @@
-// Landmarks along the way of the tip, shown beside its axis. They are those of the procedure.
+// Landmarks along the way of the tip, shown beside its axis: those of the procedure, and the punctures of the model.
 #pragma once
 
 #include <QString>
+#include <span>
 #include <vector>
 
 #include "core/fuzzy/force_model.h"
@@ -18,7 +19,7 @@ struct Landmark {
 };
 
 /// The landmarks inside the universe of `variable` if it is the way of the procedure on the screen
-/// (model/shown_procedure.h); otherwise none.
-std::vector<Landmark> landmarksFor(const fuzzy::Variable& variable);
+/// (model/shown_procedure.h), and those of `events` if it is the way of their model; in the order of the way.
+std::vector<Landmark> landmarksFor(const fuzzy::Variable& variable, std::span<const fuzzy::TubeEvent> events = {});
 
 }  // namespace tactus::workbench

@@ -120,7 +120,10 @@ base::Result<std::shared_ptr<const ServoScene>> ServoScene::make(const ForceMode
   const bool speed_first = depth != nullptr && speed != nullptr && speed < depth;
   if (depth != nullptr) tube.depth = speed_first ? 1 : 0;
   if (speed != nullptr) tube.speed = depth != nullptr && !speed_first ? 1 : 0;
-  if (depth != nullptr) tube.depth_end_mm = depth->max;
+  if (depth != nullptr) {
+    tube.depth_end_mm = depth->max;
+    tube.events = render::TubeEvents(*depth, model.events, tube.renderer.depth_offset_mm);
+  }
   const std::shared_ptr<ServoScene> scene(new ServoScene(std::move(specialized), tube, settings.fade_s));
   if (settings.known_cost_s) {
     scene->cost_s_ = *settings.known_cost_s;

@@ -268,6 +268,93 @@ TEST_F(Packs, AZipFileIsOneToo) {
   EXPECT_EQ(ProgramRun({"study", "new", "s.tactus", "--pack", "mine.zip"}).status, 0);
 }
 
+/// A cannula into a vein: four regions, two punctures.
+class PunctureOfAPack : public Packs {
+ protected:
+  void makeCannula() {
+    ASSERT_EQ(ProgramRun({"pack", "new", "cannula"}).status, 0);
+    const std::vector<std::string> regions = {"skin", "subcutis", "vein_wall", "lumen"};
+    change("cannula/procedure.json", [](PackJson& json) {
+      json["id"] = "peripheral-cannula";
+      json["inputs"][1]["max"] = 12;
+      json["inputs"][1]["terms"] = {{{"id", "skin"}, {"label", "Skin"}, {"points", {0, 0, 1.5, 2}}},
+                                    {{"id", "subcutis"}, {"label", "Subcutis"}, {"points", {1.5, 2, 4, 4.5}}},
+                                    {{"id", "vein_wall"}, {"label", "Vein wall"}, {"points", {4, 4.5, 5.5, 6}}},
+                                    {{"id", "lumen"}, {"label", "Lumen"}, {"points", {5.5, 6, 12, 12}}}};
+      json["events"] = {{{"term", "skin"}, {"share", 0.25}}, {{"term", "vein_wall"}, {"share", 0.6}}};
+      json.erase("pictures");
+    });
+    change("cannula/forms/form.json", [&](PackJson& json) {
+      PackJson items = PackJson::array();
+      for (const auto& [input, terms] : {std::pair("gel", std::vector<std::string>{"none", "plenty"}),
+                                         std::pair("speed", std::vector<std::string>{"slow", "medium", "fast"})}) {
+        for (const std::string& term : terms) {
+          for (const std::string& region : regions)
+            items.push_back({{"number", items.size() + 1}, {"if", {{input, term}, {"depth", region}}}});
+        }
+      }
+      json["items"] = items;
+    });
+    change("cannula/forms/form.en.json", [&](PackJson& json) {
+      json["phrases"]["depth"] = PackJson::object();
+      for (const std::string& region : regions) json["phrases"]["depth"][region] = "The tip is in the " + region + ".";
+    });
+    change("cannula/words.json", [&](PackJson& json) {
+      for (const std::string& region : regions) json["texts"]["a." + region] = {{"en", region}};
+    });
+  }
+};
+
+TEST_F(PunctureOfAPack, IsFeltInTheBundleThatComesOfIt) {
+  ASSERT_NO_FATAL_FAILURE(makeCannula());
+  const std::string line = "puncture: vein wall, 60 % of the force is lost\n";
+  for (const char* command : {"check", "show"}) {
+    const ProgramRun run({"pack", command, "cannula"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find(line), std::string::npos) << run.out;
+  }
+  EXPECT_EQ(PackJson::parse(ProgramRun({"pack", "check", "cannula", "--json"}).out)["events"],
+            PackJson::parse(R"([{"term": "skin", "share": 0.25}, {"term": "vein_wall", "share": 0.6}])"));
+  ASSERT_EQ(ProgramRun({"study", "new", "s.tactus", "--pack", "cannula"}).status, 0);
+  ASSERT_EQ(ProgramRun({"study", "simulate", "s.tactus", "--nurses", "2"}).status, 0);
+  const ProgramRun build({"build", "s.tactus", "--out", "m.tactus.json"});
+  ASSERT_EQ(build.status, 0) << build.err;
+  PackJson model = PackJson::parse(readText("m.tactus.json"));
+  EXPECT_EQ(model["events"], PackJson::parse(readText("cannula/procedure.json"))["events"]);
+
+  const ProgramRun bundle({"bundle", "m.tactus.json", "--out", "b", "--table-error", "0.2"});
+  ASSERT_EQ(bundle.status, 0) << bundle.err;
+  EXPECT_NE(readText("b/checks_tube.csv").find("\npuncture_2,"), std::string::npos);
+  EXPECT_NE(readText("b/report.html").find("Puncture: vein wall, 60 % of the force is lost"), std::string::npos);
+  EXPECT_EQ(PackJson::parse(readText("b/model.tactus.json"))["events"], model["events"]);
+  const ProgramRun verify({"verify", "b", "--json"});
+  EXPECT_EQ(verify.status, 0) << verify.out << verify.err;
+  const ProgramRun certify(
+      {"certify", TACTUS_SIMULATOR, "--model", "b", "--points", "50", "--json", "--", "b/model.tactus.json", "", "1"});
+  ASSERT_EQ(certify.status, 0) << certify.err;
+  const PackJson said = PackJson::parse(certify.out);
+  EXPECT_EQ(said["steps"]["right"], said["steps"]["asked"]);
+
+  // Another share is another tube, and no other force.
+  writeText("mine.json", [&] {
+    model["events"][1]["share"] = 0.5;
+    return model.dump();
+  }());
+  const ProgramRun diff({"diff", "m.tactus.json", "mine.json", "--json"});
+  ASSERT_EQ(diff.status, 0) << diff.err;
+  const PackJson found = PackJson::parse(diff.out);
+  ASSERT_EQ(found["changes"].size(), 1U) << diff.out;
+  EXPECT_EQ(found["changes"][0]["place"], "puncture at 'vein_wall'");
+  EXPECT_EQ(found["force"]["largest_n"], 0);
+  EXPECT_EQ(
+      ProgramRun({"certify", TACTUS_SIMULATOR, "--model", "b", "--points", "50", "--", "mine.json", "", "1"}).status,
+      1);
+  const ProgramRun convert({"convert", "m.tactus.json", "--to", "fis", "--out", "fis"});
+  EXPECT_EQ(convert.status, 0);
+  EXPECT_NE(convert.err.find("not in these files: puncture, vein wall, 60 % of the force is lost"), std::string::npos)
+      << convert.err;
+}
+
 TEST_F(Packs, StudiesOfTwoAreNeverMerged) {
   ASSERT_EQ(ProgramRun({"study", "new", "a.tactus"}).status, 0);
   ASSERT_EQ(ProgramRun({"study", "new", "b.tactus", "--pack", "male-urethral-catheter"}).status, 0);

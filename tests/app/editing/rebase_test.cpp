@@ -82,6 +82,41 @@ TEST(Rebase, OntoTheBaseGivesTheTunedModel) {
   EXPECT_TRUE(sameBits(allOf(found), tuned));
 }
 
+TEST(Rebase, PuncturesAreCarriedWithTheirTerms) {
+  ForceModel base = built();
+  base.events = {{"nasopharynx", 0.5}, {"oropharynx", 0.25}, {"stomach", 0.75}};
+  ForceModel tuned = must(renameTerm(base, {kDepth, "oropharynx"}, "mesopharynx", "Mesopharynx")).model;
+  SplitOptions split;
+  split.cuts = {100};
+  tuned = must(splitTerm(tuned, {kDepth, "nasopharynx"}, split)).model;
+  tuned.events[1].share = 0.125;
+  tuned.events.pop_back();
+  tuned.events.push_back({"esophagus", 0.0625});
+  const Rebase same = rebased(base, tuned, base);
+  for (const CarriedEdit& edit : same.edits) EXPECT_EQ(edit.outcome, Outcome::kApplies) << edit.what << edit.note;
+  EXPECT_EQ(allOf(same).events, tuned.events);
+  const CarriedEdit& share = editOf(same, "oropharynx: puncture");
+  EXPECT_EQ(share.before, "25 % of the force is lost");
+  EXPECT_EQ(share.after, "12.5 % of the force is lost");
+  // What the data did to a puncture meanwhile is a conflict; a term that is gone is named.
+  ForceModel target = base;
+  target.events[1].share = 0.375;
+  const Rebase other = rebased(base, tuned, target);
+  EXPECT_EQ(editOf(other, "oropharynx: puncture").outcome, Outcome::kConflict);
+  target.inputs[2].terms.pop_back();
+  target.inputs[2].terms.erase(target.inputs[2].terms.begin() + 4);
+  fuzzy::eraseLostEvents(target);
+  for (auto& expert : target.experts) {
+    std::erase_if(expert.rules, [](const fuzzy::Rule& rule) {
+      return std::any_of(rule.conditions.begin(), rule.conditions.end(), [](const fuzzy::Condition& condition) {
+        return condition.term == "esophagus" || condition.term == "stomach";
+      });
+    });
+  }
+  const Rebase without = rebased(base, tuned, target);
+  EXPECT_EQ(editOf(without, "esophagus: puncture").outcome, Outcome::kDoesNotApply);
+}
+
 TEST(Rebase, OntoTheTunedModelNothingIsToDo) {
   const ForceModel base = built();
   const ForceModel tuned = tunedModel(base);

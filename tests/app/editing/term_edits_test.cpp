@@ -71,6 +71,28 @@ TEST_F(TermEdits, ATermInUseIsRemovedOnlyWithItsRules) {
   EXPECT_TRUE(partitionOrder(end.model.inputs[2], end.model.inputs[2].terms));
 }
 
+TEST_F(TermEdits, APunctureFollowsItsTerm) {
+  auto model = model_;
+  model.events = {{"oropharynx", 0.5}, {"nasopharynx", 0.25}};
+  using Events = std::vector<fuzzy::TubeEvent>;
+  EXPECT_EQ(must(renameTerm(model, {kDepth, "nasopharynx"}, "epipharynx", "Epipharynx")).model.events,
+            (Events{{"oropharynx", 0.5}, {"epipharynx", 0.25}}));
+  const auto removed = must(removeTerm(model, {kDepth, "nasopharynx"}, {RulesOfTerm::kRemove, false}));
+  EXPECT_EQ(removed.model.events, (Events{{"oropharynx", 0.5}}));
+  EXPECT_TRUE(removed.label.ends_with(", with its puncture")) << removed.label;
+  // A word of the same name of another input, and an expert's own list, have no puncture.
+  EXPECT_EQ(must(renameTerm(model, {{"lubrication", ""}, "medium"}, "oropharynx", "X")).model.events, model.events);
+  const auto own = must(makeOwn(model, {"depth", "S4"}));
+  EXPECT_EQ(must(renameTerm(own.model, {{"depth", "S4"}, "nasopharynx"}, "x", "X")).model.events, model.events);
+  // The place is the end of the core, which the last part keeps.
+  SplitOptions split;
+  split.cuts = {100};
+  const auto parts = must(splitTerm(model, {kDepth, "nasopharynx"}, split)).model;
+  EXPECT_EQ(parts.events, (Events{{"oropharynx", 0.5}, {"nasopharynx_2", 0.25}}));
+  EXPECT_EQ(fuzzy::endOfCore(parts.inputs[2], *fuzzy::findTerm(parts.inputs[2].terms, "nasopharynx_2")),
+            fuzzy::endOfCore(model.inputs[2], *fuzzy::findTerm(model.inputs[2].terms, "nasopharynx")));
+}
+
 TEST_F(TermEdits, TheLastTermStays) {
   auto model = model_;
   model.inputs[0].terms.resize(1);

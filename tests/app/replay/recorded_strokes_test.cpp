@@ -39,7 +39,9 @@ TEST(RecordedStrokes, OwnModelGivesTheRecordedForceBitForBit) {
   fuzzy::ForceModel offset = support::s4FiveRegions();
   offset.renderer = fuzzy::RendererParameters{};
   offset.renderer->depth_offset_mm = 100;
-  for (const fuzzy::ForceModel& model : {support::s4FiveRegions(), support::inventedExperts(), offset}) {
+  fuzzy::ForceModel punctured = offset;
+  punctured.events = {{"oropharynx", .6}, {"laryngopharynx", .5}};
+  for (const fuzzy::ForceModel& model : {support::s4FiveRegions(), support::inventedExperts(), offset, punctured}) {
     const auto recorded = felt(model, threePushes());
     const auto strokes = strokesOf(recorded);
     ASSERT_EQ(strokes.size(), 3U);

@@ -340,6 +340,24 @@ TEST(StrokeReplay, AStifferSpringIsADifferenceEverywhere) {
   expectSame(found, compared(strokes, model, after, Skip::kNothing));
 }
 
+TEST(StrokeReplay, PuncturesOfBothModelsAreFelt) {
+  ForceModel model = support::s4FiveRegions();
+  model.events = {{"oropharynx", .6}};
+  const Strokes strokes = strokesOn(model);
+  ForceModel none = model;
+  none.events.clear();
+  EXPECT_EQ(compared(strokes, model, model).summary.felt, 0U);
+  const auto lost = compared(strokes, model, none);
+  EXPECT_GT(lost.strokes[0].numbers->largest_n, .05);
+  expectSame(lost, compared(strokes, model, none, Skip::kNothing));
+  base::Random random(36);
+  for (int i = 0; i < 20; ++i) {
+    const ForceModel after = edited(model, random);
+    expectSame(compared(strokes, model, after), compared(strokes, model, after, Skip::kNothing));
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(StrokeReplay, WithoutAForceTheConditionsAreThoseThatAreGiven) {
   RecordedStroke stroke;
   stroke.use = StrokeUse::kForceOff;

@@ -30,8 +30,9 @@ TEST(ModelDifference, EachChangeIsNamedOnce) {
   second.renderer.emplace().stiffness_n_mm = 0.5;
   second.experts.push_back({"S5", "S5", 1, {}, {}});
   second.contracts.push_back({"safe", fuzzy::Contract::Kind::kNeverAbove, "", "", "", 0, 1, false, {}});
+  second.events.push_back({"nasopharynx", 0.6});
   const auto changes = modelChanges(first, second);
-  ASSERT_EQ(changes.size(), 9U);
+  ASSERT_EQ(changes.size(), 10U);
   const auto find = [&changes](const std::string& start) -> ModelChange {
     for (const ModelChange& change : changes) {
       if (change.place.starts_with(start)) return change;
@@ -44,6 +45,7 @@ TEST(ModelDifference, EachChangeIsNamedOnce) {
   EXPECT_EQ(find("expert 'S5'").kind, ChangeKind::kAdded);
   EXPECT_EQ(find("default force"), (ModelChange{ChangeKind::kChanged, "default force", "0", "0.1"}));
   EXPECT_EQ(find("contract"), (ModelChange{ChangeKind::kAdded, "contract 'safe'", "", "the force is never above 1 N"}));
+  EXPECT_EQ(find("puncture"), (ModelChange{ChangeKind::kAdded, "puncture at 'nasopharynx'", "", "share 0.6"}));
   EXPECT_EQ(find("renderer"), (ModelChange{ChangeKind::kChanged, "renderer, stiffness_n_mm", "0.25", "0.5"}));
   int rules = 0;
   int removed = 0;

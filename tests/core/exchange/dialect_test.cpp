@@ -120,6 +120,18 @@ TEST(Dialect, EachTextNamesItsOriginInItsHead) {
   EXPECT_NE(fml->find("a - -&gt; b - - - - &lt;x/&gt;"), std::string::npos) << *fml;
 }
 
+TEST(Dialect, EachTextNamesThePuncturesThatItCannotCarry) {
+  auto model = support::s4FiveRegions();
+  for (const Dialect dialect : kDialects)
+    EXPECT_EQ(format(model, 0, dialect)->find("puncture"), std::string::npos) << name(dialect);
+  model.events = {{"oropharynx", 0.6}};
+  for (const Dialect dialect : kDialects) {
+    EXPECT_NE(format(model, 0, dialect)->find("not in this file: puncture, oropharynx, 60 % of the force is lost"),
+              std::string::npos)
+        << name(dialect);
+  }
+}
+
 TEST(Dialect, WhatFclCannotCarryIsRefused) {
   auto model = small();
   model.inputs[0].terms[1] = {"medium", "", fuzzy::Shape::kGaussian, {0.5, 0.1}};

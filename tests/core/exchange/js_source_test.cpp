@@ -120,6 +120,8 @@ TEST_F(JsSource, HasTheTubeOfTheRenderer) {
   auto model = support::s4FiveRegions();
   model.renderer.emplace();
   model.renderer->depth_offset_mm = 15;
+  model.inputs[2].terms.push_back({"bell", "Bell", fuzzy::Shape::kGaussian, {140, 9.5}});
+  model.events = {{model.inputs[2].terms[1].id, 0.6}, {"bell", 0.9}};
   std::ofstream(folder_.file("force_model.js")) << jsForce(model);
   std::ofstream(folder_.file("tube.js")) << jsTube(model).value();
   const auto inputs = render::tubeInputs(model);

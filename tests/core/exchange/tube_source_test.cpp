@@ -161,6 +161,35 @@ TEST(TubeSource, IsTheRendererUnderClangToo) {
   for (const char* const options : {"-O0", "-O3 -march=native"}) expectSameTube(fourExperts(), options, "clang");
 }
 
+/// Punctures at terms of each shape, one of them where the passage ends.
+fuzzy::ForceModel withPunctures() {
+  auto model = fourExperts();
+  fuzzy::Variable& depth = model.inputs[2];
+  depth.terms.push_back({"bell", "Bell", fuzzy::Shape::kGaussian, {140, 9.5}});
+  depth.terms.push_back({"peak", "Peak", fuzzy::Shape::kTriangle, {90, 101.25, 130}});
+  model.events = {{"peak", 0.3}, {depth.terms[1].id, 0.6}, {depth.terms[4].id, 0.5}, {"bell", 0.9}};
+  return model;
+}
+
+TEST(TubeSource, HasThePuncturesBitForBit) {
+  for (const char* const options : {"-O0", "-O3"}) {
+    expectSameTube(withPunctures(), options, TACTUS_CC);
+    if (HasFatalFailure()) return;
+  }
+  auto only_bell = fourExperts();
+  only_bell.inputs[2].terms[1] = {only_bell.inputs[2].terms[1].id, "", fuzzy::Shape::kGaussian, {100, 20}};
+  only_bell.events = {{only_bell.inputs[2].terms[1].id, 0.5}};
+  expectSameTube(only_bell, "-O2", TACTUS_CC);
+}
+
+TEST(TubeSource, AModelWithoutPuncturesHasNoTextOfThem) {
+  const auto tube = cTube(fourExperts());
+  ASSERT_TRUE(tube);
+  for (const char* const word : {"EVENT", "deepest_mm", "trapezoid", "math.h", "@"}) {
+    EXPECT_EQ((tube->header + tube->source).find(word), std::string::npos) << word;
+  }
+}
+
 /// The traces show what they are for.
 TEST(TubeSource, TheTracesReachEveryPhaseAndEveryEnd) {
   const auto model = support::s4FiveRegions();

@@ -99,6 +99,35 @@ TEST(Validate, EachMistakeIsFoundAtItsPlace) {
        }},
       {"/renderer/version", kVersion, [](auto& m) { m.renderer.emplace().version = 2; }},
       {"/renderer/stiffness_n_mm", kValue, [](auto& m) { m.renderer.emplace().stiffness_n_mm = 0; }},
+      {"/events", kLimit,
+       [](auto& m) {
+         m.events.resize(9, {"nasopharynx", 0.5});
+       }},
+      {"/events", kReference,
+       [](auto& m) {
+         m.inputs[2].role = Role::kCondition;
+         m.events = {{"nasopharynx", 0.5}};
+       }},
+      {"/events/0/term", kReference,
+       [](auto& m) {
+         m.events = {{"slow", 0.5}};
+       }},
+      {"/events/1/term", kSchema,
+       [](auto& m) {
+         m.events = {{"nasopharynx", 0.5}, {"nasopharynx", 0.25}};
+       }},
+      {"/events/0/share", kValue,
+       [](auto& m) {
+         m.events = {{"nasopharynx", 0}};
+       }},
+      {"/events/0/share", kValue,
+       [](auto& m) {
+         m.events = {{"nasopharynx", 1}};
+       }},
+      {"/events/0/share", kValue,
+       [nan](auto& m) {
+         m.events = {{"nasopharynx", nan}};
+       }},
       {"/checks/0/in", kSchema,
        [](auto& m) {
          m.checks = {{{1, 2}, 0, true}};

@@ -54,6 +54,7 @@ TEST(ModelFile, ReadsTheExample) {
             (fuzzy::Contract{
                 "smoother", Kind::kNeverRaises, "lubrication", "", "", 0, 0, false, {{"depth", "nasal_cavity"}}}));
   EXPECT_EQ(model.contracts[2], (fuzzy::Contract{"no knock", Kind::kNoStep, "depth", "", "", 1, 1, true, {}}));
+  EXPECT_EQ(model.events, (std::vector<fuzzy::TubeEvent>{{"nasopharynx", 0.6}}));
   EXPECT_EQ(model.extra, (std::vector<fuzzy::NamedJson>{{"x_simulator", R"({ "scene": "NGT", "revision": 7 })"}}));
 }
 
@@ -76,7 +77,8 @@ TEST(ModelFile, OptionalKeysHaveTheirDefaults) {
   EXPECT_EQ(model.experts[0].rules[0].weight, 1);
   EXPECT_TRUE(model.experts[0].rules[0].enabled);
   EXPECT_EQ(model.implication, fuzzy::Implication::kScale);
-  for (const char* const key : {"provenance", "default_force_n", "accepted_holes", "renderer", "checks", "contracts"}) {
+  for (const char* const key :
+       {"provenance", "default_force_n", "accepted_holes", "renderer", "checks", "contracts", "events"}) {
     EXPECT_EQ(formatModel(model).find(key), std::string::npos) << key;
   }
 }

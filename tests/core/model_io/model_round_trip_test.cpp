@@ -48,6 +48,7 @@ fuzzy::ForceModel handMadeModel() {
                      {"c", Kind::kNoStep, "depth", "", "", 1, 0.1, true, {}},
                      {"d", Kind::kNeverBelow, "", "", "", 0, -0.3, false, {}},
                      {"e", Kind::kNeverSilent, "", "", "", 0, 0, false, {}}};
+  model.events = {{"nasopharynx", 1.0 / 3}, {"nasal_cavity", 0.1 + 0.2}};
   model.extra = {{"extra", "{ \"a\": 1e5 }"}, {"another", "\"text\""}};
   return model;
 }

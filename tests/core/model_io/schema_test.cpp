@@ -50,7 +50,8 @@ class Validator {
     const auto most = [](double size, double bound) { return size <= bound; };
     if (value.is_number()) {
       const double x = value.get<double>();
-      return limit("minimum", x, least) && limit("maximum", x, most) && limit("exclusiveMinimum", x, std::greater<>());
+      return limit("minimum", x, least) && limit("maximum", x, most) &&
+             limit("exclusiveMinimum", x, std::greater<>()) && limit("exclusiveMaximum", x, std::less<>());
     }
     const auto size = static_cast<double>(value.is_string() ? value.get<std::string>().size() : value.size());
     if (value.is_string()) return limit("minLength", size, least) && limit("maxLength", size, most);
@@ -60,31 +61,11 @@ class Validator {
   }
 
   std::string check(const json& schema, const json& value, const std::string& place) const {
-    static const std::set<std::string> kKnown = {"$schema",
-                                                 "title",
-                                                 "description",
-                                                 "type",
-                                                 "required",
-                                                 "properties",
-                                                 "items",
-                                                 "enum",
-                                                 "const",
-                                                 "minimum",
-                                                 "maximum",
-                                                 "exclusiveMinimum",
-                                                 "minItems",
-                                                 "maxItems",
-                                                 "minLength",
-                                                 "maxLength",
-                                                 "minProperties",
-                                                 "maxProperties",
-                                                 "additionalProperties",
-                                                 "$ref",
-                                                 "$defs",
-                                                 "allOf",
-                                                 "if",
-                                                 "then",
-                                                 "pattern"};
+    static const std::set<std::string> kKnown = {
+        "$schema",  "title",     "description", "type",          "required",         "properties",           "items",
+        "enum",     "const",     "minimum",     "maximum",       "exclusiveMinimum", "exclusiveMaximum",     "minItems",
+        "maxItems", "minLength", "maxLength",   "minProperties", "maxProperties",    "additionalProperties", "$ref",
+        "$defs",    "allOf",     "if",          "then",          "pattern"};
     for (const auto& [word, unused] : schema.items()) EXPECT_TRUE(kKnown.contains(word)) << word;
     if (schema.contains("$ref")) {
       const std::string name = schema["$ref"].get<std::string>().substr(8);
@@ -165,6 +146,8 @@ TEST(ModelSchema, RefusesWhatTheReaderRefusesForItsShape) {
   refused("/checks/0/fired", "yes");
   refused("/contracts/0/kind", "never_hurts");
   refused("/contracts/2/within", 0);
+  refused("/events/0/share", 1);
+  refused("/events/0/term", 3);
   for (const std::string key : {"name", "inputs", "output", "inference", "experts"}) {
     json broken = whole;
     broken.erase(key);

@@ -105,6 +105,7 @@ TEST(Procedure, SaysWhatItIs) {
   EXPECT_EQ(read->inputs[1].role, fuzzy::Role::kUnsaid) << "what is not called depth or speed is a condition";
   EXPECT_EQ(read->input_notes[1].direction, Direction::kFalls);
   EXPECT_EQ(read->input_notes[1].usual, 1);
+  EXPECT_TRUE(read->events.empty());
   ASSERT_EQ(read->forms.size(), 1U);
   EXPECT_EQ(read->forms[0].items[1].conditions, (std::vector<study::ItemCondition>{{"gel", "wet"}, {"way", "near"}}));
   const auto asked = questionnaires::questionnaire(*read, "probe-v1", "fr");
@@ -191,6 +192,32 @@ TEST(Procedure, BrokenOnesAreRefusedInOneSentence) {
             "p/procedure.json: /inputs/1/id: found 'direction', wanted another id: this one stands for the way out");
   EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"].erase(0); }),
             "p/procedure.json: /inputs: found no input of the role 'way', wanted one");
+  const auto withEvents = [&](Json events) { return changed([&events](Small& s) { s.manifest["events"] = events; }); };
+  EXPECT_EQ(withEvents({{{"term", "near"}, {"share", 0.6}}}), "");
+  EXPECT_EQ(withEvents({{{"term", "dry"}, {"share", 0.6}}}),
+            "p/procedure.json: /events/0/term: found 'dry', wanted a term of 'way': near, far");
+  EXPECT_EQ(withEvents({{{"term", "near"}, {"share", 1}}}),
+            "p/procedure.json: /events/0/share: found 1, wanted a number above 0 and below 1");
+  EXPECT_EQ(withEvents({{{"term", "near"}, {"share", 0.5}}, {{"term", "near"}, {"share", 0.5}}}),
+            "p/procedure.json: /events/1/term: found 'near' again, wanted each term once");
+  EXPECT_EQ(withEvents(Json(9, {{"term", "near"}, {"share", 0.5}})),
+            "p/procedure.json: /events: found 9 events, wanted at most 8");
+  EXPECT_EQ(withEvents({{{"term", "near"}, {"share", 0.6}, {"often", true}}})
+                .find("p/procedure.json: /events/0/often: found an unknown key, wanted "),
+            0U);
+  EXPECT_EQ(withEvents({{{"term", "near"}}}).find("p/procedure.json: /events/0: found no key 'share', wanted "), 0U);
+  // A word that only one of the sets of the way has.
+  EXPECT_EQ(changed([](Small& s) {
+              Json& way = s.manifest["inputs"][0];
+              way["term_sets"] = {{{"id", "two"}, {"label", "Two"}, {"terms", way["terms"]}},
+                                  {{"id", "other"},
+                                   {"label", "Other"},
+                                   {"terms", {term("near", {0, 0, 20, 40}), term("end", {20, 40, 60, 60})}}}};
+              way.erase("terms");
+              s.words["texts"]["a.end"] = {{"fr", "mot"}};
+              s.manifest["events"] = {{{"term", "far"}, {"share", 0.6}}};
+            }),
+            "p/procedure.json: /events/0/term: found 'far', wanted a term of 'way': near, end");
   EXPECT_EQ(changed([](Small& s) { s.manifest["inputs"][0].erase("id"); }),
             "p/procedure.json: /inputs/0: found no key 'id', wanted a key 'id' with a text that is not empty");
   EXPECT_EQ(changed([](Small& s) {

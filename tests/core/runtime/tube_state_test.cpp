@@ -109,6 +109,61 @@ TEST(RuntimeState, ACopyAndALoadedTubeGoOnAsTheOriginal) {
   }
 }
 
+TEST(RuntimeState, PuncturesArePartOfTheState) {
+  auto with_events = support::s4Shifted();
+  with_events.events = {{"nasopharynx", 0.6}, {"oropharynx", 0.5}};
+  const auto model = support::handleOf(with_events);
+  const auto scene = support::ngtSceneHandle(model.get(), 1, 45);
+  const double place_mm = fuzzy::endOfCore(with_events.inputs[2], with_events.inputs[2].terms[1]);
+  // Past the place and back behind it: the stroke remembers.
+  const auto tube = support::tubeOf(scene.get());
+  tactus_tube_place(tube.get(), place_mm - 3);
+  tactus_feel feel = {};
+  feel.size = sizeof feel;
+  double position_mm = 0;
+  const auto move = [&](tactus_tube* one, double by_mm) {
+    position_mm += by_mm;
+    tactus_tube_step(one, position_mm, 1, 0.001, &feel);
+  };
+  for (int i = 0; i < 5000 && feel.depth_mm < place_mm + 1; ++i) move(tube.get(), 0.02);
+  for (int i = 0; i < 5000 && feel.depth_mm > place_mm - 2; ++i) move(tube.get(), -0.02);
+  ASSERT_LT(feel.depth_mm, place_mm);
+  for (int i = 0; i < 200; ++i) move(tube.get(), 0);
+  const double with_hole_n = feel.model_force_n;
+  const Bytes bytes = saved(tube.get());
+  const auto loaded = support::tubeOf(scene.get());
+  ASSERT_EQ(tactus_tube_load(loaded.get(), bytes.data(), bytes.size()), TACTUS_OK);
+  EXPECT_EQ(saved(loaded.get()), bytes);
+  const double here_mm = position_mm;
+  std::vector<tactus_feel> wanted;
+  for (int i = 0; i < 500; ++i) {
+    move(tube.get(), 0.01);
+    wanted.push_back(feel);
+  }
+  position_mm = here_mm;
+  for (int i = 0; i < 500; ++i) {
+    move(loaded.get(), 0.01);
+    expectSame(feel, wanted[static_cast<std::size_t>(i)], i);
+    if (HasFatalFailure()) return;
+  }
+  // At the same depth in a stroke of its own there is a wall.
+  tactus_tube_place(loaded.get(), wanted.front().depth_mm);
+  tactus_tube_step(loaded.get(), position_mm, 1, 0.001, &feel);
+  EXPECT_NEAR(with_hole_n, 0.4 * feel.model_force_n, 1e-12);
+}
+
+TEST(RuntimeState, BytesOfAnotherVersionAreRefused) {
+  const auto model = support::handleOf(support::s4Shifted());
+  const auto tube = support::tubeOf(support::ngtSceneHandle(model.get(), 1, 45).get());
+  Bytes bytes = saved(tube.get());
+  ASSERT_EQ(bytes[0], '2') << "the last letter of TACTUBE2, on a machine that begins with the last byte";
+  bytes[0] = '1';
+  const std::size_t end = bytes.size() - 8;
+  const std::uint64_t sum = base::crc32({reinterpret_cast<const char*>(bytes.data()), end});
+  std::memcpy(bytes.data() + end, &sum, sizeof sum);
+  EXPECT_EQ(tactus_tube_load(tube.get(), bytes.data(), bytes.size()), TACTUS_BAD_ARGUMENT);
+}
+
 TEST(RuntimeState, BytesOfAnotherSceneAreRefused) {
   const auto model = support::handleOf(support::s4Shifted());
   auto other_model = support::s4Shifted();

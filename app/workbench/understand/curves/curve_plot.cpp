@@ -121,10 +121,6 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   nameAxis(height() >= kLow);
   plot_->yAxis->setLabel(axisText(output));
   plot_->xAxis->grid()->setVisible(false);
-  landmarks_->setVariable(x);
-  silence_->setFoot(landmarks_->height());
-  setToolTip(landmarks_->explanation());
-
   overlays_->clear();
   plot_->clearGraphs();
   weights_.clear();
@@ -140,7 +136,11 @@ void CurvePlot::setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output,
   silent_.clear();
 }
 
-void CurvePlot::setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms) {
+void CurvePlot::setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms,
+                         std::span<const fuzzy::TubeEvent> events) {
+  landmarks_->setVariable(x, events);
+  silence_->setFoot(landmarks_->height());
+  setToolTip(landmarks_->explanation());
   bands_->setTerms(x, terms);
   labels_->setTerms(x, terms);
   redraw(*plot_);

@@ -164,8 +164,9 @@ class CurvePlot : public QWidget, public PlotSource {
 
   /// The axes become the universes of `x` and of the output; `experts` gives the names of the lines.
   void setAxes(const fuzzy::Variable& x, const fuzzy::Variable& output, const std::vector<fuzzy::Expert>& experts);
-  /// The terms of the x axis, as bands with their names above the plot.
-  void setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms);
+  /// The terms of the x axis, as bands with their names above the plot; landmarks, with the events of the model.
+  void setTerms(const fuzzy::Variable& x, const std::vector<fuzzy::Term>& terms,
+                std::span<const fuzzy::TubeEvent> events);
   void setCurves(const figures::ForceCurves& curves);
   /// Shows or hides the line of an expert.
   void setExpertShown(std::size_t expert, bool shown);

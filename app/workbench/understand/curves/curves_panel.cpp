@@ -438,7 +438,9 @@ void CurvesPanel::showLegend() {
   }));
 }
 
-void CurvesPanel::showTerms() { plot_->setTerms(scene_.xVariable(), scene_.terms(scene_.xVariable())); }
+void CurvesPanel::showTerms() {
+  plot_->setTerms(scene_.xVariable(), scene_.terms(scene_.xVariable()), scene_.model()->model.events);
+}
 
 void CurvesPanel::onXInputChosen(int index) { scene_.setXInput(static_cast<std::size_t>(index)); }
 
