@@ -36,6 +36,7 @@ set(pictures
   path-understand understand/overview
   bench-pull tune/pull
   feel-blind-duel feel/blind-duel
+  feel-solid feel/solid
   tune-strokes tune/strokes_after_edit)
 
 set(made)

@@ -88,6 +88,10 @@ std::vector<std::string> findingsOf(const Procedure& procedure) {
         out.push_back("no wording of " + form.id + " in " + language);
     }
   }
+  for (const auto& picture : procedure.pictures) {
+    if (picture.outline.empty())
+      out.push_back(picture.file + ": no path 'outline' of the whole body, so the 3-D view does not show this picture");
+  }
   for (const std::string& language : procedure.unreviewed)
     out.push_back("the words in " + language + " were read by nobody who speaks it at work");
   return out;

@@ -18,6 +18,7 @@
 #include "app/workbench/deliver/link/link_dialog.h"
 #include "app/workbench/features/features.h"
 #include "app/workbench/feel/duel/duel_window.h"
+#include "app/workbench/feel/feel_panel.h"
 #include "app/workbench/help/guide_window.h"
 #include "app/workbench/help/tour.h"
 #include "app/workbench/kit/buttons.h"
@@ -293,6 +294,25 @@ base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
   return album.add(help, QStringLiteral("search"), search.windowTitle(), search);
 }
 
+/// The Feel layout, and in it the body in three dimensions with the tip on its way.
+base::Result<void> addFeelLayout(PictureAlbum& album, Bench& bench) {
+  constexpr double kOnTheWayMm = 130;
+  const QString area = QStringLiteral("feel");
+  const QString title = bench.panels.feel->windowTitle();
+  bench.window.enterLayout(feelLayout());
+  if (auto added = album.add(area, QStringLiteral("layout"), title, bench.window); !added) return added;
+  bench.feel.start(QStringLiteral("virtual"));
+  waitFor([&feel = bench.feel] { return feel.isRunning(); });
+  bench.feel.newPlacementAt(kOnTheWayMm);
+  waitFor([&feel = bench.feel] { return feel.depthMm() > kOnTheWayMm / 2; });
+  bench.feel.stop();
+  bench.views.feel->setSolid(true);
+  auto added = album.add(area, QStringLiteral("solid"), title, bench.window);
+  bench.views.feel->setSolid(false);
+  bench.window.leaveLayout();
+  return added;
+}
+
 /// What a blind duel of one nurse and the mean takes.
 base::Result<void> addDuelPicture(PictureAlbum& album, Bench& bench) {
   CompareChoice nurse;
@@ -342,13 +362,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   if (auto added = addCarry(album, bench); !added) return added;
   if (auto added = addCollectPictures(album, bench, folder.path()); !added) return added;
   if (auto added = addHelp(album, bench); !added) return added;
-  bench.window.enterLayout(feelLayout());
-  if (auto added =
-          album.add(QStringLiteral("feel"), QStringLiteral("layout"), bench.panels.feel->windowTitle(), bench.window);
-      !added) {
-    return added;
-  }
-  bench.window.leaveLayout();
+  if (auto added = addFeelLayout(album, bench); !added) return added;
   if (auto added = addDuelPicture(album, bench); !added) return added;
   ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   sheet.show();

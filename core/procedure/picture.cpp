@@ -256,6 +256,19 @@ std::vector<double> lengthsOf(const std::vector<Point>& line) {
   return out;
 }
 
+/// A value for each point, from one for each node: even along the line in between.
+std::vector<double> spread(const Line& line, const std::vector<double>& lengths, const std::vector<double>& nodes) {
+  std::vector<double> out(lengths.size());
+  for (std::size_t i = 0, piece = 0; i < out.size(); ++i) {
+    while (piece + 2 < line.nodes.size() && i > line.nodes[piece + 1]) ++piece;
+    const double begin = lengths[line.nodes[piece]];
+    const double length = lengths[line.nodes[piece + 1]] - begin;
+    const double share = length > 0 ? (lengths[i] - begin) / length : 0;
+    out[i] = nodes[piece] + share * (nodes[piece + 1] - nodes[piece]);
+  }
+  return out;
+}
+
 /// The place of each point: those of the nodes as given, or spread evenly over the whole length.
 Result<std::vector<double>> placesOf(const Line& line, const std::string* given, double from_mm, double to_mm) {
   const std::vector<double> lengths = lengthsOf(line.points);
@@ -275,15 +288,18 @@ Result<std::vector<double>> placesOf(const Line& line, const std::string* given,
     for (const std::size_t node : line.nodes)
       nodes.push_back(from_mm + (to_mm - from_mm) * lengths[node] / lengths.back());
   }
-  std::vector<double> out(lengths.size());
-  for (std::size_t i = 0, piece = 0; i < out.size(); ++i) {
-    while (piece + 2 < line.nodes.size() && i > line.nodes[piece + 1]) ++piece;
-    const double begin = lengths[line.nodes[piece]];
-    const double length = lengths[line.nodes[piece + 1]] - begin;
-    const double share = length > 0 ? (lengths[i] - begin) / length : 0;
-    out[i] = nodes[piece] + share * (nodes[piece + 1] - nodes[piece]);
+  return spread(line, lengths, nodes);
+}
+
+/// How far each point lies before the plane of the picture; in it without `given`.
+Result<std::vector<double>> acrossOf(const Line& line, const std::string* given) {
+  if (given == nullptr) return std::vector<double>(line.points.size(), 0);
+  const auto read = numbersIn(*given);
+  if (!read || read->size() != line.nodes.size()) {
+    return fail(ErrorCode::kValue, "data-across of the path 'way'", base::quoted(*given),
+                std::to_string(line.nodes.size()) + " numbers, one for each node of the path");
   }
-  return out;
+  return spread(line, lengthsOf(line.points), *read);
 }
 
 const Element* withId(const std::vector<Element>& elements, std::string_view id) {
@@ -314,6 +330,60 @@ Result<std::pair<std::string, Line>> pathWithId(const std::vector<Element>& elem
   return std::pair(*d, *std::move(line));
 }
 
+/// The part of the view box that the line encloses, as a share of it.
+double shareInside(const Picture& picture, const std::vector<Point>& line) {
+  constexpr int kRows = 40;
+  double share = 0;
+  for (int row = 0; row < kRows; ++row) {
+    const double y = picture.top + picture.height * (row + 0.5) / kRows;
+    std::vector<double> crossings;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+      const Point& a = line[i];
+      const Point& b = line[(i + 1) % line.size()];
+      if ((a.y <= y) == (b.y <= y)) continue;
+      const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
+      crossings.push_back(std::clamp(x, picture.left, picture.left + picture.width));
+    }
+    std::sort(crossings.begin(), crossings.end());
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) share += crossings[i + 1] - crossings[i];
+  }
+  return share / picture.width / kRows;
+}
+
+/// Of the whole body, which a picture may have: its path 'outline', how broad the body is and where its front is.
+Result<void> readOutline(const std::vector<Element>& elements, Picture& out) {
+  const Element* const element = withId(elements, "outline");
+  if (element == nullptr) return {};
+  TACTUS_TRY(auto outline, pathWithId(elements, "outline"));
+  out.outline = std::move(outline.second.points);
+  constexpr double kLeastShare = 0.01;
+  if (shareInside(out, out.outline) < kLeastShare) {
+    return fail(ErrorCode::kValue, "path 'outline'", "a line that encloses less than a hundredth of the picture",
+                "the outline of the whole body");
+  }
+  if (const std::string* const breadth = element->attribute("data-breadth")) {
+    out.breadth = base::parseNumber(*breadth);
+    if (!out.breadth || !(*out.breadth > 0) || *out.breadth > 10 * (out.width + out.height)) {
+      return fail(ErrorCode::kValue, "data-breadth of the path 'outline'", base::quoted(*breadth),
+                  "how broad the body is at its broadest, in the units of the picture");
+    }
+  }
+  static constexpr std::pair<std::string_view, FrontSide> kFronts[] = {{"left", FrontSide::kLeft},
+                                                                       {"right", FrontSide::kRight},
+                                                                       {"top", FrontSide::kTop},
+                                                                       {"bottom", FrontSide::kBottom}};
+  if (const std::string* const front = element->attribute("data-front")) {
+    const auto* const found =
+        std::find_if(std::begin(kFronts), std::end(kFronts), [&](const auto& one) { return one.first == *front; });
+    if (found == std::end(kFronts)) {
+      return fail(ErrorCode::kValue, "data-front of the path 'outline'", base::quoted(*front),
+                  "'left', 'right', 'top' or 'bottom'");
+    }
+    out.front = found->second;
+  }
+  return {};
+}
+
 Result<Picture> readElements(const std::vector<Element>& elements, double from_mm, double to_mm,
                              const std::vector<std::string>& regions) {
   if (elements.empty() || elements.front().name != "svg")
@@ -336,12 +406,15 @@ Result<Picture> readElements(const std::vector<Element>& elements, double from_m
   out.width = (*numbers)[2];
   out.height = (*numbers)[3];
   TACTUS_TRY(auto way, pathWithId(elements, "way"));
-  TACTUS_TRY(out.way_mm, placesOf(way.second, withId(elements, "way")->attribute("data-mm"), from_mm, to_mm));
+  const Element& of_way = *withId(elements, "way");
+  TACTUS_TRY(out.way_mm, placesOf(way.second, of_way.attribute("data-mm"), from_mm, to_mm));
+  TACTUS_TRY(out.way_across, acrossOf(way.second, of_way.attribute("data-across")));
   out.way = std::move(way.second.points);
   for (const std::string& region : regions) {
     TACTUS_TRY(auto outline, pathWithId(elements, "region_" + region));
     out.regions.emplace(region, std::move(outline.first));
   }
+  if (auto ok = readOutline(elements, out); !ok) return tl::unexpected(std::move(ok).error());
   return out;
 }
 
@@ -362,6 +435,11 @@ Result<Picture> readPicture(std::string_view svg, const std::string& file, doubl
   out->file = file;
   out->svg = svg;
   return out;
+}
+
+std::vector<Point> pointsOf(std::string_view path) {
+  auto line = PathReader().read(path);
+  return line ? std::move(line->points) : std::vector<Point>();
 }
 
 Point placeAt(const Picture& picture, double place_mm) {

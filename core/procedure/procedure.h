@@ -84,6 +84,9 @@ struct Point {
   double y = 0;
 };
 
+/// Where in a picture the front of the body is.
+enum class FrontSide { kLeft, kRight, kTop, kBottom };
+
 /// A picture of the body with the way of the tip in it, from an SVG file. Coordinates are those of its view box.
 struct Picture {
   std::string file;                ///< path in the pack
@@ -91,8 +94,12 @@ struct Picture {
   double left = 0, top = 0, width = 0, height = 0;
   std::vector<Point> way;                      ///< close points, from where the tip enters to the end of the universe
   std::vector<double> way_mm;                  ///< the place of each point, rising
+  std::vector<double> way_across;              ///< how far each point lies before the plane of the picture
   std::map<std::string, std::string> regions;  ///< `d` of the outline of each region, by its id
   std::string svg;                             ///< the whole picture
+  std::vector<Point> outline;                  ///< of the whole body, closed; none: there is no 3-D view
+  std::optional<double> breadth;               ///< of the body across the picture, at its broadest
+  FrontSide front = FrontSide::kLeft;
 };
 
 /// Where the tip is at `place_mm`; clamped to the way.
@@ -102,6 +109,9 @@ Point placeAt(const Picture& picture, double place_mm);
 /// is its name in errors. Refused: what docs/procedure-packs.md does not allow.
 base::Result<Picture> readPicture(std::string_view svg, const std::string& file, double from_mm, double to_mm,
                                   const std::vector<std::string>& regions);
+
+/// The points of a path that `readPicture` took.
+std::vector<Point> pointsOf(std::string_view path);
 
 struct Procedure {
   std::string id;

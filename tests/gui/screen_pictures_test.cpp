@@ -78,6 +78,7 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
                            "collect/withdrawal",
                            "collect/monitor",
                            "feel/layout",
+                           "feel/solid",
                            "help/guide",
                            "help/tour_1",
                            "help/tour_8",

@@ -98,6 +98,60 @@ class BodyView : public QWidget {
   std::vector<RegionName> names_;
 };
 
+/// A force that is felt, as pictures show it.
+struct FeltForce {
+  QString text;  ///< number and word
+  QColor color;  ///< of the word
+  bool operator==(const FeltForce&) const = default;
+};
+
+/// The body in three dimensions: from the side, from the front, and as the user turns it. Nothing is computed before it
+/// is painted.
+class SolidView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SolidView(QWidget* parent);
+  ~SolidView() override;
+
+  /// Why there is no such view of the procedure, in one sentence; empty if there is one.
+  static QString missing(const procedure::Procedure* about);
+
+  void setAbout(std::shared_ptr<const procedure::Procedure> about);
+  void setPose(const study::ItemCondition& condition);
+  /// Depth of the tip, mm.
+  void setDepth(double depth_mm);
+  /// Lights a part of the way.
+  void light(const std::optional<LitRange>& range);
+  void setFelt(const std::optional<FeltForce>& felt);
+
+  QSize sizeHint() const override { return {320, 400}; }
+  QSize minimumSizeHint() const override { return {120, 112}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  class Scene;
+
+  void turn(double yaw_deg, double pitch_deg);
+  void turnBack();
+  void drawNotes(QPainter& painter) const;
+
+  std::shared_ptr<const procedure::Procedure> about_;
+  study::ItemCondition pose_;
+  std::unique_ptr<Scene> scene_;  ///< none before the first painting
+  double depth_mm_ = 0;
+  std::optional<LitRange> lit_;
+  std::optional<FeltForce> felt_;
+  QPointF dragged_from_;
+};
+
 /// The view of the procedure: its pictures; a plain bar of regions if it has none. The drawings of the default
 /// procedure are part of the program, because its neck moves between them.
 BodyView* makeBodyView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent);

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QCoreApplication>
+#include <QSettings>
 
 #include "app/workbench/features/bench.h"
 #include "app/workbench/features/features.h"
@@ -53,6 +54,15 @@ void addFeel(Bench& bench) {
     layout->setChecked(feels);
     if (feels) feel.restPoseAtFirst();
   });
+  QAction* const solid = menus.addAction(MenuSlot::kFeelPatient, FeelFeature::tr("Show the body in &3-D"), Qt::Key_F4);
+  solid->setCheckable(true);
+  const QString solid_setting = QStringLiteral("feel/solid");
+  QObject::connect(solid, &QAction::toggled, view, &FeelPanel::setSolid);
+  QObject::connect(view, &FeelPanel::solidChanged, solid, [&settings = bench.settings, solid, solid_setting](bool on) {
+    solid->setChecked(on);
+    settings.setValue(solid_setting, on);
+  });
+  solid->setChecked(bench.settings.value(solid_setting, false).toBool());
   QObject::connect(view, &FeelPanel::largeAsked, layout, &QAction::trigger);
   QObject::connect(start, &QAction::triggered, view, &FeelPanel::toggle);
   QObject::connect(stop, &QAction::triggered, &feel, &FeelController::stop);

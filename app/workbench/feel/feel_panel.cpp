@@ -120,6 +120,9 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
       legend_(new QLabel(this)),
       trace_(new ForceTracePlot(this)),
       tube_(new TubePicture(this)),
+      solid_box_(new QCheckBox(tr("3-D view"), this)),
+      solid_note_(new QLabel(this)),
+      solid_(new anatomy::SolidView(this)),
       procedure_(new ProcedurePanel(this)),
       placement_(new PlacementCard(this)) {
   build();
@@ -143,7 +146,7 @@ void FeelPanel::build() {
   legend_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   limits_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   setInk(*limits_, theme::warningInk());
-  for (QCheckBox* box : {split_, follow_}) {
+  for (QCheckBox* box : {split_, follow_, solid_box_}) {
     box->setFocusPolicy(Qt::TabFocus);
     box->setFont(theme::smallFont());
   }
@@ -155,6 +158,12 @@ void FeelPanel::build() {
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
   follow_->setToolTip(tr("Move depth and speed of all plots with the tube in the hand"));
   follow_->setChecked(feel_.followsHand());
+  solid_box_->setToolTip(tr("Show the body from the side, from the front and turned (F4)"));
+  setMuted(*solid_note_);
+  solid_note_->setWordWrap(true);
+  solid_->setFont(theme::smallFont());
+  solid_->hide();
+  solid_note_->hide();
   showLegend();
 
   auto* number_row = makeRow({{force_, 0, Qt::AlignTop}, {bar_, 1}});
@@ -173,10 +182,13 @@ void FeelPanel::build() {
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
   body_place_ = new QVBoxLayout;
-  body_place_->addWidget(tube_);
+  for (QWidget* part :
+       {static_cast<QWidget*>(tube_), static_cast<QWidget*>(solid_), static_cast<QWidget*>(solid_note_)})
+    body_place_->addWidget(part);
   picture_->addLayout(body_place_, 3);
   foot_ = new QHBoxLayout;
   foot_->addWidget(procedure_, 1);
+  foot_->addWidget(solid_box_, 0, Qt::AlignTop);
   picture_->addLayout(foot_, 0);
   auto* patient = makeColumn({patient_, {picture_, 1}}, 4);
 
@@ -248,6 +260,7 @@ void FeelPanel::arrange() {
   const int least_height = open ? kOpenPicture : low ? kLowestPicture : 0;
   tube_->setMinimumHeight(least_height);
   if (body_ != nullptr) body_->setMinimumHeight(least_height);
+  solid_->setMinimumHeight(least_height);
   const bool room = roomy || open || low;  // a drawer has room
   if (room != std::exchange(roomy_, room)) emit roomChanged(room);
 }
@@ -286,6 +299,10 @@ void FeelPanel::connectAll() {
   });
   connect(large_, &QPushButton::clicked, this, &FeelPanel::largeAsked);
   connect(follow_, &QCheckBox::toggled, &feel_, &FeelController::setFollowsHand);
+  connect(solid_box_, &QCheckBox::toggled, this, [this](bool on) {
+    showBody();
+    emit solidChanged(on);
+  });
   connect(placement_, &PlacementCard::newPlacementRequested, &feel_, &FeelController::newPlacement);
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
   connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
@@ -314,36 +331,58 @@ void FeelPanel::showNeck() {
   const auto& inputs = scene_.model()->model.inputs;
   const auto neck = posedInput(scene_.procedure().get(), scene_.model()->model);
   tube_->setNeck(neck ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
-  if (body_ == nullptr || !neck) return;
+  if (!neck) return;
   const auto word = strongestTerm(inputs[*neck], scene_.value(*neck));
-  body_->setPose(word ? study::ItemCondition{inputs[*neck].id, inputs[*neck].terms[*word].id} : study::ItemCondition());
+  const auto pose =
+      word ? study::ItemCondition{inputs[*neck].id, inputs[*neck].terms[*word].id} : study::ItemCondition();
+  if (body_ != nullptr) body_->setPose(pose);
+  solid_->setPose(pose);
 }
 
 void FeelPanel::showBody() {
   const auto about = scene_.procedure();
   const bool drawn_here = about != nullptr && anatomy::isDrawnHere(*about);
-  tube_->setVisible(drawn_here);
   if (body_ != nullptr && (drawn_here || about == nullptr || &body_->about() != about.get())) {
     delete body_;
     body_ = nullptr;
   }
-  if (drawn_here || about == nullptr || body_ != nullptr) return;
-  body_ = anatomy::makeBodyView(about, this);
-  body_->setFont(theme::smallFont());
-  body_->setAccessibleName(tr("The tool on its way, from the side"));
-  body_->setMinimumHeight(tube_->minimumHeight());
-  body_place_->addWidget(body_);
+  if (!drawn_here && about != nullptr && body_ == nullptr) {
+    body_ = anatomy::makeBodyView(about, this);
+    body_->setFont(theme::smallFont());
+    body_->setAccessibleName(tr("The tool on its way, from the side"));
+    body_->setMinimumHeight(tube_->minimumHeight());
+    body_place_->insertWidget(0, body_);
+  }
+  showSolid();
   showTip(feel_.depthMm());
+}
+
+void FeelPanel::setSolid(bool on) { solid_box_->setChecked(on); }
+
+void FeelPanel::showSolid() {
+  const auto about = scene_.procedure();
+  const bool wanted = solid_box_->isChecked();
+  const QString missing = wanted && scene_.model() ? anatomy::SolidView::missing(about.get()) : QString();
+  const bool shown = wanted && about != nullptr && missing.isEmpty();
+  solid_note_->setText(missing);
+  solid_note_->setVisible(!missing.isEmpty());
+  solid_->setAbout(about);
+  solid_->setVisible(shown);
+  tube_->setVisible(!shown && about != nullptr && anatomy::isDrawnHere(*about));
+  if (body_ != nullptr) body_->setVisible(!shown);
 }
 
 void FeelPanel::showTip(double depth_mm) {
   tube_->setTip(depth_mm);
-  if (body_ == nullptr) return;
-  body_->setDepth(depth_mm);
   const auto region = depth_mm > 0 ? regionAt(regions_, depth_mm) : std::nullopt;
   std::optional<anatomy::LitRange> lit;
   if (region) lit = {regions_[*region].from_mm, regions_[*region].to_mm, regions_[*region].label};
-  body_->light(lit);
+  if (body_ != nullptr) {
+    body_->setDepth(depth_mm);
+    body_->light(lit);
+  }
+  solid_->setDepth(depth_mm);
+  solid_->light(lit);
 }
 
 void FeelPanel::adoptProcedure() {
@@ -414,6 +453,12 @@ void FeelPanel::showForce() {
   if (force != force_->text()) force_->setText(force);
   const QString limits = limitText();
   limits_->setFullText(limits);
+  if (scene_.model() == nullptr) return;
+  const fuzzy::Variable& output = scene_.model()->model.output;
+  const auto word = feel_.isRunning() ? strongestTerm(output, sample.force_n) : std::nullopt;
+  if (!word) return solid_->setFelt(std::nullopt);
+  solid_->setFelt(anatomy::FeltForce{force + QStringLiteral("  ") + labelOf(output.terms[*word]),
+                                     theme::force(*word, output.terms.size())});
 }
 
 QString FeelPanel::limitText() const {

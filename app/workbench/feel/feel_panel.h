@@ -397,8 +397,11 @@ class FeelPanel : public QWidget {
   void showRecording(bool armed, std::optional<int> recorded_s);
   /// Whether the panel has space for more than the necessary parts.
   bool isRoomy() const { return roomy_; }
+  /// The body in three dimensions takes the place of its picture.
+  void setSolid(bool on);
 
  signals:
+  void solidChanged(bool on);
   void roomChanged(bool roomy);
   /// The user wants the panel as the whole window.
   void largeAsked();
@@ -420,6 +423,7 @@ class FeelPanel : public QWidget {
   void showRegions();
   void showNeck();
   void showBody();
+  void showSolid();
   void showTip(double depth_mm);
   void showState();
   void showFelt();
@@ -451,6 +455,9 @@ class FeelPanel : public QWidget {
   TubePicture* tube_;                             ///< of the default procedure
   anatomy::BodyView* body_ = nullptr;             ///< of another procedure
   QVBoxLayout* body_place_ = nullptr;
+  QCheckBox* solid_box_;
+  QLabel* solid_note_;  ///< why there is no 3-D view
+  anatomy::SolidView* solid_;
   std::vector<DepthRegion> regions_;
   ProcedurePanel* procedure_;
   PlacementCard* placement_;

@@ -74,6 +74,46 @@ TEST(Picture, WhatCouldRunOrLoadIsRefused) {
   EXPECT_EQ(refusal(way + R"-(<rect fill="url(#shade)"/><use href="#way"/>)-"), "");
 }
 
+TEST(Picture, TheWholeBodyMayHaveAnOutline) {
+  const std::string way = R"(<path id="way" data-across="4 0 -2" d="M0 0H30V30"/>)" + kRegion;
+  const auto without = readPicture(svg(way), "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(without) << without.error().message();
+  EXPECT_TRUE(without->outline.empty());
+  EXPECT_EQ(without->way_across, (std::vector<double>{4, 0, -2}));
+  const auto with =
+      readPicture(svg(way + R"(<path id="outline" data-breadth="70" data-front="top" d="M10 10H90V120H10Z"/>)"),
+                  "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(with) << with.error().message();
+  ASSERT_EQ(with->outline.size(), 4);
+  EXPECT_EQ(with->outline[2].y, 120);  // beyond the view box, where it is cut
+  EXPECT_EQ(with->breadth, 70);
+  EXPECT_EQ(with->front, FrontSide::kTop);
+  const auto plain = readPicture(svg(way + R"(<path id="outline" d="M10 10H90V40H10Z"/>)"), "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(plain) << plain.error().message();
+  EXPECT_EQ(plain->breadth, std::nullopt);
+  EXPECT_EQ(plain->front, FrontSide::kLeft);
+}
+
+TEST(Picture, AnOutlineThatIsNoneIsRefused) {
+  const std::string way = R"(<path id="way" d="M0 0L1 1"/>)" + kRegion;
+  EXPECT_EQ(refusal(way + R"(<g id="outline"/>)"),
+            "p.svg: path 'outline': found an element 'g', wanted a path with its 'd'");
+  for (const std::string d : {"M0 0H50", "M200 0H300V50Z", "M1 1H3V3Z"}) {
+    EXPECT_EQ(refusal(way + "<path id='outline' d='" + d + "'/>"),
+              "p.svg: path 'outline': found a line that encloses less than a hundredth of the picture, wanted the "
+              "outline of the whole body");
+  }
+  for (const std::string breadth : {"0", "-5", "wide", "1e9", ""}) {
+    EXPECT_EQ(refusal(way + "<path id='outline' data-breadth='" + breadth + "' d='M0 0H90V40Z'/>"),
+              "p.svg: data-breadth of the path 'outline': found '" + breadth +
+                  "', wanted how broad the body is at its broadest, in the units of the picture");
+  }
+  EXPECT_EQ(refusal(way + R"(<path id="outline" data-front="up" d="M0 0H90V40Z"/>)"),
+            "p.svg: data-front of the path 'outline': found 'up', wanted 'left', 'right', 'top' or 'bottom'");
+  EXPECT_EQ(refusal(R"(<path id="way" data-across="1" d="M0 0L1 1"/>)" + kRegion),
+            "p.svg: data-across of the path 'way': found '1', wanted 2 numbers, one for each node of the path");
+}
+
 TEST(Picture, WhatIsMissingIsNamed) {
   EXPECT_EQ(refusal(kRegion), "p.svg: path 'way': found no element with this id, wanted a path");
   EXPECT_EQ(refusal(R"(<path id="way" d="M0 0L1 1"/>)"),

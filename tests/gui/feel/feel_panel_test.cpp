@@ -90,6 +90,44 @@ TEST_F(FeelPanelTest, HasTheConditionsAndStepsOfTheProcedure) {
   EXPECT_TRUE(saying<QPushButton>("Flex the neck") != nullptr || saying<QPushButton>("Raise head") != nullptr);
 }
 
+TEST_F(FeelPanelTest, TheBodyInThreeDimensionsTakesThePlaceOfThePicture) {
+  models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
+  QCoreApplication::processEvents();
+  auto* const solid = panel.findChild<anatomy::SolidView*>();
+  auto* const flat = panel.findChild<TubePicture*>();
+  EXPECT_FALSE(solid->isVisible());  // off at first
+  EXPECT_TRUE(flat->isVisible());
+  QSignalSpy changes(&panel, &FeelPanel::solidChanged);
+  QTest::mouseClick(saying<QCheckBox>("3-D view"), Qt::LeftButton, Qt::NoModifier, {8, 8});
+  EXPECT_TRUE(solid->isVisible());
+  EXPECT_FALSE(flat->isVisible());
+  ASSERT_EQ(changes.size(), 1);
+  EXPECT_TRUE(changes[0][0].toBool());
+
+  panel.setSolid(false);
+  EXPECT_TRUE(flat->isVisible());
+  EXPECT_FALSE(solid->isVisible());
+}
+
+TEST_F(FeelPanelTest, SaysWhyThereIsNoBodyInThreeDimensions) {
+  auto plain = std::make_shared<procedure::Procedure>(*procedure::defaultProcedure());
+  plain->id = "other";
+  plain->pictures.clear();
+  scene.setStudyProcedure(plain);
+  fuzzy::ForceModel model = support::s4FiveRegions();
+  model.provenance.emplace();
+  model.provenance->settings.push_back(procedure::modelSetting(*plain));
+  models.open(folder.write(model, QStringLiteral("other.tactus.json")));
+  panel.setSolid(true);
+  QCoreApplication::processEvents();
+  ASSERT_EQ(scene.procedure(), plain);
+  EXPECT_NE(saying<QLabel>("There is no 3-D view: this procedure has no picture"), nullptr);
+  EXPECT_FALSE(panel.findChild<anatomy::SolidView*>()->isVisible());
+  EXPECT_TRUE(panel.findChild<anatomy::BodyView*>() != nullptr);
+  panel.setSolid(false);
+  EXPECT_EQ(saying<QLabel>("There is no 3-D view"), nullptr);
+}
+
 TEST_F(FeelPanelTest, SaysThatTheVirtualDeviceIsSimulated) { EXPECT_NE(saying<QLabel>("SIMULATED"), nullptr); }
 
 TEST_F(FeelPanelTest, TheMousePushesTheTubeAndTheForceIsShown) {
