@@ -37,7 +37,9 @@ set(pictures
   bench-pull tune/pull
   feel-blind-duel feel/blind-duel
   feel-solid feel/solid
-  tune-strokes tune/strokes_after_edit)
+  tune-contracts tune/contracts_checked
+  tune-strokes tune/strokes_after_edit
+  tune-tell tune/tell)
 
 set(made)
 while(pictures)

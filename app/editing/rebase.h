@@ -25,7 +25,8 @@ enum class PartKind {
   kImplication,
   kDefaultForce,
   kRenderer,
-  kHole,          ///< an accepted hole
+  kHole,  ///< an accepted hole
+  kContract,
   kUniverse,      ///< of a variable
   kExpert,        ///< an expert that was added or removed
   kExpertWeight,  ///< the share of an expert in the mean
@@ -52,14 +53,14 @@ struct TermNames {
 };
 
 using PartValue = std::variant<double, bool, fuzzy::Implication, fuzzy::RendererParameters, UniverseRange, TermNames,
-                               fuzzy::Term, std::vector<fuzzy::Term>, fuzzy::Rule, fuzzy::Expert>;
+                               fuzzy::Term, std::vector<fuzzy::Term>, fuzzy::Rule, fuzzy::Expert, fuzzy::Contract>;
 
 /// One difference between two versions.
 struct ModelPart {
   PartKind kind = PartKind::kRule;
   TermListId list;                ///< of terms, vertices and events; of an own list with its owner; of a universe
   std::string expert;             ///< of a rule
-  std::string key;                ///< id of the expert or term in the base, name of the hole, conditions of the rule
+  std::string key;                ///< id of the expert, contract or term in the base, name of the hole, conditions
   std::size_t point = 0;          ///< of a vertex
   std::optional<PartValue> from;  ///< in the base; nothing: not there
   std::optional<PartValue> to;    ///< in the tuned version
@@ -80,6 +81,7 @@ std::vector<std::string> keysOf(const std::vector<fuzzy::Term>& terms);
 std::vector<std::string> keysOf(const std::vector<fuzzy::TermOverride>& lists);
 std::vector<std::string> keysOf(const std::vector<fuzzy::Expert>& experts);
 std::vector<std::string> keysOf(const std::vector<fuzzy::TubeEvent>& events);
+std::vector<std::string> keysOf(const std::vector<fuzzy::Contract>& contracts);
 std::vector<std::string> keysOf(const std::vector<fuzzy::Rule>& rules);
 
 /// The parts in which `tuned` differs from `base`, in the order in which `put` has to put them. Refused: other

@@ -35,6 +35,12 @@ Keys keysOf(const std::vector<fuzzy::TubeEvent>& events) {
   return out;
 }
 
+Keys keysOf(const std::vector<fuzzy::Contract>& contracts) {
+  Keys out;
+  for (const fuzzy::Contract& contract : contracts) out.push_back(contract.id);
+  return out;
+}
+
 Keys keysOf(const std::vector<TermOverride>& lists) {
   Keys out;
   for (const TermOverride& own : lists) out.push_back(own.variable);
@@ -169,12 +175,27 @@ class Differences {
       ModelPart& part = add(PartKind::kHole, key, there(change.before.has_value()), there(change.after.has_value()));
       if (change.after) setOrder(part, order, *change.after);
     }
+    addContracts();
     forEachVariable([&](const Variable& before, const Variable& after) {
       const UniverseRange from{before.min, before.max};
       const UniverseRange to{after.min, after.max};
       if (from == to) return;
       add(PartKind::kUniverse, before.id, from, to).list.variable = before.id;
     });
+  }
+
+  void addContracts() {
+    const auto order = std::make_shared<const Keys>(keysOf(tuned_.contracts));
+    for (const KeyChange& change : changesOf(keysOf(base_.contracts), *order)) {
+      std::optional<PartValue> from, to;
+      if (change.before) from = base_.contracts[*change.before];
+      if (change.after) to = tuned_.contracts[*change.after];
+      if (from == to && !change.moved) continue;
+      const std::string& id = std::get<fuzzy::Contract>(to ? *to : *from).id;
+      ModelPart& part = add(PartKind::kContract, id, from, to);
+      const bool stands = change.after && (change.moved || !change.before);
+      if (stands) setOrder(part, order, *change.after);
+    }
   }
 
   template <class Use>

@@ -101,6 +101,11 @@ class Putting {
         place(model_.accepted_holes, keys, part, [&](const std::string*) { return part.key; });
         return;
       }
+      case PartKind::kContract: {
+        Keys keys = keysOf(model_.contracts);
+        place(model_.contracts, keys, part, [&](const fuzzy::Contract*) { return valueOf<fuzzy::Contract>(part.to); });
+        return;
+      }
       case PartKind::kUniverse: putUniverse(part); return;
       case PartKind::kExpert: {
         Keys keys = keysOf(model_.experts);
@@ -243,6 +248,10 @@ std::optional<PartValue> valueIn(const ForceModel& model, const ModelPart& part)
     case PartKind::kRenderer: return model.renderer ? std::optional<PartValue>(*model.renderer) : std::nullopt;
     case PartKind::kHole:
       return placeOf(model.accepted_holes, part.key) ? std::optional<PartValue>(true) : std::nullopt;
+    case PartKind::kContract: {
+      const auto at = placeOf(keysOf(model.contracts), part.key);
+      return at ? std::optional<PartValue>(model.contracts[*at]) : std::nullopt;
+    }
     case PartKind::kUniverse: {
       const auto variable = findVariable(model, part.list.variable);
       return variable ? std::optional<PartValue>(UniverseRange{(*variable)->min, (*variable)->max}) : std::nullopt;

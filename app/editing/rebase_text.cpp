@@ -6,6 +6,7 @@
 #include "app/editing/rebase.h"
 #include "core/base/check.h"
 #include "core/base/text.h"
+#include "core/contracts/contract_check.h"
 
 namespace tactus::editing {
 namespace {
@@ -140,6 +141,7 @@ std::string partsTitle(const ForceModel& before, const ForceModel& after, Parts 
     case PartKind::kDefaultForce: title = "Force where no rule fires"; break;
     case PartKind::kRenderer: title = "Feel of the tube"; break;
     case PartKind::kHole: title = "Hole " + first.key; break;
+    case PartKind::kContract: title = "Contract"; break;
     case PartKind::kUniverse: title = labelOf(variableOf(before, first)) + ": universe"; break;
     case PartKind::kExpert: title = "Expert " + labelOf(**findExpert(with, first.key)); break;
     case PartKind::kExpertWeight: title = labelOf(**findExpert(before, first.key)) + ": share in the mean"; break;
@@ -180,6 +182,7 @@ std::string partsText(const ForceModel& model, Parts parts) {
     case PartKind::kDefaultForce: return quantityText(model.output, model.default_force_n);
     case PartKind::kRenderer: return rendererText(model);
     case PartKind::kHole: return value ? "accepted" : "not accepted";
+    case PartKind::kContract: return value ? contracts::sentenceOf(model, std::get<fuzzy::Contract>(*value)) : kNone;
     case PartKind::kUniverse: {
       if (!value) return kNone;
       const auto& range = std::get<UniverseRange>(*value);

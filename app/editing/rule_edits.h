@@ -1,4 +1,4 @@
-// Edits of the rules of one expert. A rule may have any number of conditions.
+// Edits of the rules of one expert, and of the contracts of the model. A rule may have any number of conditions.
 #pragma once
 
 #include <span>
@@ -46,6 +46,16 @@ base::Result<Edit> putRules(const fuzzy::ForceModel& model, const std::string& e
 
 /// Sets the weight of an expert in the mean, >= 0. Refused: 0 for the only expert with a weight above 0.
 base::Result<Edit> setExpertWeight(const fuzzy::ForceModel& model, const std::string& expert, double weight);
+
+// Contracts (docs/contracts.md): no force changes.
+
+/// Appends `contract` with an id of its own. Refused: a contract of the same sentence, numbers that mean nothing.
+base::Result<Edit> addContract(const fuzzy::ForceModel& model, fuzzy::Contract contract);
+
+/// Puts `contract` in the place of number `index`, with its id. Refused likewise.
+base::Result<Edit> replaceContract(const fuzzy::ForceModel& model, std::size_t index, fuzzy::Contract contract);
+
+base::Result<Edit> removeContract(const fuzzy::ForceModel& model, std::size_t index);
 
 /// The rules of `expert` that contradict another one: both count (enabled, weight > 0) and have the same conditions but
 /// different consequents. Ascending.

@@ -162,6 +162,7 @@ class OwnRun {
     out.recording_number = stored_.number;
     out.person = stored_.person;
     out.simulated = stored_.simulated;
+    out.calculated = stored_.calculated;
     out.conditions = conditions(begin);
     const auto cut = [&](const std::vector<double>& all) {
       return std::vector<double>(all.begin() + static_cast<std::ptrdiff_t>(begin),
@@ -235,6 +236,7 @@ Result<void> addRecordings(const store::StudyFile& file, const std::set<study::R
     one.number = static_cast<int>(&summary - summaries.data()) + 1;
     one.person = summary.code;
     one.simulated = summary.start.setting.simulated || simulated.contains(summary.start.entry.session);
+    one.calculated = summary.start.setting.device == kNoHand;
     one.has_gaps = summary.gaps > 0;
     one.model_name = summary.start.setting.model;
     if (summary.pieces == 0) continue;  // ended at once

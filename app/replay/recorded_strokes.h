@@ -1,5 +1,5 @@
 // The strokes that a study has recorded, cut out of their recordings, with the state of the tube at each press. A
-// stroke lasts from a press to the release.
+// stroke lasts from a press to the release. A stroke may also be made by calculation, without a hand.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "app/editing/edit.h"
 #include "core/base/error.h"
+#include "core/contracts/telling_stroke.h"
 #include "core/render/renderer_state.h"
 #include "core/store/study_file.h"
 #include "core/study/record_id.h"
@@ -35,6 +37,7 @@ struct RecordedStroke {
   std::string person;                        ///< code
   std::string level;                         ///< of the speed experiment: the speed that was asked for
   bool simulated = false;                    ///< no person's hand
+  bool calculated = false;                   ///< made by calculatedRecording
   std::map<std::string, double> conditions;  ///< of tube and patient, by id of the input; empty: not recorded
   StrokeUse use = StrokeUse::kExact;
   std::optional<double> differs_at_s;  ///< of kOtherForce and kSamplesLost: first place, since the press
@@ -55,6 +58,7 @@ struct StoredRecording {
   int number = 0;
   std::string person;
   bool simulated = false;
+  bool calculated = false;  ///< made by calculatedRecording
   bool has_gaps = false;
   study::Recording samples;
   std::string model_text;  ///< empty: the study does not keep the model
@@ -80,5 +84,15 @@ base::Result<StoredStrokes> storedStrokes(const store::StudyFile& file);
 /// The strokes, each recording run through its own model once: that gives the state of the tube at each press, and says
 /// whether the recorded force comes out again bit for bit. In the order of `stored`, recordings first. Thread: any.
 std::vector<RecordedStroke> recordedStrokes(const StoredStrokes& stored);
+
+// Strokes that are made by calculation: a test of every later version of the model.
+
+/// The device that the setting of such a recording names.
+inline constexpr const char* kNoHand = "calculated stroke, no hand";
+
+/// The recording that the servo would make of a hand that makes `stroke` in `model`, at 1 kHz: it holds the tube at
+/// rest, moves, rests and lets go. The tube follows behind the spring of the model's friction. Refused: a model that
+/// the renderer refuses. Thread: any.
+base::Result<study::Recording> calculatedRecording(const contracts::Stroke& stroke, const editing::ReadyModel& model);
 
 }  // namespace tactus::replay

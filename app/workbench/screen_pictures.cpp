@@ -1,6 +1,7 @@
 #include "app/workbench/screen_pictures.h"
 
 #include <QComboBox>
+#include <QDialog>
 #include <QEventLoop>
 #include <QFile>
 #include <QFileInfo>
@@ -231,6 +232,18 @@ base::Result<void> addStrokes(PictureAlbum& album, Workbench& bench) {
   return added;
 }
 
+/// Contracts that the procedure suggests, checked; taken back.
+base::Result<void> addContractPictures(PictureAlbum& album, Workbench& bench) {
+  const editing::StateId before = bench.edits.history().current();
+  bench.panels.contracts->reveal();
+  for (const fuzzy::Contract& one : offeredContracts(bench.edits.model())) bench.contracts.add(one);
+  waitFor([&bench] { return bench.contracts.isCurrent() && !bench.contracts.isBusy(); });
+  const QString title = stageName(Stage::kTune) + QStringLiteral(": ") + bench.panels.contracts->windowTitle();
+  auto added = album.add(stageId(Stage::kTune), QStringLiteral("contracts_checked"), title, bench.window);
+  bench.edits.returnTo(before);
+  return added;
+}
+
 /// The result of a bundle.
 base::Result<void> addBundle(PictureAlbum& album, Workbench& bench, const QString& folder) {
   QEventLoop loop;
@@ -327,6 +340,16 @@ base::Result<void> addDuelPicture(PictureAlbum& album, Bench& bench) {
   return added;
 }
 
+/// The stroke that tells that nurse from the mean.
+base::Result<void> addTellPicture(PictureAlbum& album, Bench& bench) {
+  emit bench.views.history->tellRequested();
+  waitFor([&bench] { return bench.tell.told() != nullptr && !bench.tell.isBusy(); });
+  auto* const tell = bench.window.findChild<QDialog*>(QStringLiteral("tell_window"));
+  auto added = album.add(stageId(Stage::kTune), QStringLiteral("tell"), tell->windowTitle(), *tell);
+  tell->hide();
+  return added;
+}
+
 }  // namespace
 
 base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
@@ -355,6 +378,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
     if (auto added = addStage(album, bench, stage); !added) return added;
     if (stage != Stage::kTune) continue;
     if (auto added = addStrokes(album, bench); !added) return added;
+    if (auto added = addContractPictures(album, bench); !added) return added;
   }
   if (auto added = addPull(album, bench); !added) return added;
   if (auto added = addBundle(album, bench, folder.filePath(QStringLiteral("ngt-demo-bundle"))); !added) return added;
@@ -364,6 +388,7 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   if (auto added = addHelp(album, bench); !added) return added;
   if (auto added = addFeelLayout(album, bench); !added) return added;
   if (auto added = addDuelPicture(album, bench); !added) return added;
+  if (auto added = addTellPicture(album, bench); !added) return added;
   ShortcutSheet sheet(*bench.window.menuBar(), &bench.window);
   sheet.show();
   if (auto added = album.add(QStringLiteral("help"), QStringLiteral("shortcuts"), sheet.windowTitle(), sheet); !added) {

@@ -17,6 +17,9 @@ constexpr std::size_t kSlices = 12;    // of the depth: one place where the mode
 constexpr std::size_t kLines = 60;     // looks in a slice
 constexpr std::size_t kClimbs = 8;     // strokes that are climbed from
 constexpr std::size_t kStrokes = 200;  // anywhere, each changed eight times
+constexpr double kSearchShare = 0.6;   // of the progress; the rest is the bound
+constexpr std::size_t kSearchSteps = kSlices + 2 * kClimbs + 1;
+constexpr std::size_t kPartsOfAStep = 1024;
 constexpr double kFirstBoundJnd = 8;
 constexpr double kBoundShare = 1.1;  // a bound this near to what was found is good enough
 constexpr double kBoundJnd = 0.02;   // and so is one as small as this
@@ -49,6 +52,7 @@ class Search {
       side.places.erase(std::unique(side.places.begin(), side.places.end()), side.places.end());
       sides_.push_back(std::move(side));
     }
+    limits_.shortest_mm = std::min(limits_.shortest_mm, sides_[inputs_.depth].high - sides_[inputs_.depth].low);
   }
 
   std::vector<Interval> ranges() const {
@@ -57,7 +61,11 @@ class Search {
     return out;
   }
 
-  void run(const std::stop_token& stop) {
+  void run(const std::stop_token& stop, const std::function<void(double)>& progress) {
+    std::size_t steps = 0;
+    const auto step = [&] {
+      if (progress) progress(kSearchShare * static_cast<double>(++steps) / static_cast<double>(kSearchSteps));
+    };
     // A place for each slice of the depth, the largest difference first.
     std::vector<std::pair<double, std::vector<double>>> places;
     const WorstCase::Side& depth = sides_[inputs_.depth];
@@ -73,6 +81,7 @@ class Search {
       WorstCase search(std::move(sides), [&](std::span<const double> point) { return jndAt(first_, second_, point); });
       search.search(std::nullopt, kLines);
       if (search.value() >= 0) places.emplace_back(search.value(), search.place());
+      step();
     }
     std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
     largest_jnd_ = places.empty() ? 0 : places.front().first;
@@ -90,6 +99,7 @@ class Search {
       for (const auto& [jnd, place] : places) {
         for (const double length_mm : {limits_.shortest_mm, 2 * limits_.shortest_mm}) {
           if (!stop.stop_requested()) strokes.climb(start(place, length_mm));
+          step();
         }
       }
       // Strokes anywhere: a long one may gather more than the place where the models differ most.
@@ -168,8 +178,14 @@ class Search {
 };
 
 /// A bound on the difference everywhere.
-void addBound(const ForceModel& first, const ForceModel& second, const Search& search, std::size_t parts,
+void addBound(const ForceModel& first, const ForceModel& second, const Search& search, const TellEffort& effort,
               const std::stop_token& stop, TellingStroke& out) {
+  std::size_t bounded = 0;
+  const auto count = [&] {
+    if (++bounded % kPartsOfAStep != 0 || !effort.progress) return;
+    const double share = static_cast<double>(bounded) / static_cast<double>(effort.parts);
+    effort.progress(kSearchShare + (1 - kSearchShare) * std::min(1.0, share));
+  };
   ProofTask task;
   const auto variables = plainVariables(first.inputs.size());
   task.copies = {{&first, 1, variables}, {&second, -1, variables}};
@@ -178,12 +194,13 @@ void addBound(const ForceModel& first, const ForceModel& second, const Search& s
   const double least = std::max(kBoundJnd, search.largestJnd() * kBoundShare);
   double aim = std::max(kFirstBoundJnd, least);
   while (true) {
-    task.excess = [aim](const PartBounds& bounds) {
+    task.excess = [aim, &count](const PartBounds& bounds) {
+      count();
       const double most = std::max(std::abs(bounds.value.low), std::abs(bounds.value.high));
       const double force_n = bounds.first.low > 0 ? bounds.first.low : bounds.first.high < 0 ? -bounds.first.high : 0;
       return up(most / (justNoticeableDifference(force_n) * (1 - 1e-12))) - aim;
     };
-    const Proof proof = prove(task, parts - std::min(parts, out.parts), stop);
+    const Proof proof = prove(task, effort.parts - std::min(effort.parts, out.parts), stop);
     out.parts += proof.parts;
     if (!proof.complete || proof.too_many) return;
     const double bound = aim + std::max(0.0, proof.largest);
@@ -202,6 +219,14 @@ base::Result<StrokeInputs> strokeInputs(const ForceModel& model) {
   return StrokeInputs{*depth, fuzzy::rateOf(model.inputs)};
 }
 
+StrokeMoment momentOf(const Stroke& stroke, double done) {
+  const double t = done;
+  const double length_mm = stroke.to_mm - stroke.from_mm;
+  return {done * 15 * length_mm / (8 * stroke.peak_mm_s),
+          stroke.from_mm + length_mm * (t * t * t * (10 + t * (-15 + 6 * t))),
+          stroke.peak_mm_s * 16 * t * t * (1 - t) * (1 - t)};
+}
+
 StrokeFeel feelOf(const CompiledModel& first, const CompiledModel& second, const StrokeInputs& inputs,
                   const Stroke& stroke) {
   StrokeFeel feel;
@@ -209,10 +234,9 @@ StrokeFeel feelOf(const CompiledModel& first, const CompiledModel& second, const
   double squares = 0;
   double weights = 0;
   for (std::size_t p = 0; p < kPlaces; ++p) {
-    const double t = static_cast<double>(p) / (kPlaces - 1);
-    const double way = t * t * t * (10 + t * (-15 + 6 * t));
-    point[inputs.depth] = stroke.from_mm + (stroke.to_mm - stroke.from_mm) * way;
-    if (inputs.speed) point[*inputs.speed] = stroke.peak_mm_s * 16 * t * t * (1 - t) * (1 - t);
+    const StrokeMoment moment = momentOf(stroke, static_cast<double>(p) / (kPlaces - 1));
+    point[inputs.depth] = moment.depth_mm;
+    if (inputs.speed) point[*inputs.speed] = moment.speed_mm_s;
     const auto a = first.evaluate(point);
     const auto b = second.evaluate(point);
     feel.peak_n = std::max({feel.peak_n, std::abs(a.force_n), std::abs(b.force_n)});
@@ -242,11 +266,12 @@ base::Result<TellingStroke> tell(const ForceModel& first, const CompiledModel& c
     return base::fail(base::ErrorCode::kMismatch, "/inputs", "other inputs in the second model",
                       "the same inputs and universes in both");
   Search search(first, compiled_first, compiled_second, second, inputs, limits);
-  search.run(stop);
+  search.run(stop, effort.progress);
   TellingStroke out;
   out.stroke = search.found();
   out.feel = feelOf(compiled_first, compiled_second, inputs, out.stroke);
-  if (effort.bound) addBound(first, second, search, effort.parts, stop, out);
+  if (effort.bound) addBound(first, second, search, effort, stop, out);
+  if (effort.progress) effort.progress(1);
   return out;
 }
 

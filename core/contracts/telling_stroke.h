@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -26,6 +27,15 @@ struct Stroke {
   bool operator==(const Stroke&) const = default;
 };
 
+/// A moment of a stroke.
+struct StrokeMoment {
+  double time_s = 0;
+  double depth_mm = 0;
+  double speed_mm_s = 0;
+};
+/// After the share `done` of its time, [0, 1].
+StrokeMoment momentOf(const Stroke& stroke, double done);
+
 /// The inputs that a stroke moves.
 struct StrokeInputs {
   std::size_t depth = 0;
@@ -38,8 +48,8 @@ base::Result<StrokeInputs> strokeInputs(const fuzzy::ForceModel& model);
 struct StrokeLimits {
   double slowest_mm_s = 5;
   double fastest_mm_s = 250;
-  double shortest_mm = 30;
-  double device_n = 3.3;  ///< largest force that the device gives; strokes with more of it are left out
+  double shortest_mm = 30;  ///< or the whole depth of the models where that is less
+  double device_n = 3.3;    ///< largest force that the device gives; strokes with more of it are left out
 };
 
 /// How two models differ along a stroke, over its time.
@@ -66,6 +76,7 @@ struct TellingStroke {
 struct TellEffort {
   bool bound = true;
   std::size_t parts = 60'000;
+  std::function<void(double share)> progress = {};  ///< called now and then by the searching thread; [0, 1], rising
 };
 
 /// Searches the telling stroke: places where the models differ most, strokes through them, climbs. Deterministic.

@@ -9,6 +9,7 @@
 
 #include "app/workbench/base/theme.h"
 #include "core/base/files/file.h"
+#include "core/model_io/model_file.h"
 
 #include "tests/bench/cases.h"
 #include "tests/bench/machine.h"
@@ -29,6 +30,7 @@ struct Options {
   int idle_s = 10;
   int measured_experts = 0;
   std::string measured_stage;
+  std::string measured_model;
   bool labs = false;
   std::string visited_study;
 };
@@ -44,7 +46,16 @@ double quantile(std::vector<double> all, double share) {
 /// What a process of its own does: one window, its series as lines of text.
 int measure(TimedApplication& application, const Options& options) {
   const auto stage = options.measured_stage == "Tune" ? workbench::Stage::kTune : workbench::Stage::kUnderstand;
-  const DragTimes times = dragVertex(application, syntheticExperts(options.measured_experts), stage, options.edits);
+  fuzzy::ForceModel model = syntheticExperts(std::max(1, options.measured_experts));
+  if (!options.measured_model.empty()) {
+    auto read = model_io::readModel(options.measured_model);
+    if (!read) {
+      std::cerr << read.error().message() << '\n';
+      return 1;
+    }
+    model = std::move(read->model);
+  }
+  const DragTimes times = dragVertex(application, model, stage, options.edits);
   const auto print = [](const std::string& name, const std::vector<double>& all) {
     std::cout << name;
     for (const double value : all) std::cout << ' ' << value;
@@ -212,6 +223,7 @@ int main(int argc, char** argv) {
   app.add_option("--rounds", options.rounds, "turns of each version")->check(CLI::Range(1, 1000));
   app.add_option("--idle", options.idle_s, "seconds at rest in each stage; 0: not measured")->check(CLI::Range(0, 600));
   app.add_option("--measure", options.measured_experts, "one window with so many experts, as numbers");
+  app.add_option("--model", options.measured_model, "of that window: this file instead, such as one with contracts");
   app.add_option("--stage", options.measured_stage, "of that window: Tune or Understand");
   app.add_flag("--labs", options.labs, "the speed lab in the place of the bench, written to labs.txt");
   app.add_option("--visit", options.visited_study, "with --labs: all labs of this study file instead, a large one");

@@ -45,7 +45,7 @@ std::string BenchGestures::play() {
     case 12:
     case 13:
     case 14: return grid();
-    case 15: return oneIn(4) ? acceptance() : look();
+    case 15: return oneIn(4) ? acceptance() : oneIn(3) ? contract() : look();
     case 16: return oneIn(8) ? fix() : look();
     case 17:
     case 18:

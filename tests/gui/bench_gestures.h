@@ -54,6 +54,7 @@ class BenchGestures {
   std::string editFreeRule();
   std::string answer();
   std::string acceptance();
+  std::string contract();
   std::string fix();
   fuzzy::Rule someRule(const fuzzy::Expert& expert);
   // bench_gestures_history.cpp

@@ -125,6 +125,27 @@ std::string BenchGestures::answer() {
   return "answer a cell";
 }
 
+std::string BenchGestures::contract() {
+  const fuzzy::ForceModel& model = edits_.model();
+  const std::size_t index = below(model.contracts.size() + 1);
+  fuzzy::Contract made;
+  made.kind = fuzzy::kContractKinds[below(std::size(fuzzy::kContractKinds))];
+  const fuzzy::Variable& input = pick(model.inputs);
+  made.input = input.id;
+  made.word = pick(input.terms).id;
+  made.than = pick(input.terms).id;
+  made.within = number(0, 2);
+  made.limit = number(0, 1);
+  if (oneIn(3)) {
+    edits_.apply(editing::removeContract(model, index));
+  } else if (oneIn(2)) {
+    edits_.apply(editing::replaceContract(model, index, made));
+  } else {
+    edits_.apply(editing::addContract(model, made));
+  }
+  return "write a contract";
+}
+
 std::string BenchGestures::acceptance() {
   const fuzzy::ForceModel& model = edits_.model();
   const auto holes = editing::holeNames(model);

@@ -71,6 +71,12 @@ void ReadinessController::setFindings(DeliverFindings findings) {
   update();
 }
 
+void ReadinessController::setContracts(DeliverContracts contracts) {
+  if (contracts == contracts_) return;
+  contracts_ = std::move(contracts);
+  update();
+}
+
 void ReadinessController::setNotes(BuildNotes notes) {
   if (notes == notes_) return;
   notes_ = std::move(notes);
@@ -91,6 +97,7 @@ ReadinessFacts ReadinessController::facts() const {
   const editing::EditHistory& history = edits_.history();
   ReadinessFacts facts;
   facts.findings = findings_;
+  facts.contracts = contracts_;
   facts.experts = model.experts.size();
   facts.default_force = forceText(model.default_force_n, model.output.unit);
   facts.edits = unsignedEdits(history);
@@ -210,6 +217,32 @@ ReadinessLine apart(const ReadinessFacts& facts) {
   return line;
 }
 
+ReadinessLine contractsOf(const ReadinessFacts& facts) {
+  ReadinessLine line{
+      Topic::kContracts, Readiness::kReady, ReadinessText::tr("Contracts"), {}, ReadinessText::tr("Show contracts")};
+  const DeliverContracts& found = facts.contracts;
+  const auto all = static_cast<int>(found.proved + found.broken + found.open);
+  if (!found.current) {
+    line.state = Readiness::kUnknown;
+    line.sentence = ReadinessText::tr("Checking the contracts…");
+  } else if (found.broken > 0) {
+    line.state = Readiness::kLook;
+    line.sentence =
+        ReadinessText::tr("The model breaks %1 of %n contract(s), so a bundle of it fails its own check, first: %2.",
+                          nullptr, all)
+            .arg(QString::number(found.broken), found.first_broken);
+  } else if (found.open > 0) {
+    line.state = Readiness::kLook;
+    line.sentence =
+        ReadinessText::tr("Of %n contract(s), %1 could be neither proved nor refuted.", nullptr, all).arg(found.open);
+  } else if (all > 0) {
+    line.sentence = ReadinessText::tr("The model keeps %n contract(s) everywhere, proved.", nullptr, all);
+  } else {
+    line.sentence = ReadinessText::tr("The model has no contract to keep.");
+  }
+  return line;
+}
+
 ReadinessLine signOff(const ReadinessFacts& facts) {
   ReadinessLine line{
       Topic::kSignOff, Readiness::kReady, ReadinessText::tr("Sign-off"), {}, ReadinessText::tr("Sign off…")};
@@ -315,8 +348,8 @@ ReadinessLine checks(const ReadinessFacts& facts) {
 }  // namespace
 
 std::vector<ReadinessLine> readinessLines(const ReadinessFacts& facts) {
-  return {holes(facts),     forceSteps(facts), conflicts(facts), apart(facts), signOff(facts),
-          dataNotes(facts), method(facts),     origin(facts),    checks(facts)};
+  return {holes(facts),   forceSteps(facts), conflicts(facts), apart(facts),  contractsOf(facts),
+          signOff(facts), dataNotes(facts),  method(facts),    origin(facts), checks(facts)};
 }
 
 QString readinessSummary(const std::vector<ReadinessLine>& lines) {

@@ -18,13 +18,14 @@ enum class ReadinessTopic {
   kForceSteps,
   kConflicts,
   kExpertsApart,
+  kContracts,
   kSignOff,
   kData,
   kMethod,
   kOrigin,
   kChecks,
 };
-inline constexpr std::size_t kReadinessTopics = 9;
+inline constexpr std::size_t kReadinessTopics = 10;
 
 enum class Readiness {
   kReady,
@@ -66,8 +67,20 @@ struct DeliverFindings {
   bool operator==(const DeliverFindings&) const = default;
 };
 
+/// Whether the open model keeps its contracts.
+struct DeliverContracts {
+  bool current = true;  ///< all are checked; otherwise that is on its way
+  std::size_t proved = 0;
+  std::size_t broken = 0;
+  std::size_t open = 0;
+  QString first_broken;  ///< its sentence
+
+  bool operator==(const DeliverContracts&) const = default;
+};
+
 struct ReadinessFacts {
   DeliverFindings findings;
+  DeliverContracts contracts;
   std::size_t experts = 0;
   QString default_force;                            ///< where no rule fires
   std::size_t edits = 0;                            ///< since the last sign-off on the way to the current state
@@ -118,6 +131,8 @@ class ReadinessController : public QObject {
   void setFindings(DeliverFindings findings);
   const DeliverFindings& findings() const { return findings_; }
 
+  void setContracts(DeliverContracts contracts);
+
   /// What the open study says about the model that it keeps; empty where it keeps another one.
   void setNotes(BuildNotes notes);
   const BuildNotes& notes() const { return notes_; }
@@ -142,6 +157,7 @@ class ReadinessController : public QObject {
   EditController& edits_;
   const BundleMaker& maker_;
   DeliverFindings findings_;
+  DeliverContracts contracts_;
   BuildNotes notes_;
   std::vector<ReadinessLine> lines_;
 };

@@ -38,6 +38,8 @@ Bench::Bench(QSettings& user_settings, const QString& autosave_root, DeviceAcces
       references(scene),
       pull(edits, scene, [this] { return terms.locked(); }),
       findings(edits, scene),
+      contracts(edits, scene),
+      tell(compare, edits),
       bundles(edits),
       readiness(models, edits, bundles),
       study_models(study, models, edits),

@@ -37,6 +37,7 @@
 #include "app/workbench/study/connection/study_connection.h"
 #include "app/workbench/study/study_models.h"
 #include "app/workbench/study/table_import.h"
+#include "app/workbench/tune/contracts/contracts_controller.h"
 #include "app/workbench/tune/findings/findings_controller.h"
 #include "app/workbench/tune/history/autosave_controller.h"
 #include "app/workbench/tune/history/carry_controller.h"
@@ -44,6 +45,7 @@
 #include "app/workbench/tune/history/recovery_controller.h"
 #include "app/workbench/tune/rules/rule_controller.h"
 #include "app/workbench/tune/strokes/strokes_controller.h"
+#include "app/workbench/tune/tell/tell_controller.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "app/workbench/understand/curves/reference_controller.h"
 #include "app/workbench/understand/pull/pull_controller.h"
@@ -122,6 +124,7 @@ struct BenchPanels {
   Panel* membership_editor = nullptr;
   Panel* rule_editor = nullptr;
   Panel* findings = nullptr;
+  Panel* contracts = nullptr;
   Panel* history = nullptr;
   Panel* strokes = nullptr;
   Panel* readiness = nullptr;
@@ -151,6 +154,8 @@ struct Bench {
   ReferenceController references;
   PullController pull;
   FindingsController findings;
+  ContractsController contracts;
+  TellController tell;
   BundleMaker bundles;
   ReadinessController readiness;
   StudyConnection study;

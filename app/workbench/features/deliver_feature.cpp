@@ -157,6 +157,19 @@ DeliverFindings summary(const FindingsController& findings) {
   return out;
 }
 
+DeliverContracts summary(const ContractsController& contracts) {
+  DeliverContracts out;
+  out.current = contracts.isCurrent();
+  out.proved = contracts.count(ContractState::kProved);
+  out.broken = contracts.count(ContractState::kBroken);
+  out.open = contracts.count(ContractState::kOpen);
+  const auto& shown = contracts.shown();
+  const auto first =
+      std::find_if(shown.begin(), shown.end(), [](const auto& one) { return one.state == ContractState::kBroken; });
+  if (first != shown.end()) out.first_broken = first->sentence;
+  return out;
+}
+
 bool isAbout(const ShownFinding& shown, ReadinessTopic topic) {
   switch (topic) {
     case ReadinessTopic::kHoles: return holeOfMean(shown) != nullptr;
@@ -187,6 +200,10 @@ void DeliverFeature::lead(Bench& bench, ReadinessTopic topic) {
     case ReadinessTopic::kForceSteps:
     case ReadinessTopic::kConflicts:
     case ReadinessTopic::kExpertsApart: showFindings(bench, topic); break;
+    case ReadinessTopic::kContracts:
+      bench.window.enter(Stage::kTune);
+      bench.panels.contracts->reveal();
+      break;
     case ReadinessTopic::kSignOff:
       bench.window.enter(Stage::kTune);
       bench.panels.history->reveal();
@@ -283,6 +300,8 @@ void addDeliver(Bench& bench) {
   may_write();
   QObject::connect(&bench.study, &StudyConnection::opened, context, may_write);
   QObject::connect(&bench.study, &StudyConnection::closed, context, may_write);
+  QObject::connect(bench.panels.readiness, &QDockWidget::visibilityChanged, lines,
+                   [&bench, lines](bool visible) { bench.contracts.hold(*lines, visible); });
   QObject::connect(live, &LinkRow::asked, bench.views.link, &LinkDialog::bringUp);
   QObject::connect(lines, &ReadinessPanel::asked, context,
                    [&bench](ReadinessTopic topic) { DeliverFeature::lead(bench, topic); });
@@ -291,6 +310,9 @@ void addDeliver(Bench& bench) {
   const auto take_findings = [&bench] { bench.readiness.setFindings(summary(bench.findings)); };
   QObject::connect(&bench.findings, &FindingsController::changed, &readiness, take_findings);
   take_findings();
+  const auto take_contracts = [&bench] { bench.readiness.setContracts(summary(bench.contracts)); };
+  QObject::connect(&bench.contracts, &ContractsController::changed, &readiness, take_contracts);
+  take_contracts();
   const auto take_notes = [&bench] {
     bench.readiness.setNotes(bench.study_models.keepsModel() ? bench.study_models.notes() : BuildNotes());
   };

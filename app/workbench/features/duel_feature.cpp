@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QCoreApplication>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
@@ -76,6 +77,22 @@ base::Result<DuelSetup> setupOf(Bench& bench) {
   return out;
 }
 
+/// The stroke that tells the two apart, at its speed where they differ most: the hand keeps one speed.
+void takeStroke(const Told& told, DuelSetup& setup) {
+  const contracts::Stroke& stroke = told.found.stroke;
+  const auto& inputs = setup.a->model.inputs;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    if (!isMovedByHand(inputs[i])) setup.conditions[inputs[i].id] = stroke.inputs[i];
+  }
+  setup.from_mm = stroke.from_mm;
+  setup.to_mm = stroke.to_mm;
+  const auto most = std::min_element(told.moments.begin(), told.moments.end(), [&](const auto& one, const auto& other) {
+    const double at_mm = told.found.feel.at_mm;
+    return std::abs(one.at.depth_mm - at_mm) < std::abs(other.at.depth_mm - at_mm);
+  });
+  setup.speed_mm_s = most->at.speed_mm_s;
+}
+
 }  // namespace
 
 void addDuel(Bench& bench) {
@@ -84,7 +101,7 @@ void addDuel(Bench& bench) {
   QAction* const action =
       bench.window.menus().addAction(MenuSlot::kEditCompare, DuelFeature::tr("&Feel blind: A against B…"));
   const auto state = std::make_shared<editing::StateId>(0);  // of the open model when the duel was planned
-  const auto propose = [&bench, window, state] {
+  const auto propose = [&bench, window, state](const Told* told) {
     if (!bench.edits.isOpen()) return;
     bench.edits.commit();
     bench.feel.stop();
@@ -93,14 +110,17 @@ void addDuel(Bench& bench) {
       bench.window.say(text(setup.error().message()));
       return;
     }
+    if (told != nullptr) takeStroke(*told, *setup);
     *state = bench.edits.history().current();
     window->propose(*std::move(setup), bench.author.name());
     window->show();
     window->raise();
     window->activateWindow();
   };
-  QObject::connect(action, &QAction::triggered, context, propose);
-  QObject::connect(bench.views.history, &HistoryPanel::feelBlindRequested, context, propose);
+  const auto propose_here = [propose] { propose(nullptr); };
+  QObject::connect(action, &QAction::triggered, context, propose_here);
+  QObject::connect(bench.views.history, &HistoryPanel::feelBlindRequested, context, propose_here);
+  QObject::connect(&bench.tell, &TellController::duelAsked, context, [&bench, propose] { propose(bench.tell.told()); });
   QObject::connect(
       window, &DuelWindow::approved, context, [&bench, state](const QString& who, const editing::Felt& felt) {
         if (!bench.edits.isOpen() || bench.edits.history().current() != *state) {

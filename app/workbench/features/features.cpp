@@ -25,6 +25,7 @@ void addFeatures(Bench& bench) {
   addEditing(bench);
   addPull(bench);
   addFindings(bench);
+  addContracts(bench);
   addStudy(bench);
   addStrokes(bench);
   addCollect(bench);
@@ -37,6 +38,7 @@ void addFeatures(Bench& bench) {
   addNotes(bench);
   addHistory(bench);
   addDuel(bench);
+  addTell(bench);
   addMarks(bench);
   addSelection(bench);
   addDeliver(bench);

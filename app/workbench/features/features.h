@@ -49,6 +49,8 @@ void addEditing(Bench& bench);
 void addFindings(Bench& bench);
 /// The menu Study, the state of storing, messages, and recordings in the panel Feel.
 void addStudy(Bench& bench);
+/// The contracts of the model and whether it keeps them.
+void addContracts(Bench& bench);
 /// The recorded strokes before and after each edit, and the ways to record some and to replay one.
 void addStrokes(Bench& bench);
 /// Stage Collect: the study's home, its protocol, and sessions on the participant's screens.
@@ -71,6 +73,8 @@ void addNotes(Bench& bench);
 void addHistory(Bench& bench);
 /// "Feel blind": the two versions of the comparison, on the device.
 void addDuel(Bench& bench);
+/// "Find the stroke that tells": the two versions of the comparison, and what is done with their stroke.
+void addTell(Bench& bench);
 /// "Mark this moment": the card in the panel Feel, its key, and the way back to the version that was felt.
 void addMarks(Bench& bench);
 /// What is pointed at comes to the front; a finding and an edit of the history select what they are about.

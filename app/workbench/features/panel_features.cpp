@@ -120,6 +120,29 @@ void addFindings(Bench& bench) {
                    });
 }
 
+void addContracts(Bench& bench) {
+  ContractsController& contracts = bench.contracts;
+  Panel& panel =
+      bench.window.addPanel(QStringLiteral("contracts"), PanelFeatures::tr("Contracts"), makeContractsPanel(contracts));
+  bench.panels.contracts = &panel;
+  // The tab says what is broken, also while another panel lies on top: as long as it can be seen, it is kept current.
+  QObject::connect(&contracts, &ContractsController::changed, &panel, [&panel, &contracts] {
+    const auto broken = static_cast<int>(contracts.count(ContractState::kBroken));
+    const QString title =
+        broken == 0 ? PanelFeatures::tr("Contracts") : PanelFeatures::tr("Contracts (%n broken)", nullptr, broken);
+    if (title != panel.windowTitle()) panel.setWindowTitle(title);
+  });
+  QObject::connect(&bench.window, &MainWindow::entered, &panel,
+                   [&bench, &panel] { bench.contracts.hold(panel, bench.window.stage() == Stage::kTune); });
+  QObject::connect(&contracts, &ContractsController::placeShown, &bench.features,
+                   [&bench](const std::vector<double>& point) {
+                     bench.panels.feel->reveal();
+                     const auto way = fuzzy::wayOf(bench.scene.model()->model.inputs);
+                     if (way && bench.feel.isRunning() && !bench.feel.isReplay())
+                       bench.feel.newPlacementAt(point[*way]);
+                   });
+}
+
 void addStrokes(Bench& bench) {
   bench.panels.strokes =
       &bench.window.addPanel(QStringLiteral("strokes"), PanelFeatures::tr("Strokes"), makeStrokesPanel(bench.strokes));
@@ -184,16 +207,17 @@ void addScreens(Bench& bench) {
   window.addScreen(
       Stage::kTune,
       {Place::first(*on.membership_editor), Place::behind(*on.rule_editor, *on.membership_editor),
-       Place::behind(*on.findings, *on.membership_editor), Place::right(*on.curves, 51, *on.membership_editor),
-       Place::below(*on.feel, 43, *on.curves), Place::behind(*on.strokes, *on.feel), Place::behind(*on.map, *on.feel),
-       Place::behind(*on.surface, *on.feel), Place::behind(*on.rules_here, *on.feel),
-       Place::behind(*on.reading, *on.feel), Place::behind(*on.history, *on.feel)},
+       Place::behind(*on.findings, *on.membership_editor), Place::behind(*on.contracts, *on.membership_editor),
+       Place::right(*on.curves, 51, *on.membership_editor), Place::below(*on.feel, 43, *on.curves),
+       Place::behind(*on.strokes, *on.feel), Place::behind(*on.map, *on.feel), Place::behind(*on.surface, *on.feel),
+       Place::behind(*on.rules_here, *on.feel), Place::behind(*on.reading, *on.feel),
+       Place::behind(*on.history, *on.feel)},
       // Two places instead of three. Map and surface, for which the tabs have no room, are in Understand.
       {Place::first(*on.membership_editor), Place::behind(*on.rule_editor, *on.membership_editor),
-       Place::behind(*on.findings, *on.membership_editor), Place::behind(*on.history, *on.membership_editor),
-       Place::right(*on.curves, 51, *on.membership_editor), Place::behind(*on.feel, *on.curves),
-       Place::behind(*on.strokes, *on.curves), Place::behind(*on.rules_here, *on.curves),
-       Place::behind(*on.reading, *on.curves)});
+       Place::behind(*on.findings, *on.membership_editor), Place::behind(*on.contracts, *on.membership_editor),
+       Place::behind(*on.history, *on.membership_editor), Place::right(*on.curves, 51, *on.membership_editor),
+       Place::behind(*on.feel, *on.curves), Place::behind(*on.strokes, *on.curves),
+       Place::behind(*on.rules_here, *on.curves), Place::behind(*on.reading, *on.curves)});
   window.addLayout(feelLayout(), {Place::first(*on.feel)});
   window.addScreen(Stage::kDeliver, {Place::first(*on.readiness), Place::right(*on.bundle, 52, *on.readiness)});
 }

@@ -53,6 +53,7 @@ class Gestures {
                     : removeRules(model, who, std::span(&index, 1));
       case 9: return coin ? setRuleWeight(model, who, index, number(1)) : setExpertWeight(model, who, number(2));
       case 10: return acceptance(model);
+      case 11: return contract(model);
       default: return move(model, variable, term);
     }
   }
@@ -103,6 +104,21 @@ class Gestures {
     if (!model.accepted_holes.empty() && random_.below(2) == 0)
       return withdrawAcceptance(model, pick(model.accepted_holes));
     return acceptHole(model, "depth " + std::to_string(random_.below(5)) + " to 6 mm");
+  }
+
+  base::Result<Edit> contract(const fuzzy::ForceModel& model) {
+    const auto index = static_cast<std::size_t>(random_.below(static_cast<int>(model.contracts.size()) + 1));
+    if (random_.below(3) == 0) return removeContract(model, index);
+    fuzzy::Contract made;
+    made.kind = fuzzy::kContractKinds[random_.below(7)];
+    const fuzzy::Variable& input = pick(model.inputs);
+    made.input = input.id;
+    made.word = pick(input.terms).id;
+    made.than = pick(input.terms).id;
+    made.within = number(2);
+    made.limit = number(1);
+    if (random_.below(2) == 0) made.where = {{input.id, made.word}};
+    return random_.below(2) == 0 ? addContract(model, made) : replaceContract(model, index, made);
   }
 
   double number(double range) {

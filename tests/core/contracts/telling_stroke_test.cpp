@@ -1,13 +1,16 @@
 // The stroke that tells two models apart.
 #include "core/contracts/telling_stroke.h"
 
+#include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <vector>
 
 #include "core/base/random.h"
 
 #include "tests/support/invented_experts.h"
 #include "tests/support/ngt_model.h"
+#include "tests/support/two_experts.h"
 
 namespace tactus::contracts {
 namespace {
@@ -62,6 +65,45 @@ TEST(TellingStroke, ReferenceEditsAreFoundAtLeastAsWell) {
     EXPECT_GE(found.stroke.peak_mm_s, 5);
     EXPECT_LE(found.stroke.peak_mm_s, 250);
   }
+}
+
+// By hand: minimum jerk is at half of the way after half of the time, where the speed is 15/8 of the mean; after a
+// quarter it has made 1/64 (10 - 15/4 + 6/16) = 0.103515625 of the way, at 16 (1/16) (9/16) = 0.5625 of the peak.
+TEST(TellingStroke, MomentsAreThoseOfMinimumJerk) {
+  const Stroke stroke{100, 250, 187.5, {1, 60, 0, 0}};  // 100 mm/s in the mean: 1.5 s
+  const StrokeMoment middle = momentOf(stroke, 0.5);
+  EXPECT_DOUBLE_EQ(middle.time_s, 0.75);
+  EXPECT_DOUBLE_EQ(middle.depth_mm, 175);
+  EXPECT_DOUBLE_EQ(middle.speed_mm_s, 187.5);
+  const StrokeMoment quarter = momentOf(stroke, 0.25);
+  EXPECT_DOUBLE_EQ(quarter.depth_mm, 100 + 150 * 0.103515625);
+  EXPECT_DOUBLE_EQ(quarter.speed_mm_s, 187.5 * 0.5625);
+  EXPECT_EQ(momentOf(stroke, 0).depth_mm, 100);
+  EXPECT_DOUBLE_EQ(momentOf(stroke, 1).time_s, 1.5);
+  EXPECT_DOUBLE_EQ(momentOf(stroke, 1).depth_mm, 250);
+  EXPECT_EQ(momentOf(stroke, 1).speed_mm_s, 0);
+}
+
+TEST(TellingStroke, SaysHowFarItIs) {
+  const auto s4 = support::s4FiveRegions();
+  const auto other = edited(s4, [](auto& m) { m.experts[0].rules[2].then = "medium"; });
+  std::vector<double> shares;
+  TellEffort effort;
+  effort.progress = [&](double share) { shares.push_back(share); };
+  ASSERT_TRUE(tell(s4, *fuzzy::compile(s4), other, *fuzzy::compile(other), {}, effort));
+  ASSERT_GT(shares.size(), 10U);
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.front(), 0);
+  EXPECT_EQ(shares.back(), 1);
+}
+
+TEST(TellingStroke, AWayShorterThanTheShortestStrokeIsMadeWhole) {
+  const auto model = tests::twoExperts();  // 10 mm
+  const auto other = edited(model, [](auto& m) { m.experts[0].rules[0].then = "high"; });
+  const TellingStroke found = told(model, other);
+  EXPECT_EQ(found.stroke.from_mm, 0);
+  EXPECT_EQ(found.stroke.to_mm, 10);
+  EXPECT_GT(found.feel.rms_jnd, 1);
 }
 
 TEST(TellingStroke, EqualModelsAreProvedEqual) {

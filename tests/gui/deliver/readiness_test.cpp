@@ -73,6 +73,23 @@ TEST(Readiness, CountsConflictsAndExpertsApart) {
   EXPECT_EQ(lineOf(facts, ReadinessTopic::kExpertsApart).sentence, QStringLiteral("The model is of one expert."));
 }
 
+TEST(Readiness, SaysWhatIsKnownOfTheContracts) {
+  ReadinessFacts facts = cleanFacts();
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kContracts).state, Readiness::kReady) << "there is none";
+  facts.contracts.proved = 2;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kContracts).state, Readiness::kReady);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kContracts).sentence.contains(QStringLiteral("keeps 2 contract")));
+  facts.contracts.open = 1;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kContracts).state, Readiness::kLook);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kContracts).sentence.startsWith(QStringLiteral("Of 3 contract")));
+  facts.contracts.broken = 1;
+  facts.contracts.first_broken = QStringLiteral("More “Gel” never raises the force");
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kContracts).state, Readiness::kLook);
+  EXPECT_TRUE(lineOf(facts, ReadinessTopic::kContracts).sentence.contains(facts.contracts.first_broken));
+  facts.contracts.current = false;
+  EXPECT_EQ(lineOf(facts, ReadinessTopic::kContracts).state, Readiness::kUnknown);
+}
+
 TEST(Readiness, AsksForASignOffOfEdits) {
   ReadinessFacts facts = cleanFacts();
   facts.signed_by.reset();

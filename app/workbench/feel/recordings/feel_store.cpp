@@ -186,9 +186,7 @@ FeelStore::~FeelStore() { endRecording(); }
 
 bool FeelStore::canRecord() const { return study_.takesOrders() && !study_.isOpening(); }
 
-std::optional<study::RecordId> FeelStore::replayed() const {
-  return replay_ ? std::optional(replay_->id) : std::nullopt;
-}
+std::optional<study::RecordId> FeelStore::replayed() const { return replay_ ? replay_->id : std::nullopt; }
 
 void FeelStore::setWho(std::optional<study::RecordId> who) {
   if (who == who_) return;
@@ -392,7 +390,7 @@ void FeelStore::replay(const study::RecordId& id) {
   });
 }
 
-void FeelStore::play(const study::RecordId& id, const study::Recording& recording) {
+void FeelStore::play(const std::optional<RecordId>& id, const study::Recording& recording) {
   haptics::ReplaySettings settings;
   settings.room_for_forces = 0;  // the servo's samples tell them
   auto device = haptics::ReplayDevice::make(recording, settings);

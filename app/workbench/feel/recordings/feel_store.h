@@ -146,6 +146,8 @@ class FeelStore : public QObject {
   void recordAgain();
   /// Replays the movement of a recording through the current model.
   void replay(const tactus::study::RecordId& recording);
+  /// The same for a recording that is there; `id`: in the study; nothing: it was made by calculation.
+  void play(const std::optional<tactus::study::RecordId>& id, const tactus::study::Recording& recording);
 
  signals:
   /// The recording, its length in seconds, the replay or the person changed.
@@ -166,7 +168,6 @@ class FeelStore : public QObject {
   void beginRecording();
   void endRecording();
   void storePiece(bool gap_follows = false);
-  void play(const study::RecordId& id, const study::Recording& recording);
   void playNext();
   void follow(std::size_t sample);
   void endPlacement();
@@ -203,7 +204,7 @@ class FeelStore : public QObject {
   std::optional<study::FeltSetting> felt_;  ///< at the first grip of this placement
 
   struct Replay {
-    study::RecordId id;
+    std::optional<study::RecordId> id;
     study::Recording recording;
     std::vector<double> time_s;  ///< of each sample, since the start of the run
     std::size_t sample = 0;      ///< the last sample that was followed

@@ -67,6 +67,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
       place_(new QLabel(this)),
       go_(new QPushButton(tr("Go there"), this)),
       blind_(new QPushButton(tr("Feel blind…"), this)),
+      tell_(new QPushButton(tr("Find the stroke that tells…"), this)),
       changes_(new QLabel(this)),
       refresh_list_(new Refresh(this, [this] { list(); })),
       refresh_result_(new Refresh(this, [this] { showResult(); })) {
@@ -83,6 +84,7 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   go_->setAccessibleName(go_->text());
   go_->setToolTip(tr("Move the operating point to the largest difference"));
   blind_->setToolTip(tr("Feel A and B on the device without knowing which is which"));
+  tell_->setToolTip(tr("Search the insertion in which a hand feels the largest difference between A and B"));
   auto* layout = new QGridLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(theme::kGrid);
@@ -97,12 +99,14 @@ CompareCard::CompareCard(CompareController& compare, SceneController& scene, QWi
   layout->addWidget(help_, 3, 2, Qt::AlignRight | Qt::AlignTop);
   layout->addWidget(place_, 4, 0, 1, 3);
   layout->addLayout(makeRow({spring(1), blind_, go_}), 5, 0, 1, 3);
-  layout->addWidget(changes_, 6, 0, 1, 3);
+  layout->addLayout(makeRow({spring(1), tell_}), 6, 0, 1, 3);
+  layout->addWidget(changes_, 7, 0, 1, 3);
 
   connect(a_, &QComboBox::activated, this, [this] { choose(*a_, CompareSide::kA); });
   connect(b_, &QComboBox::activated, this, [this] { choose(*b_, CompareSide::kB); });
   connect(go_, &QPushButton::clicked, this, &CompareCard::goThere);
   connect(blind_, &QPushButton::clicked, this, &CompareCard::feelBlindRequested);
+  connect(tell_, &QPushButton::clicked, this, &CompareCard::tellRequested);
   connect(&compare_, &CompareController::choicesChanged, refresh_list_, &Refresh::request);
   connect(&compare_, &CompareController::choicesChanged, refresh_result_, &Refresh::request);
   connect(&compare_, &CompareController::resultChanged, refresh_result_, &Refresh::request);
@@ -144,6 +148,7 @@ void CompareCard::showResult() {
   place_->setVisible(result && !result->at.empty());
   go_->setVisible(place_->isVisibleTo(this));
   blind_->setVisible(go_->isVisibleTo(this));
+  tell_->setEnabled(result.has_value());
   showChanges();
   if (!result) {
     help_->hide();

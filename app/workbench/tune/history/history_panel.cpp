@@ -258,6 +258,7 @@ QWidget* HistoryPanel::makeSide(CompareController& compare, SceneController& sce
   form->addRow(tr("Edits by"), author_field_);
   auto* card = new CompareCard(compare, scene, side);
   connect(card, &CompareCard::feelBlindRequested, this, &HistoryPanel::feelBlindRequested);
+  connect(card, &CompareCard::tellRequested, this, &HistoryPanel::tellRequested);
   makeColumn(side, {card, form, spring(1)}, 2 * theme::kGrid, {0, 0, theme::kGrid, 0});
   // A low panel scrolls it.
   auto* scroll = new QScrollArea(this);

@@ -38,6 +38,8 @@ class CompareCard : public QWidget {
  signals:
   /// A and B are to be felt without knowing which is which.
   void feelBlindRequested();
+  /// The stroke that tells A from B is wanted.
+  void tellRequested();
 
  private:
   void list();
@@ -56,6 +58,7 @@ class CompareCard : public QWidget {
   QLabel* place_;
   QPushButton* go_;
   QPushButton* blind_;
+  QPushButton* tell_;
   QLabel* changes_;  ///< what differs between the models, a line each
   Refresh* refresh_list_;
   Refresh* refresh_result_;
@@ -99,6 +102,8 @@ class HistoryPanel : public Card {
   void carryAsked(tactus::editing::StateId state);
   /// A and B of the comparison are to be felt without knowing which is which.
   void feelBlindRequested();
+  /// The stroke that tells A from B of the comparison is wanted.
+  void tellRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

@@ -182,6 +182,7 @@ bool StrokesController::mayRecord() const { return !study_.isOpen() || study_.ta
 
 QString StrokesController::nameOf(std::size_t place) const {
   const RecordedStroke& one = stroke(place);
+  if (one.calculated) return tr("calculated stroke, recording %1").arg(one.recording_number);
   if (one.recording_number > 0) return tr("recording %1, stroke %2").arg(one.recording_number).arg(one.number);
   return tr("%1, %2 %3").arg(text(one.person), levelLabel(scene_.model()->model, one.level)).arg(one.number);
 }
