@@ -141,10 +141,7 @@ base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::stri
   auto bundle = written ? verifyFolder(folder.path, generator) : tl::unexpected(written.error());
   fs::remove_all(folder.path, ignored);
   // Its user knows the zip file alone.
-  const auto rename = [&](std::string& text) {
-    for (std::size_t at = 0; (at = text.find(folder.path, at)) != std::string::npos; at += path.size())
-      text.replace(at, folder.path.size(), path);
-  };
+  const auto rename = [&](std::string& text) { text = base::replaced(std::move(text), {{folder.path, path}}); };
   if (!bundle) {
     base::Error error = bundle.error();
     rename(error.file);

@@ -123,6 +123,7 @@ struct ReplayOptions {
   std::string study;            ///< or a file of strokes
   std::string model;            ///< the model after
   std::string before;           ///< model file to compare with; empty: the last version in the study
+  bool last_sign_off = false;   ///< compares with the version that was signed off last
   std::vector<std::string> at;  ///< `INPUT=VALUE` of conditions that strokes have no recorded value for
   bool json = false;
 };

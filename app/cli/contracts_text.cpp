@@ -104,9 +104,7 @@ std::string brokenContract(const std::vector<CheckedContract>& contracts) {
     if (count++ == 0) first = &one;
   }
   if (first == nullptr) return {};
-  std::string text = "found a violation of '" + base::oneLine(first->sentence) + "'";
-  if (count > 1) text += " and of " + std::to_string(count - 1) + " more";
-  return text + ", wanted contracts that the model keeps";
+  return contracts::violationText(first->sentence, count - 1);
 }
 
 }  // namespace tactus::cli

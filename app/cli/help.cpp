@@ -60,15 +60,6 @@ std::string optionName(const CLI::Option& option) {
 
 bool takesValue(const CLI::Option& option) { return option.get_items_expected_max() > 0; }
 
-std::string replaced(std::string text, const std::vector<std::pair<char, std::string>>& by) {
-  std::string out;
-  for (const char c : text) {
-    const auto found = std::find_if(by.begin(), by.end(), [c](const auto& one) { return one.first == c; });
-    out += found == by.end() ? std::string(1, c) : found->second;
-  }
-  return out;
-}
-
 /// The lines of a `case` of bash and zsh that follow the commands typed so far; `word` is the next one.
 std::string pathCase(const std::vector<Command>& commands, const std::string& word) {
   std::string patterns;
@@ -106,7 +97,8 @@ std::string bashCompletion(const std::vector<Command>& commands) {
 
 std::string zshCompletion(const std::vector<Command>& commands) {
   const auto item = [](const std::string& name, const std::string& description) {
-    return " '" + replaced(name, {{':', "\\:"}}) + ':' + replaced(description, {{'\'', "'\\''"}, {'\n', " "}}) + '\'';
+    return " '" + base::replaced(name, {{":", "\\:"}}) + ':' +
+           base::replaced(description, {{"'", "'\\''"}, {"\n", " "}}) + '\'';
   };
   std::string text =
       "#compdef tactus\n"
@@ -152,7 +144,7 @@ std::string fishCompletion(const std::vector<Command>& commands) {
   for (const auto& command : commands) {
     const std::string here = "complete -c tactus -n \"__tactus_at '" + command.path + "'\"";
     const auto said = [](const std::string& description) {
-      return " -d '" + replaced(description, {{'\\', "\\\\"}, {'\'', "\\'"}, {'\n', " "}}) + "'\n";
+      return " -d '" + base::replaced(description, {{"\\", "\\\\"}, {"'", "\\'"}, {"\n", " "}}) + "'\n";
     };
     for (const CLI::App* below : command.app->get_subcommands(nullptr)) {
       text += here + " -f -a " + below->get_name() + said(below->get_description());
@@ -169,7 +161,7 @@ std::string fishCompletion(const std::vector<Command>& commands) {
 
 /// `text` as a line of a manual page.
 std::string roff(const std::string& text) {
-  const std::string escaped = replaced(text, {{'\\', "\\e"}, {'-', "\\-"}, {'\n', " "}});
+  const std::string escaped = base::replaced(text, {{"\\", "\\e"}, {"-", "\\-"}, {"\n", " "}});
   return escaped.starts_with('.') || escaped.starts_with('\'') ? "\\&" + escaped : escaped;
 }
 

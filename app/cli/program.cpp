@@ -252,21 +252,26 @@ void addCommands(CLI::App& app, Chosen& chosen) {
         command.add_option("--strokes", o.strokes, "File to write the stroke to, for tactus replay")->check(notEmpty());
         addJson(command, o.json);
       });
-  addCommand(app, chosen, "replay", "Recorded strokes through another model: what would feel different", replayStrokes,
-             [](CLI::App& command, ReplayOptions& o) {
-               command.add_option("STUDY", o.study, "Study file with recorded strokes, or a file of strokes")
-                   ->required()
-                   ->check(notEmpty());
-               addModel(command, o.model);
-               command.add_option("--before", o.before, "Model to compare with; by default the last one in the study")
-                   ->transform(inputFile());
-               command
-                   .add_option("--at", o.at,
-                               "INPUT=VALUE, separated by commas: conditions of strokes that have none recorded")
-                   ->delimiter(',')
-                   ->check(notEmpty());
-               addJson(command, o.json);
-             });
+  addCommand(
+      app, chosen, "replay", "Recorded strokes through another model: what would feel different", replayStrokes,
+      [](CLI::App& command, ReplayOptions& o) {
+        command.add_option("STUDY", o.study, "Study file with recorded strokes, or a file of strokes")
+            ->required()
+            ->check(notEmpty());
+        addModel(command, o.model);
+        auto* const before =
+            command.add_option("--before", o.before, "Model to compare with; by default the last one in the study")
+                ->transform(inputFile());
+        command
+            .add_flag("--last-sign-off", o.last_sign_off,
+                      "Compare with the version of the study that was signed off last")
+            ->excludes(before);
+        command
+            .add_option("--at", o.at, "INPUT=VALUE, separated by commas: conditions of strokes that have none recorded")
+            ->delimiter(',')
+            ->check(notEmpty());
+        addJson(command, o.json);
+      });
   addCommand(app, chosen, "pull", "The smallest edits that give a wanted force at a point", pull,
              [](CLI::App& command, PullOptions& o) {
                addModel(command, o.model);
@@ -328,9 +333,7 @@ std::string harmless(std::string text, const std::vector<std::string>& arguments
     for (const auto& part : {argument, value == std::string::npos ? std::string() : argument.substr(value + 1)}) {
       const std::string escaped = base::oneLine(part);
       if (escaped == part) continue;
-      for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + escaped.size())) {
-        text.replace(at, part.size(), escaped);
-      }
+      text = base::replaced(std::move(text), {{part, escaped}});
     }
   }
   return base::plainLines(text);

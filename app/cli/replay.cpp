@@ -16,6 +16,7 @@
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"
 #include "core/store/model_versions.h"
+#include "core/store/sealed_references.h"
 #include "core/store/study_file.h"
 
 namespace tactus::cli {
@@ -181,6 +182,17 @@ base::Result<std::pair<OpenedModel, std::string>> modelBefore(const ReplayOption
   if (!options.before.empty()) {
     TACTUS_TRY(auto opened, openedModel(options.before));
     return std::pair(std::move(opened), options.before);
+  }
+  if (options.last_sign_off) {
+    TACTUS_TRY(const auto versions, store::modelVersions(file));
+    const auto last = std::find_if(versions.rbegin(), versions.rend(), store::isSignOff);
+    if (last == versions.rend()) {
+      return tl::unexpected(base::Error{base::ErrorCode::kData, options.study, "models", "no sign-off",
+                                        "a version that was signed off, or --before MODEL"});
+    }
+    TACTUS_TRY(const auto version, store::modelVersion(file, last->id));
+    TACTUS_TRY(auto opened, openedModel(version.text, options.study));
+    return std::pair(std::move(opened), "the last sign-off in the study, " + version.author + ", " + version.label);
   }
   TACTUS_TRY(const auto latest, store::latestModelVersion(file));
   if (!latest) {

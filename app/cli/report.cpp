@@ -97,8 +97,7 @@ base::Result<Output> writeReport(const ReportOptions& options) {
   TACTUS_TRY(auto made, buildStudy(options, RulesNeeded::kNo));
   for (auto& note : acceptedNotes(made.data, made.accepted)) made.built.notes.push_back(std::move(note));
   if (!made.in_order) return tl::unexpected(made.in_order.error());
-  TACTUS_TRY(auto duels, session::readDuels(options.study));
-  TACTUS_TRY(auto sealed, session::readSealedCurves(options.study));
+  TACTUS_TRY(auto evidence, session::readEvidence(options.study));
   const report::StudyReportInputs inputs{.study = made.tables.study,
                                          .built = made.built,
                                          .build_settings = made.settings,
@@ -111,8 +110,8 @@ base::Result<Output> writeReport(const ReportOptions& options) {
                                          .usability = made.usability,
                                          .usability_simulated = made.usability_simulated,
                                          .in_order = std::move(*made.in_order),
-                                         .duels = std::move(duels),
-                                         .sealed = std::move(sealed)};
+                                         .duels = std::move(evidence.duels),
+                                         .sealed = std::move(evidence.sealed)};
   const auto page = report::studyReport(inputs);
   if (!page) return inFile(page.error(), options.study);
   const auto experts = made.built.model.experts.size();

@@ -36,16 +36,9 @@ using base::JsonWriter;
 constexpr auto kInline = JsonWriter::Layout::kInline;
 constexpr int kRampColors = 33;
 
-void replaceAll(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
 /// A script as the text of its element, in HTML and in XML. Only a text of the model can hold what is replaced.
 std::string inPage(std::string script) {
-  replaceAll(script, "]]>", "]]\\u003e");
-  replaceAll(script, "<!--", "<\\!--");
-  replaceAll(script, "</", "<\\/");
+  script = base::replaced(std::move(script), {{"]]>", "]]\\u003e"}, {"<!--", "<\\!--"}, {"</", "<\\/"}});
   return "/*<![CDATA[*/\n" + std::move(script) + "/*]]>*/";
 }
 
@@ -112,11 +105,8 @@ std::string contentOf(const fuzzy::ForceModel& model, const fuzzy::CompiledModel
   } else {
     json.null();
   }
-  std::string text = json.key("checks").value(checksOf(model, compiled)).endObject().text();
-  replaceAll(text, "<", "\\u003c");
-  replaceAll(text, "&", "\\u0026");
-  replaceAll(text, ">", "\\u003e");
-  return text;
+  return base::replaced(json.key("checks").value(checksOf(model, compiled)).endObject().text(),
+                        {{"<", "\\u003c"}, {"&", "\\u0026"}, {">", "\\u003e"}});
 }
 
 std::string panelScripts() {

@@ -43,10 +43,7 @@ std::string inWords(std::string text, const fuzzy::ForceModel& model) {
   const auto spell = [&text](const std::string& id) {
     std::string spaced = id;
     std::replace(spaced.begin(), spaced.end(), '_', ' ');
-    if (spaced == id) return;
-    for (std::size_t at = text.find(id); at != std::string::npos; at = text.find(id, at + 1)) {
-      text.replace(at, id.size(), spaced);
-    }
+    if (spaced != id) text = base::replaced(std::move(text), {{id, spaced}});
   };
   const auto spell_all = [&spell](const fuzzy::Variable& variable) {
     spell(variable.id);

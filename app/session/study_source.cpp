@@ -125,13 +125,6 @@ base::Result<std::vector<experiments::JudgedDuel>> judgedDuels(const store::Stud
   return out;
 }
 
-base::Result<std::vector<experiments::JudgedDuel>> readDuels(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<experiments::JudgedDuel>{};
-  TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
-  return judgedDuels(file);
-}
-
 namespace {
 
 std::string utcOf(std::int64_t utc_ms) {
@@ -170,11 +163,13 @@ base::Result<std::vector<elicitation::SealedCurve>> sealedCurves(const store::St
   return out;
 }
 
-base::Result<std::vector<elicitation::SealedCurve>> readSealedCurves(const std::string& path) {
+base::Result<StudyEvidence> readEvidence(const std::string& path) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) return std::vector<elicitation::SealedCurve>{};
+  if (!std::filesystem::is_regular_file(path, ignored)) return StudyEvidence{};
   TACTUS_TRY(const auto file, store::StudyFile::open(path, {store::Access::kReadOnly, {}}));
-  return sealedCurves(file);
+  TACTUS_TRY(auto duels, judgedDuels(file));
+  TACTUS_TRY(auto sealed, sealedCurves(file));
+  return StudyEvidence{std::move(duels), std::move(sealed)};
 }
 
 std::vector<study::Form> knownForms(const procedure::Procedure& procedure) {

@@ -40,13 +40,16 @@ base::Result<std::vector<experiments::DoneInOrder>> doneInOrder(const store::Stu
 
 /// The blind comparisons of models in the file, from the oldest to the newest.
 base::Result<std::vector<experiments::JudgedDuel>> judgedDuels(const store::StudyFile& file);
-/// The same of the study at `path`; nothing of a folder of tables. The file is not changed. Errors name the file.
-base::Result<std::vector<experiments::JudgedDuel>> readDuels(const std::string& path);
 
 /// The references that are or were under seal, from the oldest to the newest.
 base::Result<std::vector<elicitation::SealedCurve>> sealedCurves(const store::StudyFile& file);
-/// The same of the study at `path`, as readDuels.
-base::Result<std::vector<elicitation::SealedCurve>> readSealedCurves(const std::string& path);
+
+struct StudyEvidence {
+  std::vector<experiments::JudgedDuel> duels;
+  std::vector<elicitation::SealedCurve> sealed;
+};
+/// Both of the study at `path`; nothing of a folder of tables. The file is not changed. Errors name the file.
+base::Result<StudyEvidence> readEvidence(const std::string& path);
 
 // The forms to which answers and given rules of a study can refer.
 

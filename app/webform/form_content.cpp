@@ -50,11 +50,6 @@ void addWords(std::string_view table, const std::string& language, std::map<std:
   }
 }
 
-std::string filled(std::string text, std::string_view value) {
-  const auto at = text.find("%1");
-  return at == std::string::npos ? text : text.replace(at, 2, value);
-}
-
 std::string textIn(const std::map<std::string, std::string>& texts, const std::string& language) {
   const auto found = texts.find(language);
   return found == texts.end() ? std::string() : std::string(base::trimmed(found->second));
@@ -73,7 +68,7 @@ std::vector<std::string> consentOf(const FormContent& content, const session::St
   const std::string statements = textIn(protocol.statements, language.id);
   if (statements.empty()) {
     const auto add = [&](const char* id, const std::string& value = {}) {
-      out.push_back(filled(language.words.at(id), value));
+      out.push_back(base::replaced(language.words.at(id), {{"%1", value}}));
     };
     add(content.form == kScale ? "u.purpose" : "con.purpose");
     add("web.what");
@@ -87,7 +82,8 @@ std::vector<std::string> consentOf(const FormContent& content, const session::St
   }
   out.push_back(language.words.at("web.sends"));
   addLines(textIn(protocol.consent, language.id), out);
-  if (!protocol.contact.empty()) out.push_back(filled(language.words.at("con.contact"), protocol.contact));
+  if (!protocol.contact.empty())
+    out.push_back(base::replaced(language.words.at("con.contact"), {{"%1", protocol.contact}}));
   return out;
 }
 
@@ -210,12 +206,8 @@ std::map<std::string, std::string> screenTexts(const procedure::Procedure& proce
     }
   }
   // What is inserted stands in the texts as this.
-  constexpr std::string_view kToolPlace = "%tool";
   const std::string tool = out.contains("tool") ? out.at("tool") : std::string();
-  for (auto& [id, text] : out) {
-    for (auto at = text.find(kToolPlace); at != std::string::npos; at = text.find(kToolPlace, at + tool.size()))
-      text.replace(at, kToolPlace.size(), tool);
-  }
+  for (auto& [id, text] : out) text = base::replaced(std::move(text), {{"%tool", tool}});
   return out;
 }
 

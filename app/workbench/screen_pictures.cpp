@@ -6,6 +6,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
 #include <QSize>
 #include <QString>
@@ -26,6 +27,7 @@
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
+#include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/panels.h"
@@ -92,7 +94,16 @@ base::Result<void> addLabPictures(PictureAlbum& album, Workbench& bench) {
     }
     if (pages != nullptr) pages->setCurrentIndex(0);
   }
-  return {};
+  // What a setting moved: the terms of before, and the price.
+  screen.reveal(bench.views.speed);
+  bench.labs.speed.setAlpha(0.8);
+  waitForLab(screen);
+  auto moved =
+      album.add(stageId(Stage::kBuild), QStringLiteral("speed_changed"),
+                stageName(Stage::kBuild) + QStringLiteral(": ") + bench.views.speed->windowTitle(), bench.window);
+  bench.labs.corrections.undo();
+  waitForLab(screen);
+  return moved;
 }
 
 // The nurse's screens, each in its window with the red button.
@@ -269,6 +280,10 @@ base::Result<void> addPull(PictureAlbum& album, Workbench& bench) {
   constexpr double kDeep = 200;  // mm, of the demo's x axis
   const std::vector<double> before = bench.scene.values();
   bench.scene.setValue(bench.scene.xInput(), kDeep);
+  constexpr double kPinned = 130;  // mm
+  std::vector<double> pinned = before;
+  pinned[bench.scene.xInput()] = kPinned;
+  bench.pull.togglePin(pinned);
   emit bench.views.curves->pullAsked();
   bench.pull.setExpert(bench.scene.model()->model.experts.size() - 1);
   PullWish wish = bench.pull.wish();
@@ -279,6 +294,7 @@ base::Result<void> addPull(PictureAlbum& album, Workbench& bench) {
   auto added = album.add(stageId(Stage::kTune), QStringLiteral("pull"),
                          PullCard::tr("%1: a force that is pulled").arg(stageName(Stage::kTune)), bench.window);
   bench.pull.cancel();
+  bench.pull.clearPins();
   bench.scene.goTo(before);
   return added;
 }
@@ -335,7 +351,13 @@ base::Result<void> addDuelPicture(PictureAlbum& album, Bench& bench) {
   bench.compare.choose(CompareSide::kB, {});
   emit bench.views.history->feelBlindRequested();
   auto* const duel = bench.window.findChild<DuelWindow*>();
-  auto added = album.add(QStringLiteral("feel"), QStringLiteral("blind-duel"), duel->windowTitle(), *duel);
+  if (auto added = album.add(QStringLiteral("feel"), QStringLiteral("blind-duel"), duel->windowTitle(), *duel); !added)
+    return added;
+  for (QPushButton* button : duel->findChildren<QPushButton*>()) {
+    if (button->isVisible() && button->text() == DuelWindow::tr("Begin")) button->click();
+  }
+  auto added = album.add(QStringLiteral("feel"), QStringLiteral("blind-duel-trial"), duel->windowTitle(), *duel);
+  bench.duel.stop();
   duel->hide();
   return added;
 }

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace tactus::base {
 
@@ -25,6 +27,12 @@ std::string roundedNumber(double value);
 
 /// Outside names for a message: quoted (error.h), separated by commas. After about 200 bytes, `…` replaces the rest.
 std::string listed(std::span<const std::string> names);
+
+// Replacing parts of a text.
+
+/// `text` with each `from` of a pair replaced by its `to`, one pair after another. A `from` is not empty; what a `to`
+/// puts in is not replaced by the same pair.
+std::string replaced(std::string text, std::initializer_list<std::pair<std::string_view, std::string_view>> pairs);
 
 // Kinds of characters, the same in every locale.
 

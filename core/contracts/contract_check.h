@@ -58,6 +58,10 @@ ContractResult checkContract(const fuzzy::ForceModel& model, const fuzzy::Compil
 /// The sentence, such as `more lubrication never raises the force`. Grammar: docs/contracts.md.
 std::string sentenceOf(const fuzzy::ForceModel& model, const fuzzy::Contract& contract);
 
+/// What is said where a model breaks the contract with this sentence, and `more` others: `found a violation of 'more
+/// lubrication never raises the force', wanted contracts that the model keeps`.
+std::string violationText(std::string_view sentence, std::size_t more = 0);
+
 /// The contract that `sentence` means; its id is empty. Refused: another sentence, names that the model does not have.
 base::Result<fuzzy::Contract> parseContract(const fuzzy::ForceModel& model, std::string_view sentence);
 

@@ -185,6 +185,11 @@ class Reader {
 
 }  // namespace
 
+std::string violationText(std::string_view sentence, std::size_t more) {
+  return "found a violation of " + base::quoted(std::string(sentence)) +
+         (more > 0 ? " and of " + std::to_string(more) + " more" : "") + ", wanted contracts that the model keeps";
+}
+
 std::string sentenceOf(const fuzzy::ForceModel& model, const Contract& contract) {
   const auto inputs = inputIds(model);
   const std::string input = nameOf(inputs, contract.input);

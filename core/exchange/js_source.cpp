@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/json/json_writer.h"
+#include "core/base/text.h"
 #include "core/exchange/c_parts.h"
 #include "core/exchange/expert_view.h"
 
@@ -363,11 +364,7 @@ bool hasGaussianOutput(const fuzzy::ForceModel& model) {
 
 }  // namespace
 
-std::string forAPage(std::string script) {
-  for (std::size_t at = script.find("</"); at != std::string::npos; at = script.find("</", at))
-    script.replace(at, 2, "<\\/");
-  return script;
-}
+std::string forAPage(std::string script) { return base::replaced(std::move(script), {{"</", "<\\/"}}); }
 
 std::string jsForce(const fuzzy::ForceModel& model, const Origin& origin) {
   const bool gaussian = hasGaussianOutput(model);
@@ -379,12 +376,11 @@ std::string jsForce(const fuzzy::ForceModel& model, const Origin& origin) {
          " */\n(function () {\n'use strict';\nconst FORCE_MODEL = " + modelText(model, origin);
   out.pop_back();
   out += ";\n" + std::string(kCentroid) + (gaussian ? std::string(kGaussians) : std::string());
-  std::string end(kMean);
-  const std::string_view place = "@GAUSSIAN@\n";
-  end.replace(end.find(place), place.size(),
-              gaussian ? "  if (terms.some((term, t) => term.gaussian && strengths[t] > 0)) {\n"
-                         "    return gaussianOffset(terms, strengths, largest, scales, min, max);\n  }\n"
-                       : "");
+  const std::string end = base::replaced(
+      std::string(kMean),
+      {{"@GAUSSIAN@\n", gaussian ? "  if (terms.some((term, t) => term.gaussian && strengths[t] > 0)) {\n"
+                                   "    return gaussianOffset(terms, strengths, largest, scales, min, max);\n  }\n"
+                                 : ""}});
   return forAPage(out + end);
 }
 

@@ -63,16 +63,6 @@ std::vector<std::pair<std::string, double>> eventNumbersOf(const fuzzy::ForceMod
   return out;
 }
 
-/// `text` with each `@NAME@` replaced.
-std::string filled(std::string_view text, const std::vector<std::pair<std::string, std::string>>& values) {
-  std::string out(text);
-  for (const auto& [name, value] : values) {
-    for (std::size_t at = out.find(name); at != std::string::npos; at = out.find(name, at + value.size()))
-      out.replace(at, name.size(), value);
-  }
-  return out;
-}
-
 /// The body in JavaScript: declarations lose their types, a state is an object.
 std::string inJavaScript(std::string_view body) {
   std::string out;
@@ -90,9 +80,10 @@ std::string inJavaScript(std::string_view body) {
     }
     line = std::regex_replace(line, kConstant, "$1const ");
     line = std::regex_replace(line, kVariable, "$1let ");
-    out += filled(line, {{"t->", "t."}, {" == ", " === "}, {" != ", " !== "}}) + "\n";
+    out += base::replaced(std::move(line), {{"t->", "t."}, {" == ", " === "}, {" != ", " !== "}}) + "\n";
   }
-  return filled(out, {{"tube_step(", "tubeStep("}, {"tube_place(", "tubePlace("}, {"tube_change(", "tubeChange("}});
+  return base::replaced(std::move(out),
+                        {{"tube_step(", "tubeStep("}, {"tube_place(", "tubePlace("}, {"tube_change(", "tubeChange("}});
 }
 
 /// What both languages fill in.
@@ -137,7 +128,7 @@ std::string linesOf(std::string_view text, const Filling& filling) {
     if (mark != std::end(kMarks)) line = mark->second ? line.substr(mark->first.size()) : std::string_view();
     out += line;
   }
-  return filled(out, {{"@SHARES@", filling.shares}, {"@COUNTS@", filling.counts}});
+  return base::replaced(out, {{"@SHARES@", filling.shares}, {"@COUNTS@", filling.counts}});
 }
 
 Filling fillingOf(const fuzzy::ForceModel& model, const render::TubeInputs& inputs, const Origin& origin) {
@@ -181,7 +172,7 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& ori
       filling.origin + filling.conditions +
       " *\n *   tube_state tube;\n *   tube_start(&tube, conditions);\n"
       " *   for (;;) { force_n = tube_step(&tube, position_mm, held, dt_s); ... }\n */\n" +
-      filled(linesOf(kTubeHeader, filling), {{"@CONDITIONS@", std::to_string(inputs.conditions.size())}});
+      base::replaced(linesOf(kTubeHeader, filling), {{"@CONDITIONS@", std::to_string(inputs.conditions.size())}});
   out.source = "/* The tube of " + comment(model.name) +
                ": see tube.h. The numbers in parentheses are those of docs/renderer.md. Written by Tactus; edit the\n"
                " * model, not this file. */\n#include \"tube.h\"\n\n#include \"force_model.h\"\n\n" +
@@ -190,7 +181,8 @@ base::Result<TubeSource> cTube(const fuzzy::ForceModel& model, const Origin& ori
                "#if defined(__GNUC__) && !defined(__clang__)\n#pragma GCC optimize(\"fp-contract=off\")\n"
                "#elif defined(__clang__)\n#pragma STDC FP_CONTRACT OFF\n#endif\n\n" +
                numbersText(model, inputs, "static const double ") +
-               filled(kTubeStartInC, {{"@INPUTS@", filling.places + (inputs.speed ? "" : "\n  (void)speed_mm_s;")}}) +
+               base::replaced(std::string(kTubeStartInC),
+                              {{"@INPUTS@", filling.places + (inputs.speed ? "" : "\n  (void)speed_mm_s;")}}) +
                linesOf(kTubeBody, filling);
   return out;
 }
@@ -214,7 +206,7 @@ base::Result<std::string> jsTube(const fuzzy::ForceModel& model, const Origin& o
       "                                                                : globalThis.forceModel;\n"
       "const TUBE_CONDITIONS = " +
       std::to_string(inputs.conditions.size()) + ";\n" + numbersText(model, inputs, "const ") +
-      inJavaScript(filled(linesOf(kTubeStartInJs, filling), {{"@INPUTS@", filling.places}})) +
+      inJavaScript(base::replaced(linesOf(kTubeStartInJs, filling), {{"@INPUTS@", filling.places}})) +
       inJavaScript(linesOf(kTubeBody, filling)) +
       "\nif (typeof module === 'object' && module.exports) {\n"
       "  module.exports = { tubeStart, tubePlace, tubeChange, tubeStep };\n} else {\n"

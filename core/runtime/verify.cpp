@@ -17,8 +17,7 @@ std::string brokenContract(const fuzzy::ForceModel& model, const std::string& fo
   if (!compiled) return compiled.error().message();
   for (const fuzzy::Contract& contract : model.contracts) {
     if (contracts::checkContract(model, *compiled, contract).verdict == contracts::Verdict::kViolated) {
-      return folder + ": found a violation of " + base::quoted(contracts::sentenceOf(model, contract)) +
-             ", wanted contracts that the model keeps";
+      return folder + ": " + contracts::violationText(contracts::sentenceOf(model, contract));
     }
   }
   return {};

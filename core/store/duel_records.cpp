@@ -93,9 +93,7 @@ EventRecord eventOf(const study::DuelEnd& record) {
 }
 
 Result<study::DuelStart> duelStartOf(const EventRecord& event) {
-  study::DuelStart out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>& error) {
+  return recordOf<study::DuelStart>(event, [](auto& out, JsonMembers& members, auto& error) {
     readModel(members, error, "a", out.a);
     readModel(members, error, "b", out.b);
     readWord(members, required("question"), kQuestions, out.question);
@@ -112,14 +110,10 @@ Result<study::DuelStart> duelStartOf(const EventRecord& event) {
     members.flag(required("gives_force"), out.gives_force);
     readSetting(members, out.setting);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 Result<study::DuelAnswer> duelAnswerOf(const EventRecord& event) {
-  study::DuelAnswer out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<study::DuelAnswer>(event, [](auto& out, JsonMembers& members, auto&) {
     readId(members, required("duel"), out.duel);
     members.integer(required("trial"), out.trial, kFromOne);
     members.integer(required("attempt"), out.attempt, kFromOne);
@@ -135,21 +129,15 @@ Result<study::DuelAnswer> duelAnswerOf(const EventRecord& event) {
     members.number(required("second_mm_s"), out.second_mm_s, kPositive);
     members.number(required("response_s"), out.response_s, kPositive);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 Result<study::DuelEnd> duelEndOf(const EventRecord& event) {
-  study::DuelEnd out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<study::DuelEnd>(event, [](auto& out, JsonMembers& members, auto&) {
     readId(members, required("duel"), out.duel);
     members.text(required("outcome"), out.outcome);
     members.integer(required("trials"), out.trials, kCount);
     members.number(required("right"), out.right, kPositive);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 }  // namespace

@@ -63,9 +63,7 @@ study::StrokeRecord strokeOf(const study::FeelPiece& record) {
 }
 
 Result<study::PlacementRecord> placementOf(const EventRecord& event) {
-  study::PlacementRecord out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<study::PlacementRecord>(event, [](auto& out, JsonMembers& members, auto&) {
     members.number(required("duration_s"), out.duration_s, kPositive);
     members.integer(required("strokes"), out.strokes, kCount);
     members.number(required("peak_force_n"), out.peak_force_n, kPositive);
@@ -73,44 +71,30 @@ Result<study::PlacementRecord> placementOf(const EventRecord& event) {
     members.number(required("depth_mm"), out.depth_mm, kAnyNumber);
     readSetting(members, out.setting);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 Result<study::FeelMark> feelMarkOf(const EventRecord& event) {
-  study::FeelMark out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<study::FeelMark>(event, [](auto& out, JsonMembers& members, auto&) {
     members.number(required("depth_mm"), out.depth_mm, kAnyNumber);
     members.number(required("speed_mm_s"), out.speed_mm_s, kAnyNumber);
     members.number(required("force_n"), out.force_n, kAnyNumber);
     members.number(required("model_force_n"), out.model_force_n, kAnyNumber);
     readSetting(members, out.setting);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 Result<study::FeelStart> feelStartOf(const EventRecord& event) {
-  study::FeelStart out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<study::FeelStart>(event, [](auto& out, JsonMembers& members, auto&) {
     members.integer(required("recording"), out.number, kFromOne);
     readSetting(members, out.setting);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 Result<study::FeelEnd> feelEndOf(const EventRecord& event) {
-  study::FeelEnd out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<study::FeelEnd>(event, [](auto& out, JsonMembers& members, auto&) {
     members.integer(required("recording"), out.recording, kFromOne);
     members.integer(required("pieces"), out.pieces, kCount);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 namespace {

@@ -47,6 +47,17 @@ base::Result<void> readDetail(const study::EventRecord& event, Read read) {
   return {};
 }
 
+/// The record of `event`, whose detail `read(Record&, JsonMembers&, std::optional<Error>&)` reads.
+template <class Record, class Read>
+base::Result<Record> recordOf(const study::EventRecord& event, Read read) {
+  Record out;
+  out.entry = event.entry;
+  const auto ok = readDetail(
+      event, [&](base::JsonMembers& members, std::optional<base::Error>& error) { read(out, members, error); });
+  if (!ok) return tl::unexpected(ok.error());
+  return out;
+}
+
 void writeSetting(const study::FeltSetting& setting, base::JsonWriter& json);
 void readSetting(base::JsonMembers& members, study::FeltSetting& setting);
 /// The id of a record in the member `key`. Refuses a text that is none.

@@ -136,9 +136,7 @@ EventRecord eventOf(const SealedReference& record) {
 }
 
 Result<SealedReference> sealedReferenceOf(const EventRecord& event) {
-  SealedReference out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<SealedReference>(event, [](auto& out, JsonMembers& members, auto&) {
     const std::string_view methods[] = {kSealMethod};
     members.word(required("method"), methods);
     members.text(required("sha256"), out.sha256);
@@ -157,8 +155,6 @@ Result<SealedReference> sealedReferenceOf(const EventRecord& event) {
     readBytes(members, "nonce", out.nonce, kNonceBytes, kNonceBytes);
     readBytes(members, "cipher", out.cipher, kTagBytes, kTagBytes + kMostSealedBytes);
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 EventRecord eventOf(const SealOpening& record) {
@@ -174,9 +170,7 @@ EventRecord eventOf(const SealOpening& record) {
 }
 
 Result<SealOpening> openingOf(const EventRecord& event) {
-  SealOpening out;
-  out.entry = event.entry;
-  const auto ok = readDetail(event, [&](JsonMembers& members, std::optional<base::Error>&) {
+  return recordOf<SealOpening>(event, [](auto& out, JsonMembers& members, auto&) {
     readId(members, required("reference"), out.reference);
     members.flag(required("early"), out.early);
     members.text(required("content"), out.content);
@@ -195,8 +189,6 @@ Result<SealOpening> openingOf(const EventRecord& event) {
       out.records[*id] = static_cast<std::size_t>(count);
     }
   });
-  if (!ok) return tl::unexpected(ok.error());
-  return out;
 }
 
 /// Strokes, judgements, answers and rules of each session that has any. Those of feeling a model are none of the

@@ -81,10 +81,9 @@ void drawPlates(QPainter& painter, const QRectF& area, std::vector<PlateName> na
 namespace {
 
 constexpr int kTurnMs = 1000;
-constexpr double kTubeMm = 4.7;      // 14 Fr
-constexpr double kPassageMm = 60;    // wider than any part of the passage
-constexpr double kChinShare = 0.88;  // of the height of the picture
-constexpr double kEndMm = 514;       // of the path
+constexpr double kTubeMm = 4.7;    // 14 Fr
+constexpr double kPassageMm = 60;  // wider than any part of the passage
+constexpr double kEndMm = 514;     // of the path
 constexpr double kInStomachMm = 490;
 
 QPainterPath lineThrough(const std::vector<QPointF>& points) {
@@ -256,7 +255,11 @@ void AnatomyView::paintEvent(QPaintEvent* /*event*/) {
   if (lit_ && turned_ == 1) {
     painter.save();
     painter.setTransform(to_widget, true);
-    painter.setBrush(kLit);
+    // As if the color lay below the drawing, whose lines stay.
+    painter.setCompositionMode(QPainter::CompositionMode_Multiply);
+    painter.fillPath(lit_path_, kLit);
+    painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kLitEdge, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.drawPath(lit_path_);
     painter.restore();
@@ -296,13 +299,12 @@ std::vector<PlateName> AnatomyView::plateNames(const QTransform& to_widget) cons
   };
   if (lit_ && !lit_->name.isEmpty() && turned_ == 1) {
     const auto region = regionAtDepth((lit_->from_mm + std::min(lit_->to_mm, kEndMm)) / 2);
-    // Below the chin, where nothing is drawn.
-    const double least_y = framing_ == Framing::kWhole ? 0 : height() * kChinShare;
-    if (region) plates.push_back({lit_->name, placeOf(structureOf(*region)), !mirrored_, true, least_y});
+    // Beside the region, on the side of the neck: on the other one the line would cross the face.
+    if (region) plates.push_back({lit_->name, placeOf(structureOf(*region)), mirrored_, true});
   }
   for (const NamedStructure& named : names_) {
     const bool left = (named.structure.side == Side::kFront) != mirrored_;
-    plates.push_back({named.name, placeOf(named.structure), left, false, 0});
+    plates.push_back({named.name, placeOf(named.structure), left, false});
   }
   return plates;
 }

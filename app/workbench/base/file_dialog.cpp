@@ -1,5 +1,6 @@
 #include "app/workbench/base/file_dialog.h"
 
+#include <QDir>
 #include <QFileIconProvider>
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -16,6 +17,17 @@ class PlainIcons : public QFileIconProvider {
   QString type(const QFileInfo& info) const override { return info.isDir() ? QString() : info.suffix(); }
 };
 
+/// Qt's own one says of the name of a new folder that it was not found.
+class Dialog : public QFileDialog {
+ public:
+  using QFileDialog::QFileDialog;
+  void accept() override {
+    const QString chosen = selectedFiles().value(0);
+    if (fileMode() == Directory && acceptMode() == AcceptSave && !QFileInfo::exists(chosen)) QDir().mkpath(chosen);
+    QFileDialog::accept();
+  }
+};
+
 struct Question {
   QFileDialog::FileMode mode = QFileDialog::ExistingFile;
   QFileDialog::AcceptMode accept = QFileDialog::AcceptOpen;
@@ -27,15 +39,17 @@ QStringList ask(QWidget* parent, const QString& caption, const QString& start, c
   PlainIcons icons;
   // Qt's dialog looks into the files of its first folder before it can be told not to.
   const QTemporaryDir empty;
-  QFileDialog dialog(parent, caption, empty.path(), filter);
+  Dialog dialog(parent, caption, empty.path(), filter);
   dialog.setIconProvider(&icons);
   dialog.setOptions(question.options);
   dialog.setFileMode(question.mode);
   dialog.setAcceptMode(question.accept);
   const QFileInfo place(start.isEmpty() ? documentsFolder() : start);
-  dialog.setDirectory(place.isDir() ? place.absoluteFilePath() : place.absolutePath());
+  const bool names =
+      question.accept == QFileDialog::AcceptSave && (question.mode == QFileDialog::Directory || !place.isDir());
+  dialog.setDirectory(names || !place.isDir() ? place.absolutePath() : place.absoluteFilePath());
   dialog.setHistory({});
-  if (question.accept == QFileDialog::AcceptSave && !place.isDir()) dialog.selectFile(place.fileName());
+  if (names) dialog.selectFile(place.fileName());
   if (selected_filter != nullptr && !selected_filter->isEmpty()) dialog.selectNameFilter(*selected_filter);
   if (dialog.exec() != QDialog::Accepted) return {};
   if (selected_filter != nullptr) *selected_filter = dialog.selectedNameFilter();
@@ -61,6 +75,12 @@ QString getSaveFileName(QWidget* parent, const QString& caption, const QString& 
 QString getExistingDirectory(QWidget* parent, const QString& caption, const QString& start) {
   return ask(parent, caption, start, {}, {QFileDialog::Directory, QFileDialog::AcceptOpen, QFileDialog::ShowDirsOnly},
              nullptr)
+      .value(0);
+}
+
+QString getFolderToWrite(QWidget* parent, const QString& caption, const QString& proposed) {
+  return ask(parent, caption, proposed, {},
+             {QFileDialog::Directory, QFileDialog::AcceptSave, QFileDialog::ShowDirsOnly}, nullptr)
       .value(0);
 }
 

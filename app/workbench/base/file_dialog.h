@@ -15,5 +15,7 @@ QStringList getOpenFileNames(QWidget* parent, const QString& caption, const QStr
 QString getSaveFileName(QWidget* parent, const QString& caption, const QString& start = {}, const QString& filter = {},
                         QString* selected_filter = nullptr, QFileDialog::Options options = {});
 QString getExistingDirectory(QWidget* parent, const QString& caption, const QString& start = {});
+/// A folder to write into: `proposed`, or another one; one that is typed and does not exist is made.
+QString getFolderToWrite(QWidget* parent, const QString& caption, const QString& proposed);
 
 }  // namespace tactus::workbench::file_dialog

@@ -27,7 +27,7 @@ CollectView::CollectView(CollectController& collect, ProtocolController& protoco
   connect(protocol_, &ProtocolView::left, this, &CollectView::showHome);
   connect(home_, &StudyHome::fillAsked, this, &CollectView::askFill);
   connect(home_, &StudyHome::withdrawAsked, this, &CollectView::askWithdrawal);
-  connect(home_, &StudyHome::recordAsked, this, &CollectView::showRecord);
+  connect(home_, &StudyHome::recordAsked, this, [this](const study::RecordId& person) { showRecord(person); });
   connect(&collect_.study(), &StudyConnection::closed, this, &CollectView::showHome);
 }
 
@@ -70,8 +70,8 @@ void CollectView::askWithdrawal(const study::RecordId& person) {
   dialog->open();
 }
 
-void CollectView::showRecord(const study::RecordId& person) {
-  auto* dialog = new RecordDialog(collect_, person, this);
+void CollectView::showRecord(const study::RecordId& person, std::optional<study::RecordId> at) {
+  auto* dialog = new RecordDialog(collect_, person, std::move(at), window());
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->open();
 }

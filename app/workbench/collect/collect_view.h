@@ -4,12 +4,14 @@
 #include <QDialog>
 #include <QStackedWidget>
 #include <functional>
+#include <optional>
 
 #include "app/workbench/base/columns.h"
 #include "app/workbench/collect/collect_controller.h"
 
 class QCheckBox;
 class QLabel;
+class QTableView;
 
 namespace tactus::workbench {
 
@@ -22,10 +24,14 @@ class RecordDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `collect` outlives this. Reads the record at once, and again when the study changes.
-  RecordDialog(CollectController& collect, const study::RecordId& person, QWidget* parent = nullptr);
+  /// `collect` outlives this. Reads the record at once, and again when the study changes. `at`: the line that is chosen
+  /// first.
+  RecordDialog(CollectController& collect, const study::RecordId& person, std::optional<study::RecordId> at,
+               QWidget* parent = nullptr);
 
   const std::vector<RecordLine>& lines() const { return table_.rows(); }
+  /// The chosen line, or -1.
+  int chosen() const;
 
  private:
   void read();
@@ -36,6 +42,8 @@ class RecordDialog : public QDialog {
   const study::RecordId person_;
   std::vector<RecordLine> all_;
   Columns<RecordLine> table_;
+  std::optional<study::RecordId> at_;
+  QTableView* view_;
   QLabel* summary_;
   QCheckBox* log_;
 };
@@ -60,7 +68,8 @@ class CollectView : public QStackedWidget {
   void askFill();
   /// Asks in a dialog whether `person` is withdrawn.
   void askWithdrawal(const tactus::study::RecordId& person);
-  void showRecord(const tactus::study::RecordId& person);
+  /// The record of `person`; `at`: the line that is chosen in it.
+  void showRecord(const tactus::study::RecordId& person, std::optional<tactus::study::RecordId> at = std::nullopt);
   /// Asks for the files that the web form saved.
   void askAnswers();
 

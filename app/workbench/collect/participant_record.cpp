@@ -74,6 +74,7 @@ class Collector {
     RecordLine line;
     const auto number = numbers_.find(entry.session);
     line.session = number == numbers_.end() ? 0 : number->second;
+    line.id = entry.id;
     line.utc_ms = entry.when.utc_ms;
     line.sequence = sequences_[entry.id];
     line.part = part;

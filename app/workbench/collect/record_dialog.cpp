@@ -44,11 +44,14 @@ std::vector<Column<RecordLine>> columns() {
 
 }  // namespace
 
-RecordDialog::RecordDialog(CollectController& collect, const study::RecordId& person, QWidget* parent)
+RecordDialog::RecordDialog(CollectController& collect, const study::RecordId& person, std::optional<study::RecordId> at,
+                           QWidget* parent)
     : QDialog(parent),
       collect_(collect),
       person_(person),
       table_(columns(), this),
+      at_(std::move(at)),
+      view_(nullptr),
       summary_(new QLabel(this)),
       log_(new QCheckBox(tr("Show the log of the screens too"), this)) {
   const ParticipantRow* const row = collect_.row(person_);
@@ -57,9 +60,9 @@ RecordDialog::RecordDialog(CollectController& collect, const study::RecordId& pe
   auto* title = new QLabel(windowTitle(), this);
   title->setFont(theme::titleFont());
   setInk(*summary_, theme::mutedInk());
-  QTableView* const view = makeQuietTable(table_, windowTitle(), this);
-  QHeaderView* const head = view->horizontalHeader();
-  keepFitted(*view, [view, head] {
+  view_ = makeQuietTable(table_, windowTitle(), this);
+  QHeaderView* const head = view_->horizontalHeader();
+  keepFitted(*view_, [view = view_, head] {
     const QFontMetrics metrics(view->font());
     const QString widest[] = {tr("Session"), timeText(0), tr("Questions"),
                               tr("item %1 of %2").arg(45).arg(QStringLiteral("ngt-force-v1"))};
@@ -83,7 +86,7 @@ RecordDialog::RecordDialog(CollectController& collect, const study::RecordId& pe
   layout->setSpacing(theme::kGrid);
   layout->addWidget(title);
   layout->addWidget(summary_);
-  layout->addWidget(view, 1);
+  layout->addWidget(view_, 1);
   layout->addLayout(foot);
   resize(kSize);
   read();
@@ -120,7 +123,14 @@ void RecordDialog::filter() {
   for (const RecordLine& one : all_) {
     if (log_->isChecked() || !one.is_log) shown.push_back(one);
   }
+  const auto at = std::find_if(shown.begin(), shown.end(), [this](const RecordLine& one) { return one.id == at_; });
+  const int row = at == shown.end() ? -1 : static_cast<int>(at - shown.begin());
   table_.setRows(std::move(shown));
+  if (row < 0) return;
+  view_->selectRow(row);
+  view_->scrollTo(table_.index(row, 0), QAbstractItemView::PositionAtCenter);
 }
+
+int RecordDialog::chosen() const { return view_->currentIndex().row(); }
 
 }  // namespace tactus::workbench

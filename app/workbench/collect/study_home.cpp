@@ -278,6 +278,8 @@ QWidget* StudyHome::makeInvitation() {
   text->setAlignment(Qt::AlignHCenter);
   setInk(*text, theme::mutedInk());
   auto* protocol = new QPushButton(tr("Set the protocol…"), box);
+  connect(&collect_, &CollectController::changed, protocol,
+          [protocol, &study = collect_.study()] { protocol->setEnabled(!study.isReadOnly()); });
   auto* add = new QPushButton(tr("Add the first participant"), box);
   auto* fill = new QPushButton(tr("Fill with simulated nurses…"), box);
   connect(fill, &QPushButton::clicked, this, &StudyHome::fillAsked);
@@ -459,7 +461,8 @@ void StudyHome::showHints() {
   }
   const bool without_protocol = overview.protocol.version == 0;
   const bool open = collect_.study().isOpen() && !overview.rows.empty();
-  const bool warns = open && (without_protocol || !overview.has_key);
+  // What cannot be changed is no next step.
+  const bool warns = open && !collect_.study().isReadOnly() && (without_protocol || !overview.has_key);
   const bool asks = open && wantsSetup();
   const bool leads_on = open && std::all_of(overview.rows.begin(), overview.rows.end(),
                                             [](const auto& row) { return !row.next && row.trouble.isEmpty(); });

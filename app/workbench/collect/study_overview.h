@@ -89,6 +89,7 @@ std::optional<CollectStep> nextOf(const std::array<StepState, kCollectSteps>& st
 // The record of one participant: each line that the file holds about them.
 
 struct RecordLine {
+  study::RecordId id;
   int session = 1;            ///< from 1, by its start
   std::int64_t utc_ms = 0;    ///< when it was stored
   std::int64_t sequence = 0;  ///< its place in the file

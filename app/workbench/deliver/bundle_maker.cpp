@@ -17,8 +17,7 @@
 
 namespace tactus::workbench {
 
-QString bundleFolder(const QString& chosen, const QString& model_path) {
-  if (bundle::mayHoldBundle(chosen.toStdString())) return chosen;
+QString bundleName(const QString& model_path) {
   QString name = QFileInfo(model_path).fileName();
   for (const auto* ending : {".tactus.json", ".json", ".tactus"}) {
     if (!name.endsWith(QLatin1String(ending))) continue;
@@ -26,7 +25,12 @@ QString bundleFolder(const QString& chosen, const QString& model_path) {
     break;
   }
   if (name.isEmpty()) name = QStringLiteral("model");
-  return QDir(chosen).filePath(name + QStringLiteral("-bundle"));
+  return name + QStringLiteral("-bundle");
+}
+
+QString bundleFolder(const QString& chosen, const QString& model_path) {
+  if (bundle::mayHoldBundle(chosen.toStdString())) return chosen;
+  return QDir(chosen).filePath(bundleName(model_path));
 }
 
 QString errorText(double newtons) { return BundleMaker::tr("%1 N").arg(QString::number(newtons, 'g', 2)); }

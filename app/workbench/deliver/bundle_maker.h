@@ -19,6 +19,8 @@ namespace tactus::workbench {
 /// The folder of the bundle of the model file or study `model_path`, for the folder that the user chose: `chosen`
 /// itself if it is empty or holds an earlier bundle, otherwise a folder `NAME-bundle` in it.
 QString bundleFolder(const QString& chosen, const QString& model_path);
+/// What is proposed for the bundle of this model: `ngt-bundle`.
+QString bundleName(const QString& model_path);
 
 /// The files of a bundle as a table: what each promises, and what was found.
 struct DeliveredFile {

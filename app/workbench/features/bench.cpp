@@ -44,7 +44,7 @@ Bench::Bench(QSettings& user_settings, const QString& autosave_root, DeviceAcces
       readiness(models, edits, bundles),
       study_models(study, models, edits),
       feel_store(feel, scene, study, [this] { return study_models.modelVersion(); }),
-      strokes(ghost, scene, study),
+      strokes(ghost, edits, scene, study),
       marks(feel, scene, study, feel_store),
       duel(device, study, feel_store),
       collect(study),

@@ -70,6 +70,7 @@ class MembershipEditor;
 class OriginsFeature;
 class Panel;
 class ReportFeature;
+class RulePanel;
 class RulesLabView;
 class SearchFeature;
 class SpeedLabView;
@@ -96,6 +97,7 @@ struct Labs {
 /// Each is null until its feature has added it, and is the window's.
 struct BenchViews {
   CurvesPanel* curves = nullptr;
+  RulePanel* why = nullptr;
   MapPanel* map = nullptr;
   FeelPanel* feel = nullptr;
   MembershipEditor* membership_editor = nullptr;

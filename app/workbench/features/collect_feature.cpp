@@ -300,7 +300,8 @@ void LabsFeature::addOverview(Bench& bench) {
 
 void LabsFeature::addMethod(Bench& bench) {
   LabScreen& screen = *bench.views.labs;
-  auto* const method = new MethodLab(bench.labs.data, &screen);
+  auto* const method = new MethodLab(
+      bench.labs.data, [&overview = bench.labs.overview] { return overview.studied(); }, &screen);
   screen.addLab(tr("Method"), new MethodLabView(*method), &bench.labs.corrections);
   screen.watch(method->work(), tr("Comparing the choices of the method"));
   screen.watch([method] { return method->isDrawing(); });
@@ -335,9 +336,9 @@ void addLabs(Bench& bench) {
   Labs& labs = bench.labs;
   BenchViews& views = bench.views;
   views.labs = new LabScreen(labs.data);
-  views.depth = new DepthLabView(labs.depth);
-  views.speed = new SpeedLabView(labs.speed, labs.model, labs.corrections);
-  views.force = new ForceLabView(labs.force);
+  views.depth = new DepthLabView(labs.depth, labs.price);
+  views.speed = new SpeedLabView(labs.speed, labs.model, labs.corrections, labs.price);
+  views.force = new ForceLabView(labs.force, labs.price);
   views.rules = new RulesLabView(labs.rules);
   LabScreen& screen = *views.labs;
   LabsFeature::addOverview(bench);

@@ -1,5 +1,6 @@
 #include <QAction>
 #include <QCoreApplication>
+#include <QDir>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
@@ -14,6 +15,7 @@
 #include <variant>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/base/documents.h"
 #include "app/workbench/base/file_dialog.h"
 #include "app/workbench/deliver/bundle_panel.h"
 #include "app/workbench/deliver/link/link_dialog.h"
@@ -190,8 +192,8 @@ struct DeliverFeature {
   static void popUp(Bench& bench, const QVector<NoteGroup>& groups);
   static void make(Bench& bench);
   static void readBack(Bench& bench);
-  /// Empty if the user chose none.
-  static QString askFolder(Bench& bench, const QString& title);
+  /// Where the dialogs begin.
+  static QString startFolder(const Bench& bench);
 };
 
 void DeliverFeature::lead(Bench& bench, ReadinessTopic topic) {
@@ -255,24 +257,27 @@ void DeliverFeature::showOrigin(Bench& bench) {
   popUp(bench, {group});
 }
 
-QString DeliverFeature::askFolder(Bench& bench, const QString& title) {
+QString DeliverFeature::startFolder(const Bench& bench) {
   const auto open = bench.models.current();
   const QString before = bench.settings.value(QLatin1String(kFolderKey)).toString();
-  const QString start = !before.isEmpty() ? before : open ? QFileInfo(open->path).absolutePath() : QString();
-  const QString folder = file_dialog::getExistingDirectory(&bench.window, title, start);
-  if (!folder.isEmpty()) bench.settings.setValue(QLatin1String(kFolderKey), folder);
-  return folder;
+  return !before.isEmpty() ? before : open ? QFileInfo(open->path).absolutePath() : documentsFolder();
 }
 
 void DeliverFeature::make(Bench& bench) {
-  const QString chosen = askFolder(bench, tr("Folder for the bundle"));
   const auto open = bench.models.current();
-  if (!chosen.isEmpty() && open) bench.bundles.make(bundleFolder(chosen, open->path));
+  if (!open) return;
+  const QString chosen = file_dialog::getFolderToWrite(&bench.window, tr("Folder for the bundle"),
+                                                       QDir(startFolder(bench)).filePath(bundleName(open->path)));
+  if (chosen.isEmpty()) return;
+  bench.settings.setValue(QLatin1String(kFolderKey), QFileInfo(chosen).absolutePath());
+  bench.bundles.make(bundleFolder(chosen, open->path));
 }
 
 void DeliverFeature::readBack(Bench& bench) {
-  const QString folder = askFolder(bench, tr("Folder of a bundle"));
-  if (!folder.isEmpty()) bench.bundles.readBack(folder);
+  const QString folder = file_dialog::getExistingDirectory(&bench.window, tr("Folder of a bundle"), startFolder(bench));
+  if (folder.isEmpty()) return;
+  bench.settings.setValue(QLatin1String(kFolderKey), QFileInfo(folder).absolutePath());
+  bench.bundles.readBack(folder);
 }
 
 }  // namespace

@@ -193,6 +193,7 @@ class OriginsFeature : public QObject {
   /// `not_of_study`: empty for a number of the model that the labs build.
   void show(OriginQuestion question, const QString& not_of_study = {});
   void lead(const OriginRecord& record);
+  void showParticipant(const OriginRecord& record);
 
   Bench& bench_;
   OriginWindow* view_ = nullptr;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/collect/collect_view.h"
 #include "app/workbench/features/bench.h"
 #include "app/workbench/features/features.h"
 #include "app/workbench/labs/force/force_lab_view.h"
@@ -15,6 +16,7 @@
 #include "app/workbench/labs/speed/trace_row.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/understand/curves/curves_panel.h"
+#include "app/workbench/understand/here/rule_panel.h"
 
 namespace tactus::workbench {
 
@@ -29,7 +31,10 @@ void OriginsFeature::connectBench() {
   MembershipEditor& editor = *bench_.views.membership_editor;
   const RuleController& rules = bench_.rules;
   for (const auto change : {&StudyConnection::opened, &StudyConnection::closed}) {
-    connect(&bench_.study, change, &editor, [this, &editor] { editor.setOriginsKnown(bench_.study.isOpen()); });
+    connect(&bench_.study, change, &editor, [this, &editor] {
+      editor.setOriginsKnown(bench_.study.isOpen());
+      bench_.views.why->setAnswersKnown(bench_.study.isOpen());
+    });
   }
   connect(&bench_.study, &StudyConnection::closed, this, [this] {
     if (view_ != nullptr) view_->close();
@@ -48,6 +53,9 @@ void OriginsFeature::connectBench() {
     if (const auto rule = rules.cell(*cell).rule) {
       askBench(RuleQuestion{rules.expert().id, rules.expert().rules[*rule]});
     }
+  });
+  connect(bench_.views.why, &RulePanel::answerAsked, this, [this](const std::string& expert, const fuzzy::Rule& rule) {
+    askBench(RuleQuestion{expert, rule});
   });
   connect(bench_.views.curves, &CurvesPanel::originAsked, this, [this](double x) {
     const OpenModel* const open = bench_.scene.model();
@@ -110,6 +118,7 @@ void OriginsFeature::show(OriginQuestion question, const QString& not_of_study) 
       return true;
     });
     connect(view_, &OriginWindow::recordChosen, this, &OriginsFeature::lead);
+    connect(view_, &OriginWindow::participantAsked, this, &OriginsFeature::showParticipant);
   }
   view_->show();
   view_->raise();
@@ -136,6 +145,18 @@ void OriginsFeature::lead(const OriginRecord& record) {
       if (record.rule) bench_.labs.rules.chooseRule(record.rule->expert, record.rule->rule);
       break;
   }
+}
+
+// The participant's record in the study, at this answer.
+void OriginsFeature::showParticipant(const OriginRecord& record) {
+  const auto& study = bench_.labs.data.study();
+  if (study == nullptr) return;
+  const auto person = std::find_if(study->persons.begin(), study->persons.end(), [&](const study::Person& one) {
+    return harmless(text(one.code)) == record.participant;
+  });
+  if (person == study->persons.end()) return;
+  const bool answer = record.kind == OriginRecord::Kind::kAnswer && record.index < study->answer_ids.size();
+  bench_.views.collect->showRecord(person->id, answer ? std::optional(study->answer_ids[record.index]) : std::nullopt);
 }
 
 void addOrigins(Bench& bench) { bench.origins = new OriginsFeature(bench); }

@@ -73,8 +73,9 @@ void showEdit(Bench& bench, editing::StateId state) {
 void addHere(Bench& bench) {
   bench.panels.terms_here = &bench.window.addPanel(QStringLiteral("terms"), PanelFeatures::tr("Membership functions"),
                                                    new VariableRow(bench.scene));
-  bench.panels.rules_here = &bench.window.addPanel(QStringLiteral("rules"), PanelFeatures::tr("Why here"),
-                                                   new RulePanel(bench.scene, bench.selection));
+  bench.views.why = new RulePanel(bench.scene, bench.selection);
+  bench.panels.rules_here =
+      &bench.window.addPanel(QStringLiteral("rules"), PanelFeatures::tr("Why here"), bench.views.why);
 }
 
 void addMap(Bench& bench) {
@@ -183,6 +184,10 @@ void addSelection(Bench& bench) {
     bench.panels.rule_editor->reveal();
     selection.pointAtRules(selection.expert(), selection.rules());
     bench.panels.rule_editor->setFocus();
+  });
+  QObject::connect(&selection, &Selection::termEditAsked, context, [&bench] {
+    bench.window.enter(Stage::kTune);
+    bench.panels.membership_editor->reveal();
   });
   QObject::connect(
       &bench.findings, &FindingsController::rulePointed, context,

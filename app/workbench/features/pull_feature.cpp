@@ -27,13 +27,28 @@ std::vector<PullWish> referenceWishes(const Bench& bench) {
   return out;
 }
 
+/// Those on the curves that are shown.
+std::vector<PullMarks::Pin> pinsOf(const PullController& pull) {
+  std::vector<PullMarks::Pin> out;
+  const SceneController& scene = pull.scene();
+  for (const std::vector<double>& pin : pull.pins()) {
+    std::vector<double> there = scene.values();
+    there[scene.xInput()] = pin[scene.xInput()];
+    if (there == pin) out.push_back({pin[scene.xInput()], scene.model()->compiled.evaluate(pin).force_n});
+  }
+  return out;
+}
+
 PullMarks marksOf(const PullController& pull) {
   PullMarks out;
+  out.pins = pinsOf(pull);
+  if (pull.state() == State::kIdle) return out;
   const PullWish& wish = pull.wish();
   const PullAnswer* const answer = pull.answer();
   out.expert = pull.expert();
   if (wish.kind == PullWish::Kind::kPoint) {
-    out.handle = PullMarks::Handle{wish.from, {}, wish.force_n, {}};
+    const std::string& unit = pull.scene().model()->model.output.unit;
+    out.handle = PullMarks::Handle{wish.from, {}, wish.force_n, {}, forceText(wish.force_n, unit)};
     if (answer != nullptr) out.handle->now_n = answer->now_n;
     if (answer != nullptr && answer->reach)
       out.handle->reach_n = figures::Interval{answer->reach->min_n, answer->reach->max_n};
@@ -57,13 +72,27 @@ QPoint cardPlace(const Bench& bench) {
   return curves.mapTo(&bench.window, curves.pixelOf(x, point ? wish.force_n : wish.low_n));
 }
 
-/// The mean in a model of several experts, else the only one.
-void askAt(Bench& bench, double x) {
-  std::vector<double> there = bench.scene.values();
-  there[bench.scene.xInput()] = x;
-  const fuzzy::Evaluation now = bench.scene.model()->compiled.evaluate(there);
-  const double force_n = now.fired ? placeOf(bench.scene.model()->model.output, now.force_n) : 0;
-  bench.pull.begin(pointWish(x, force_n), std::nullopt, State::kChoosing);
+std::vector<double> pointAt(const Bench& bench, double x) {
+  std::vector<double> out = bench.scene.values();
+  out[bench.scene.xInput()] = x;
+  return out;
+}
+
+/// The mean in a model of several experts, else the only one; the wanted force is `by_n` more than it is now.
+void beginAt(Bench& bench, double x, double by_n, State state) {
+  const fuzzy::Evaluation now = bench.scene.model()->compiled.evaluate(pointAt(bench, x));
+  const fuzzy::Variable& output = bench.scene.model()->model.output;
+  bench.pull.begin(pointWish(x, placeOf(output, (now.fired ? now.force_n : 0) + by_n)), std::nullopt, state);
+}
+
+void stepPull(Bench& bench, double by_n) {
+  PullWish wish = bench.pull.wish();
+  if (bench.pull.state() == State::kIdle || wish.kind != PullWish::Kind::kPoint) {
+    beginAt(bench, bench.scene.value(bench.scene.xInput()), by_n, State::kPulling);
+    return;
+  }
+  wish.force_n = placeOf(bench.scene.model()->model.output, wish.force_n + by_n);
+  bench.pull.setWish(wish);
 }
 
 }  // namespace
@@ -78,10 +107,23 @@ void addPull(Bench& bench) {
   QObject::connect(&bench.models, &ModelController::opened, ask, [ask] { ask->setEnabled(true); });
   const auto ask_here = [&bench] {
     bench.panels.curves->reveal();
-    askAt(bench, bench.scene.readingX());
+    beginAt(bench, bench.scene.readingX(), 0, State::kChoosing);
   };
   QObject::connect(ask, &QAction::triggered, context, ask_here);
   QObject::connect(curves, &CurvesPanel::pullAsked, context, ask_here);
+  QAction* const pin = bench.window.menus().addAction(MenuSlot::kEditStates, PullFeature::tr("P&in the force here"),
+                                                      Qt::CTRL | Qt::SHIFT | Qt::Key_P);
+  pin->setToolTip(PullFeature::tr("Keep the force at this place, whatever is pulled; once more takes the pin away"));
+  pin->setEnabled(false);
+  QObject::connect(&bench.models, &ModelController::opened, pin, [pin] { pin->setEnabled(true); });
+  const auto pin_at = [&bench](double x) { bench.pull.togglePin(pointAt(bench, x)); };
+  QObject::connect(pin, &QAction::triggered, context, [&bench, pin_at] {
+    bench.panels.curves->reveal();
+    pin_at(bench.scene.readingX());
+  });
+  QObject::connect(curves, &CurvesPanel::pinAsked, context, pin_at);
+  QObject::connect(curves, &CurvesPanel::pullStepped, context, [&bench](double by_n) { stepPull(bench, by_n); });
+  QObject::connect(curves, &CurvesPanel::pullDropped, &pull, &PullController::cancel);
 
   QObject::connect(curves, &CurvesPanel::grabbed, context, [&pull](auto expert, double x, double force_n) {
     pull.begin(pointWish(x, force_n), expert, State::kPulling);
@@ -109,7 +151,7 @@ void addPull(Bench& bench) {
 
   const auto show = [&bench, card = QPointer<PullCard>()]() mutable {
     const State state = bench.pull.state();
-    if (state == State::kIdle) {
+    if (state == State::kIdle && bench.pull.pins().empty()) {
       bench.views.curves->setPull(nullptr);
     } else {
       const PullMarks marks = marksOf(bench.pull);
@@ -119,12 +161,19 @@ void addPull(Bench& bench) {
       card = new PullCard(bench.pull, referenceWishes(bench), bench.window);
       card->moveBeside(cardPlace(bench));
     } else if (state != State::kChoosing && card != nullptr) {
+      // The keys go back to the curves.
+      if (card->isAncestorOf(bench.window.focusWidget())) bench.views.curves->setFocus();
       card->hide();
       card->deleteLater();
       card = nullptr;
     }
   };
   QObject::connect(&pull, &PullController::changed, context, show);
+  QObject::connect(&bench.scene, &SceneController::curvesChanged, context, [&bench] {
+    if (bench.pull.pins().empty()) return;
+    const PullMarks marks = marksOf(bench.pull);
+    bench.views.curves->setPull(&marks);
+  });
   // A stage without the curves has no place for the card.
   QObject::connect(&bench.window, &MainWindow::entered, &pull, [&pull] { pull.cancel(); });
 }

@@ -49,7 +49,7 @@ MessageBanner::MessageBanner(QWidget* parent)
 }
 
 void MessageBanner::showRemedy(const QString& sentence, MessageAct act, const QObject* from, MessageAct other) {
-  show(sentence, theme::errorInk(), theme::errorFill(), std::move(act), std::move(other));
+  show(sentence, theme::errorInk(), theme::errorFill(), theme::errorFill(), std::move(act), std::move(other));
   from_ = from;
 }
 
@@ -58,15 +58,15 @@ void MessageBanner::takeBack(const QObject& from) {
 }
 
 void MessageBanner::showOffer(const QString& sentence, MessageAct act, MessageAct other) {
-  show(sentence, theme::warningInk(), theme::warningFill(), std::move(act), std::move(other));
+  show(sentence, theme::ink(), theme::card(), theme::accent(), std::move(act), std::move(other));
 }
 
-void MessageBanner::showNote(const QString& sentence) { show(sentence, theme::warningInk(), theme::warningFill()); }
+void MessageBanner::showNote(const QString& sentence) { show(sentence, theme::ink(), theme::card(), theme::accent()); }
 
 QString MessageBanner::message() const { return label_->text(); }
 
-void MessageBanner::show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act,
-                         MessageAct other) {
+void MessageBanner::show(const QString& sentence, const QColor& ink, const QColor& fill, const QColor& edge,
+                         MessageAct act, MessageAct other) {
   from_ = nullptr;
   QPalette colors = label_->palette();
   colors.setColor(QPalette::WindowText, ink);
@@ -79,7 +79,7 @@ void MessageBanner::show(const QString& sentence, const QColor& ink, const QColo
     buttons_[i]->setText(acts_[i].text);
     buttons_[i]->setVisible(!acts_[i].text.isEmpty());
   }
-  setColors(fill, fill);
+  setColors(fill, edge);
   setVisible(true);
 }
 

@@ -38,7 +38,8 @@ class MessageBanner : public Card {
   QString message() const;
 
  private:
-  void show(const QString& sentence, const QColor& ink, const QColor& fill, MessageAct act = {}, MessageAct other = {});
+  void show(const QString& sentence, const QColor& ink, const QColor& fill, const QColor& edge, MessageAct act = {},
+            MessageAct other = {});
 
   QLabel* label_;
   QPushButton* buttons_[2];

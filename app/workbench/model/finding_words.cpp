@@ -154,10 +154,13 @@ class Words {
       if (expert_ == nullptr) return force(compiled_.evaluate(point).force_n);
       return force(compiled_.evaluateExpert(static_cast<std::size_t>(expert_ - model_.experts.data()), point).force_n);
     };
+    if (placeText(input, place->low) == placeText(input, place->high)) {
+      return tr("The force steps from %1 to %2 at once: %3 %4")
+          .arg(at(finding_.from), at(finding_.to), labelOf(input), placeText(input, place->low));
+    }
     return tr("The force steps from %1 to %2 within %3: %4 %5")
         .arg(at(finding_.from), at(finding_.to), quantityText(place->high - place->low, input.unit), labelOf(input),
-             placeText(input, place->low) == placeText(input, place->high) ? placeText(input, place->low)
-                                                                           : rangeText(input, place->low, place->high));
+             rangeText(input, place->low, place->high));
   }
 
   QString conflict() const {

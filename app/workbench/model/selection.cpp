@@ -135,6 +135,12 @@ void Selection::editRules() {
   if (edits_.isOpen()) emit editAsked();
 }
 
+void Selection::editTerm(editing::TermPlace term) {
+  if (!edits_.isOpen() || !hasTerm(edits_.model(), term)) return;
+  emit termEditAsked();
+  pointAtTerm(std::move(term));
+}
+
 void Selection::adoptModel() {
   const auto& experts = edits_.model().experts;
   const bool known = editing::findExpert(edits_.model(), expert_).has_value();

@@ -47,6 +47,8 @@ class Selection : public QObject {
   void pointAtTerm(tactus::editing::TermPlace term);
   /// Asks for the editor of the selected rules, wherever it is.
   void editRules();
+  /// Points at `term`, and asks for its editor, wherever it is.
+  void editTerm(tactus::editing::TermPlace term);
 
  signals:
   /// Another expert of the same model; a model that was opened is announced by the EditController alone.
@@ -56,6 +58,7 @@ class Selection : public QObject {
   void rulesPointed();
   void termPointed();
   void editAsked();
+  void termEditAsked();
 
  private:
   void adoptModel();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/workbench/plot/term_colors.h"
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
@@ -39,6 +40,22 @@ TermOutline outlineOf(const fuzzy::Term& term, double low, double high) {
     outline.membership << 0;
   }
   return outline;
+}
+
+bool addGhosts(QCustomPlot& plot, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
+               const std::vector<fuzzy::Term>& before, double low, double high, bool fast) {
+  bool some = false;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const fuzzy::Term* const same = fuzzy::findTerm(now, before[i].id);
+    if (same != nullptr && same->shape == before[i].shape && same->points == before[i].points) continue;
+    const TermOutline outline = outlineOf(before[i], low, high);
+    QCPGraph* const graph = plot.addGraph();
+    graph->setAdaptiveSampling(false);
+    graph->setPen(ghostPen(termLine(variable, before, i), fast));
+    graph->setData(outline.x, outline.membership, true);
+    some = true;
+  }
+  return some;
 }
 
 void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {

@@ -17,6 +17,11 @@ struct TermOutline {
 /// The corners of the shape between `low` and `high`. A vertical edge has two points at one place.
 TermOutline outlineOf(const fuzzy::Term& term, double low, double high);
 
+/// Draws the terms of `before` that are others in `now`, dashed, in the colors of `variable`; between `low` and `high`.
+/// `fast`: while something is dragged. Returns whether there were any.
+bool addGhosts(QCustomPlot& plot, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
+               const std::vector<fuzzy::Term>& before, double low, double high, bool fast = false);
+
 /// Fills the columns `term`, the variable, and `membership`: a row for every corner of every term, also beyond the
 /// universe. A Gaussian is sampled over the universe.
 void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);

@@ -251,13 +251,15 @@ void ModelFiles::showNotes() {
 }
 
 void ModelFiles::showTitle() {
-  const QString study = study_.isEmpty()   ? QString()
-                        : study_read_only_ ? tr(" – study %1 (read-only)").arg(study_)
-                                           : tr(" – study %1").arg(study_);
+  const QString of_study = study_.isEmpty()   ? QString()
+                           : study_read_only_ ? tr("study %1 (read-only)").arg(study_)
+                                              : tr("study %1").arg(study_);
+  // The window system adds the name of the program.
   if (!models_.current()) {
-    window_.setWindowTitle(tr("Tactus Workbench") + study);
+    window_.setWindowTitle(of_study.isEmpty() ? tr("Tactus Workbench") : of_study);
     return;
   }
+  const QString study = of_study.isEmpty() ? of_study : QStringLiteral(" – ") + of_study;
   const OpenModel& open = *models_.current();
   const QString file = shownFileName(open.path);
   const QString name = harmless(text(open.model.name));

@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <vector>
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
@@ -19,11 +21,16 @@ StudyNoticeStrip::StudyNoticeStrip(StudyConnection& study, QWidget* parent)
   hide();
   connect(&study_, &StudyConnection::noticesChanged, this, &StudyNoticeStrip::fill);
   // Another opening is another matter.
-  connect(&study_, &StudyConnection::opened, this, &StudyNoticeStrip::showAll);
+  connect(&study_, &StudyConnection::opened, this, [this] {
+    closed_.clear();
+    unfolded_ = false;
+    fill();
+  });
 }
 
 void StudyNoticeStrip::showAll() {
   closed_.clear();
+  unfolded_ = true;
   fill();
 }
 
@@ -35,13 +42,16 @@ void StudyNoticeStrip::fill() {
     delete item;
   }
   shown_.clear();
+  std::vector<StudyNotice> open;
   for (const StudyNotice& notice : study_.notices().now) {
-    if (!closed_.contains(notice.sentence)) addLine(notice);
+    if (!closed_.contains(notice.sentence)) open.push_back(notice);
   }
+  const std::size_t lines = unfolded_ ? open.size() : std::min<std::size_t>(open.size(), 1);
+  for (std::size_t i = 0; i < lines; ++i) addLine(open[i], static_cast<int>(open.size() - lines));
   setVisible(!shown_.isEmpty());
 }
 
-void StudyNoticeStrip::addLine(const StudyNotice& notice) {
+void StudyNoticeStrip::addLine(const StudyNotice& notice, int more) {
   shown_ << notice.sentence;
   auto* line = new QWidget(this);
   auto* label = new QLabel(notice.sentence, line);
@@ -56,6 +66,14 @@ void StudyNoticeStrip::addLine(const StudyNotice& notice) {
     finish->setToolTip(tr("Writes the file of the study anew, without what was removed"));
     connect(finish, &QPushButton::clicked, &study_, &StudyConnection::finishErasure);
     layout->addWidget(finish, 0, Qt::AlignVCenter);
+  }
+  if (more > 0) {
+    auto* unfold = new QPushButton(tr("Show %n more", nullptr, more), line);
+    connect(unfold, &QPushButton::clicked, this, [this] {
+      unfolded_ = true;
+      fill();
+    });
+    layout->addWidget(unfold, 0, Qt::AlignVCenter);
   }
   auto* close = new QToolButton(line);
   close->setText(QStringLiteral("✕"));

@@ -1,5 +1,5 @@
-// What happened to the open study, a line each over the screen: the sentence, the way out where there is one, and a
-// button that closes the line. Closed lines can be shown again.
+// What happened to the open study over the screen: the first sentence, and the others on request, a line each with the
+// way out where there is one, and a button that closes the line. Closed lines can be shown again.
 #pragma once
 
 #include <QStringList>
@@ -26,12 +26,14 @@ class StudyNoticeStrip : public Card {
 
  private:
   void fill();
-  void addLine(const StudyNotice& notice);
+  /// `more`: of the lines that are not shown, behind a button.
+  void addLine(const StudyNotice& notice, int more);
 
   StudyConnection& study_;
   QVBoxLayout* lines_;
   QStringList shown_;
   QStringList closed_;
+  bool unfolded_ = false;  ///< all lines are shown
 };
 
 }  // namespace tactus::workbench

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/replay/stroke_replay.h"
+#include "core/base/files/file.h"
 #include "core/model_io/model_file.h"
 #include "core/store/entries.h"
 #include "core/store/feel_records.h"
@@ -75,6 +76,34 @@ TEST_F(ReplayCommandTest, TheWorstStrokeAndWhatIsLeftOut) {
       << "no lubrication for the movement" << run.out;
   EXPECT_NE(said.find("the last version in the study"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("does not answer to the other force"), std::string::npos) << run.out;
+}
+
+// The version that was signed off last, whatever came after it.
+TEST_F(ReplayCommandTest, TheLastSignOffIsTheModelBefore) {
+  EXPECT_EQ(ProgramRun({"replay", study_, harder_, "--last-sign-off"}).status, 1) << "nothing is signed off";
+  {
+    auto file = store::StudyFile::open(study_);
+    ASSERT_TRUE(file);
+    store::SampleRecords records(1000);
+    study::ModelVersion approved = records.model(*model_io::modelText(model_, same_));
+    approved.label = "sign-off: feels right";
+    study::ModelVersion later = records.model(*base::readFile(harder_, 1U << 20U));
+    later.label = "edit";
+    ASSERT_TRUE(append(*file, approved));
+    ASSERT_TRUE(append(*file, later));
+  }
+  const auto felt = [&](std::vector<std::string> more) {
+    std::vector<std::string> arguments{"replay", study_, harder_, "--at", "lubrication=1,neck_flexion=60", "--json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return Json::parse(run.out);
+  };
+  EXPECT_EQ(felt({})["felt"], 0);
+  const Json approved = felt({"--last-sign-off"});
+  EXPECT_GE(approved["felt"].get<int>(), 1);
+  EXPECT_NE(approved["before"].get<std::string>().find("sign-off: feels right"), std::string::npos);
+  EXPECT_EQ(approved["felt"], felt({"--before", same_})["felt"]);
 }
 
 TEST_F(ReplayCommandTest, JsonHasTheNumbersOfTheCalculation) {

@@ -69,6 +69,14 @@ TEST(Text, SmallTools) {
   EXPECT_EQ(joined(std::vector<std::string>{"a", "b"}, ", "), "a, b");
 }
 
+TEST(Text, PartsAreReplacedOnePairAfterAnother) {
+  EXPECT_EQ(replaced("a-b-c", {{"-", "--"}}), "a--b--c") << "what is put in stays";
+  EXPECT_EQ(replaced("</script>", {{"</", "<\\/"}, {"/", "|"}}), "<\\|script>");
+  EXPECT_EQ(replaced("aaa", {{"aa", ""}}), "a");
+  EXPECT_EQ(replaced("nothing", {{"x", "y"}}), "nothing");
+  EXPECT_EQ(replaced("", {{"x", "y"}}), "");
+}
+
 TEST(Clock, UtcAsIso8601) {
   // Seconds from `date -u -d 2026-11-21T08:00:00Z +%s`.
   EXPECT_EQ(formatUtc(std::chrono::system_clock::from_time_t(1795248000)), "2026-11-21T08:00:00Z");

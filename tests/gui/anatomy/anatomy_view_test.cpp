@@ -19,18 +19,20 @@ QPoint pixelOf(const QPointF& at, const QRectF& frame, const QSize& size) {
 
 // In the oropharynx, beside the way of the tube.
 constexpr QPointF kBesideTheTube(84, 50);
-constexpr QColor kAmber(0xFF, 0xC2, 0x47);
+
+// Amber below the drawing, which is a light blue there.
+bool isLit(const QColor& color) { return color.red() - color.blue() > 80; }
 
 TEST(AnatomyView, LightsTheRegionAndOnlyIt) {
   AnatomyView view;
   view.resize(400, 500);
   const QPoint place =
       pixelOf(kBesideTheTube, frameOf(Framing::kHeadAndNeck, Posture::kUpright, view.size()), view.size());
-  EXPECT_NE(pictureOf(view).pixelColor(place), kAmber);
+  EXPECT_FALSE(isLit(pictureOf(view).pixelColor(place)));
   view.light(Region::kOropharynx, {});
-  EXPECT_EQ(pictureOf(view).pixelColor(place), kAmber);
+  EXPECT_TRUE(isLit(pictureOf(view).pixelColor(place)));
   view.light(Region::kNasopharynx, {});
-  EXPECT_NE(pictureOf(view).pixelColor(place), kAmber);
+  EXPECT_FALSE(isLit(pictureOf(view).pixelColor(place)));
 }
 
 TEST(AnatomyView, LightsAPartOfARegion) {
@@ -39,9 +41,9 @@ TEST(AnatomyView, LightsAPartOfARegion) {
   const QPoint place =
       pixelOf(kBesideTheTube, frameOf(Framing::kHeadAndNeck, Posture::kUpright, view.size()), view.size());
   view.light(LitRange{125, 145, {}});  // depth 135 is at y 50
-  EXPECT_EQ(pictureOf(view).pixelColor(place), kAmber);
+  EXPECT_TRUE(isLit(pictureOf(view).pixelColor(place)));
   view.light(LitRange{140, 160, {}});
-  EXPECT_NE(pictureOf(view).pixelColor(place), kAmber);
+  EXPECT_FALSE(isLit(pictureOf(view).pixelColor(place)));
 }
 
 TEST(AnatomyView, TheTipIsWhereTheDepthSaysInEveryPosture) {

@@ -3,7 +3,9 @@
 #include <QAbstractItemModel>
 #include <QApplication>
 #include <QFile>
+#include <QFileInfo>
 #include <QFileSystemModel>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -76,6 +78,25 @@ TEST_F(FileDialogs, ToOpenLookIntoNoFile) {
 
 TEST_F(FileDialogs, ToSaveLookIntoNoFile) {
   expectNotOpened([this] { file_dialog::getSaveFileName(nullptr, QStringLiteral("x"), path()); });
+}
+
+// The proposed folder, one that is there already, and one that is typed and is made.
+TEST_F(FileDialogs, AFolderToWriteMayBeNew) {
+  const auto answer = [this](const QString& typed) {
+    QTimer::singleShot(0, qApp, [typed] {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      ASSERT_NE(dialog, nullptr);
+      if (!typed.isEmpty()) dialog->findChild<QLineEdit*>()->setText(typed);
+      static_cast<QDialog*>(dialog)->accept();
+    });
+    return file_dialog::getFolderToWrite(nullptr, QStringLiteral("x"), folder_.filePath(QStringLiteral("bundle")));
+  };
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(answer({}).toStdString(), folder_.filePath(QStringLiteral("bundle")).toStdString());
+    EXPECT_TRUE(QFileInfo(folder_.filePath(QStringLiteral("bundle"))).isDir());
+  }
+  EXPECT_EQ(answer(QStringLiteral("mine")).toStdString(), folder_.filePath(QStringLiteral("mine")).toStdString());
+  EXPECT_TRUE(QFileInfo(folder_.filePath(QStringLiteral("mine"))).isDir());
 }
 
 TEST_F(FileDialogs, TheProposedNameIsTheAnswer) {

@@ -107,9 +107,15 @@ TEST_F(CorrectionsTest, ASettingSaysWhatItDoesToTheForce) {
   ASSERT_GT(moved->largest_n, 0.001);
   EXPECT_TRUE(price.sentence().startsWith(QStringLiteral("α 0.95 → 0.8: ")));
   EXPECT_NE(price.sentence().indexOf(quantityText(moved->largest_n, "N", 3)), -1) << price.sentence().toStdString();
+  // The terms of before, until the change is taken back.
+  const fuzzy::Variable& speed = first->model.inputs[fuzzy::rateOf(first->model.inputs).value()];
+  EXPECT_EQ(price.formerTerms(speed.id), speed.terms);
+  EXPECT_EQ(price.formerTerms(first->model.output.id), first->model.output.terms);
+  EXPECT_EQ(price.formerTerms("no such variable"), std::vector<fuzzy::Term>());
   // Back where it was: nothing to say.
   data.setSettings(before);
   EXPECT_EQ(price.sentence(), QString());
+  EXPECT_EQ(price.formerTerms(speed.id), std::vector<fuzzy::Term>());
 }
 
 // The data of a real person change only with a name and a reason, once a day; the demo's are simulated.

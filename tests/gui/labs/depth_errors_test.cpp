@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "app/workbench/kit/notes.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 
@@ -67,9 +68,10 @@ class DepthErrors : public testing::Test {
   QString path = folder.filePath(QStringLiteral("study.tactus"));
   StudyConnection study;
   LabData data{study};
+  SettingsPrice price{data};
   DepthLab lab{data, [] { return QStringLiteral("tester"); }};
   LabWindow window;
-  DepthLabView* view = new DepthLabView(lab);
+  DepthLabView* view = new DepthLabView(lab, price);
 };
 
 TEST_F(DepthErrors, AFileThatIsNoImageOffersAnotherOneAndEndsWithIt) {

@@ -15,6 +15,7 @@
 
 #include "app/session/study_procedure.h"
 #include "app/workbench/kit/number_box.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/depth/dicom_image.h"
@@ -59,9 +60,10 @@ class DepthLabTest : public testing::Test {
   QString path = folder.filePath(QStringLiteral("study.tactus"));
   StudyConnection study;
   LabData data{study};
+  SettingsPrice price{data};
   DepthLab lab{data, [] { return QStringLiteral("tester"); }};
   LabScreen screen{data};
-  DepthLabView* view = new DepthLabView(lab);
+  DepthLabView* view = new DepthLabView(lab, price);
 };
 
 TEST_F(DepthLabTest, ClicksMakeTheWayAndEachIsStoredAndUndone) {
@@ -298,7 +300,9 @@ TEST_F(DepthLabTest, TheModelTakesTheMeasuredDepthsOnlyOnRequest) {
   emit page->choice().activated(1);
   EXPECT_EQ(data.settings().depths, elicitation::DepthsFrom::kMeasured);
   EXPECT_EQ(data.settings().measured_depths, lab.measurement());
-  // What is measured next is what the model has next.
+  // What is measured next is what the model has next, and it has its price beside the terms of before.
+  price.setSeen(true);
+  const std::vector<fuzzy::Term> before = lab.terms().terms;
   QSignalSpy changed(&data, &LabData::settingsChanged);
   auto wanted = lab.measurement();
   wanted.scale = 0.93;
@@ -306,6 +310,10 @@ TEST_F(DepthLabTest, TheModelTakesTheMeasuredDepthsOnlyOnRequest) {
   lab.commit(QStringLiteral("scale"));
   EXPECT_EQ(data.settings().measured_depths->scale, 0.93);
   EXPECT_EQ(changed.size(), 1);
+  ASSERT_TRUE(comesTrue([this] { return price.sentence().contains(QStringLiteral("at most")); }))
+      << price.sentence().toStdString();
+  EXPECT_TRUE(price.sentence().contains(QStringLiteral("measured depths"))) << price.sentence().toStdString();
+  EXPECT_EQ(price.formerTerms(lab.depth().id), before);
   lab.undo();
   EXPECT_EQ(data.settings().measured_depths->scale, 1);
   settle();

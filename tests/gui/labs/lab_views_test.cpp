@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/experts/experts_lab_view.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_lab_view.h"
@@ -66,11 +67,36 @@ class LabViews : public testing::Test {
   LabData data{study};
   LabModel model{data};
   Corrections corrections{data};
+  SettingsPrice price{data};
 };
+
+// The words of before stay beside those of the other way, in its plot alone.
+TEST_F(LabViews, AnotherWayToTheWordsShowsThoseOfBefore) {
+  ForceLab lab(data, model, corrections);
+  ForceLabView view(lab, price);
+  price.setSeen(true);
+  show(view);
+  ASSERT_TRUE(comesTrue([&] { return view.votes().table().rowCount() >= 11; }));
+  const auto others = [&] {
+    std::vector<elicitation::ForceTermsFrom> out;
+    for (const auto from : kForceMethods) {
+      if (view.terms().plot(from).hasGhosts()) out.push_back(from);
+    }
+    return out;
+  };
+  EXPECT_TRUE(others().empty());
+  const auto now = lab.settings().force_terms;
+  const auto other = now == kForceMethods.front() ? kForceMethods[1] : kForceMethods.front();
+  lab.setMethod(other);
+  ASSERT_TRUE(comesTrue([&] { return others() == std::vector{other}; }));
+  // Taken back, or another change where the test was slow: nothing beside the other way.
+  lab.setMethod(now);
+  EXPECT_TRUE(comesTrue([&] { return others().empty() || others() == std::vector{now}; }));
+}
 
 TEST_F(LabViews, AForceLeadsToItsJudgementsAndAWordIsCorrectedThere) {
   ForceLab lab(data, model, corrections);
-  ForceLabView view(lab);
+  ForceLabView view(lab, price);
   show(view);
   const VoteTable& table = view.votes().table();
   ASSERT_TRUE(comesTrue([&] { return table.rowCount() >= 11; }));
@@ -94,7 +120,7 @@ TEST_F(LabViews, AForceLeadsToItsJudgementsAndAWordIsCorrectedThere) {
 
 TEST_F(LabViews, InASmallWindowTheReasonsGiveWayToTheWords) {
   ForceLab lab(data, model, corrections);
-  ForceLabView view(lab);
+  ForceLabView view(lab, price);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return view.votes().table().rowCount() >= 11; }));
   auto* const votes = view.votes().findChild<QTableView*>();
@@ -116,7 +142,7 @@ TEST_F(LabViews, InASmallWindowTheReasonsGiveWayToTheWords) {
 
 TEST_F(LabViews, TheRoundButtonChoosesTheWayOfTheModel) {
   ForceLab lab(data, model, corrections);
-  ForceLabView view(lab);
+  ForceLabView view(lab, price);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return !lab.votes().steps.empty(); }));
   const auto choices = view.findChildren<QRadioButton*>();
@@ -130,7 +156,7 @@ TEST_F(LabViews, TheRoundButtonChoosesTheWayOfTheModel) {
 
 TEST_F(LabViews, TheCornersOfTheWordsFitWhereTheLabIsNarrow) {
   ForceLab lab(data, model, corrections);
-  ForceLabView view(lab);
+  ForceLabView view(lab, price);
   show(view);
   const auto corners = [&view] {
     QList<QLabel*> out;
@@ -153,7 +179,7 @@ TEST_F(LabViews, TheCornersOfTheWordsFitWhereTheLabIsNarrow) {
 
 TEST_F(LabViews, AHiddenLabComputesNothing) {
   ForceLab lab(data, model, corrections);
-  ForceLabView view(lab);
+  ForceLabView view(lab, price);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return !lab.votes().steps.empty() && !lab.work().isBusy(); }));
   view.hide();
@@ -236,7 +262,7 @@ TEST_F(LabViews, WordsAndRulesAreComparedWhileTheirPageIsShown) {
 
 TEST_F(LabViews, TheForcesThatEachPersonCalledByAWordAreDrawnWithTheirAgreement) {
   ForceLab lab(data, model, corrections);
-  ForceLabView view(lab);
+  ForceLabView view(lab, price);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return !lab.votes().intervals.empty(); }));
   ASSERT_TRUE(comesTrue([&] { return view.intervals().legend().size() == 4; }));

@@ -1,4 +1,5 @@
 // From a number in the window to the records behind it, and to the lab that shows them.
+#include <QPushButton>
 #include <QSettings>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -8,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/workbench/base/display_text.h"
+#include "app/workbench/collect/collect_view.h"
 #include "app/workbench/features/features.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/labs/force/judgement_grid.h"
@@ -18,6 +21,7 @@
 #include "app/workbench/labs/speed/speed_lab_view.h"
 #include "app/workbench/labs/speed/trace_row.h"
 #include "app/workbench/tune/terms/membership_editor.h"
+#include "app/workbench/understand/here/rule_panel.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -149,6 +153,31 @@ TEST_F(OriginsFeatureTest, WhatMovesTheForceMostStandsFirst) {
     EXPECT_EQ(bench.origins->view()->table().model()->index(static_cast<int>(i), 0).data().toString(),
               by_effect[i].second);
   }
+}
+
+// From a rule in "Why here" to the nurse's answer, and on to all that she said, at that answer.
+TEST_F(OriginsFeatureTest, ARuleLeadsToTheAnswerInTheRecordOfItsParticipant) {
+  ASSERT_TRUE(built());
+  const fuzzy::Expert& expert = bench.models.current()->model.experts[1];
+  const fuzzy::Rule& rule = expert.rules[2];
+  emit bench.views.why->answerAsked(expert.id, rule);
+  ASSERT_TRUE(answered());
+  ASSERT_EQ(origin().records.size(), 1U);
+  OriginWindow& view = *bench.origins->view();
+  const QString who = QString::fromStdString(expert.id);
+  QPushButton* lead = nullptr;
+  for (QPushButton* button : view.findChildren<QPushButton*>()) {
+    if (button->isVisible() && button->text().contains(QStringLiteral("record of ") + who)) lead = button;
+  }
+  ASSERT_NE(lead, nullptr);
+  lead->click();
+  auto* const record = bench.window.findChild<RecordDialog*>();
+  ASSERT_NE(record, nullptr);
+  EXPECT_TRUE(record->windowTitle().contains(who));
+  ASSERT_TRUE(comesTrue([&] { return record->chosen() >= 0; }));
+  const RecordLine& line = record->lines()[static_cast<std::size_t>(record->chosen())];
+  EXPECT_EQ(line.said, spelled(rule.then));
+  EXPECT_TRUE(origin().records.front().what.startsWith(line.asked.section(QStringLiteral(" of "), 0, 0)));
 }
 
 TEST_F(OriginsFeatureTest, AModelThatWasNotBuiltFromTheStudySaysSo) {

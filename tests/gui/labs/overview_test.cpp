@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
+#include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/labs/overview/build_overview.h"
 
 #include "tests/gui/labs/lab_study_file.h"
@@ -32,6 +33,27 @@ class OverviewTest : public testing::Test {
   BuildOverview overview{model};
   std::vector<BuildPart> found;
 };
+
+// The tab Method takes what the overview has compared already, for the same study and settings.
+TEST_F(OverviewTest, TheMethodIsStudiedOnce) {
+  ASSERT_NO_FATAL_FAILURE(open(tests::demoStudyIn(folder)));
+  ASSERT_TRUE(comesTrue([this] { return overview.studied().has_value(); }));
+  MethodLab method(data, [this] { return overview.studied(); });
+  method.setWanted(true);
+  method.compare();
+  ASSERT_TRUE(comesTrue([&] { return method.found() != nullptr; }));
+  EXPECT_EQ(method.found(), overview.studied()->choices.get());
+  EXPECT_FALSE(method.isOld());
+  // With another setting it is another comparison.
+  overview.setSeen(false);
+  auto settings = data.settings();
+  settings.averaging = elicitation::Averaging::kMedian;
+  data.setSettings(settings);
+  EXPECT_TRUE(method.isOld());
+  method.compare();
+  ASSERT_TRUE(comesTrue([&] { return !method.isBusy() && !method.isOld(); }));
+  EXPECT_NE(method.found(), overview.studied()->choices.get());
+}
 
 TEST_F(OverviewTest, TheStakesAreThoseOfTheMethodStudyAndOfTheExperts) {
   ASSERT_NO_FATAL_FAILURE(open(tests::demoStudyIn(folder)));

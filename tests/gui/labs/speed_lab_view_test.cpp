@@ -13,6 +13,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "app/workbench/labs/data/lab_data.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/speed/cluster_page.h"
 #include "app/workbench/labs/speed/speed_lab.h"
@@ -50,9 +51,10 @@ class SpeedLabViewTest : public testing::Test {
   LabData data{study};
   Corrections corrections{data};
   LabModel model{data};
+  SettingsPrice price{data};
   SpeedLab lab{data};
   LabScreen screen{data};
-  SpeedLabView* view = new SpeedLabView(lab, model, corrections);
+  SpeedLabView* view = new SpeedLabView(lab, model, corrections, price);
 };
 
 TEST_F(SpeedLabViewTest, ADraggedMarkIsACorrectionAndCtrlZBringsTheOldOneBack) {

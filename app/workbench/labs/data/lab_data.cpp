@@ -112,14 +112,20 @@ QString settingsChange(const elicitation::BuildSettings& before, const elicitati
   add(SettingsText::tr("force words"), spelled(name(before.force_terms)), spelled(name(after.force_terms)));
   add(SettingsText::tr("series"), spelled(before.series), spelled(after.series));
   add(SettingsText::tr("depths"), spelled(name(before.depths)), spelled(name(after.depths)));
+  const auto measured = elicitation::DepthsFrom::kMeasured;
+  if (before.depths == measured && after.depths == measured && before.measured_depths != after.measured_depths)
+    parts << SettingsText::tr("measured depths");
   add(SettingsText::tr("weights"), weightsText(before.weights), weightsText(after.weights));
   return parts.join(QStringLiteral(", "));
 }
 
 void LabData::setMeasuredDepths(const elicitation::DepthMeasurement& measured) {
   if (settings_.measured_depths == measured) return;
+  const elicitation::BuildSettings before = settings_;
   settings_.measured_depths = measured;
-  if (settings_.depths == elicitation::DepthsFrom::kMeasured) emit settingsChanged();
+  if (settings_.depths != elicitation::DepthsFrom::kMeasured) return;
+  if (before.measured_depths) emit depthsEdited(before);
+  emit settingsChanged();
 }
 
 std::optional<LabInputs> LabData::inputs() const {

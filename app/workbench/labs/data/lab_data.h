@@ -19,6 +19,7 @@
 #include "core/study/records.h"
 #include "core/study/session_records.h"
 #include "elicitation/depth/depth_measurement.h"
+#include "elicitation/model/method_study.h"
 #include "elicitation/model/model_builder.h"
 
 namespace tactus::workbench {
@@ -104,7 +105,8 @@ class LabData : public Held {
   /// The settings of every lab's model. They begin with the defaults when a study is opened.
   const elicitation::BuildSettings& settings() const { return settings_; }
   void setSettings(elicitation::BuildSettings settings);
-  /// Another measurement of depths for the settings. Without effect on a model with the template's depths.
+  /// Another measurement of depths for the settings. Without effect on a model with the template's depths; its undo is
+  /// that of the lab that measures.
   void setMeasuredDepths(const elicitation::DepthMeasurement& measured);
 
   /// Nothing while no study is read.
@@ -125,6 +127,8 @@ class LabData : public Held {
   /// The user has changed the settings; comes before `settingsChanged`. Not when a study is opened or closed.
   void settingsEdited(const tactus::elicitation::BuildSettings& before,
                       const tactus::elicitation::BuildSettings& after);
+  /// The depths of the model were measured anew; comes before `settingsChanged`.
+  void depthsEdited(const tactus::elicitation::BuildSettings& before);
 
  private:
   void followHolders() override { read(); }
@@ -169,6 +173,12 @@ class LabModel : public Computed<LabInputs, BuiltStudy> {
   std::shared_ptr<const elicitation::BuiltModel> built() const { return value() ? value()->model : nullptr; }
   /// The model with what made it; nothing: none.
   std::optional<BuiltStudy> inputs() const { return value() ? std::optional(*value()) : std::nullopt; }
+};
+
+/// The choices of the method, compared for a model.
+struct StudiedMethod {
+  BuiltStudy built;
+  std::shared_ptr<const elicitation::MethodStudy> choices;  ///< never null
 };
 
 }  // namespace tactus::workbench

@@ -1,6 +1,8 @@
 #include "app/workbench/labs/data/settings_price.h"
 
 #include <QCoreApplication>
+#include <algorithm>
+#include <utility>
 
 #include "app/workbench/base/display_text.h"
 #include "elicitation/agreement/expert_influence.h"
@@ -26,6 +28,31 @@ QString priceOf(const elicitation::MethodVariant& moved, const fuzzy::ForceModel
 
 }  // namespace
 
+SettingsPrice::Work::Answer SettingsPrice::compare(const Inputs& from, const RunOf<Price>& run, Kept& kept) {
+  const LabStudy& study = *from.from.study;
+  const auto go_on = [&run](double share) {
+    run.progress(share);
+    return !run.stop.stop_requested();
+  };
+  const auto build = [&](const elicitation::BuildSettings& settings, const auto* clustered) {
+    return elicitation::buildModel(study.study, study.forms, stoppable(settings, run.stop), clustered, go_on);
+  };
+  if (kept.built == nullptr || kept.settings != from.before || kept.study.lock() != from.from.study) {
+    const std::vector<elicitation::ParticipantSpeeds>* none = nullptr;
+    auto made = build(*from.before, none);
+    if (!made) return tl::unexpected(text(made.error().message()));
+    kept = {from.from.study, from.before, std::make_shared<const elicitation::BuiltModel>(std::move(*made))};
+  }
+  const auto before = kept.built;
+  run.show({before});
+  const bool alike = elicitation::clusterAlike(from.before->speed, from.from.settings.speed);
+  const auto after = build(from.from.settings, alike ? &before->speeds : nullptr);
+  if (!after) return tl::unexpected(text(after.error().message()));
+  const auto moved = elicitation::methodDifference(before->model, after->model);
+  if (!moved) return tl::unexpected(text(moved.error().message()));
+  return std::make_shared<const Price>(Price{before, priceOf(*moved, before->model)});
+}
+
 SettingsPrice::SettingsPrice(LabData& data, QObject* parent)
     : QObject(parent),
       data_(data),
@@ -33,29 +60,14 @@ SettingsPrice::SettingsPrice(LabData& data, QObject* parent)
           [this]() -> std::optional<Inputs> {
             const auto inputs = data_.inputs();
             if (!inputs || !before_) return std::nullopt;
-            return Inputs{*inputs, *before_};
+            return Inputs{*inputs, before_};
           },
-          [](const Inputs& from, const RunOf<QString>& run) -> Computed<Inputs, QString>::Answer {
-            const LabStudy& study = *from.from.study;
-            const auto go_on = [&run](double share) {
-              run.progress(share);
-              return !run.stop.stop_requested();
-            };
-            const auto build = [&](const elicitation::BuildSettings& settings, const auto* clustered) {
-              return elicitation::buildModel(study.study, study.forms, stoppable(settings, run.stop), clustered, go_on);
-            };
-            const std::vector<elicitation::ParticipantSpeeds>* none = nullptr;
-            const auto before = build(from.before, none);
-            if (!before) return tl::unexpected(text(before.error().message()));
-            const bool alike = elicitation::clusterAlike(from.before.speed, from.from.settings.speed);
-            const auto after = build(from.from.settings, alike ? &before->speeds : none);
-            if (!after) return tl::unexpected(text(after.error().message()));
-            const auto moved = elicitation::methodDifference(before->model, after->model);
-            if (!moved) return tl::unexpected(text(moved.error().message()));
-            return std::make_shared<const QString>(priceOf(*moved, before->model));
+          [kept = std::make_shared<Kept>()](const Inputs& from, const RunOf<Price>& run) {
+            return compare(from, run, *kept);
           }) {
   followLabData(work_, data_);
   connect(&data_, &LabData::settingsEdited, this, &SettingsPrice::take);
+  connect(&data_, &LabData::depthsEdited, this, &SettingsPrice::take);
   connect(&data_.connection(), &StudyConnection::opened, this, &SettingsPrice::forget);
   connect(&data_.connection(), &StudyConnection::closed, this, &SettingsPrice::forget);
   connect(&work_, &Computation::changed, this, &SettingsPrice::changed);
@@ -64,13 +76,13 @@ SettingsPrice::SettingsPrice(LabData& data, QObject* parent)
 
 void SettingsPrice::setSeen(bool seen) {
   seen_ = seen;
-  work_.hold(*this, seen_ && before_);
+  work_.hold(*this, seen_ && before_ != nullptr);
 }
 
 void SettingsPrice::take(const elicitation::BuildSettings& before) {
   const bool together = since_change_.isValid() && since_change_.elapsed() < kTogetherMs;
   since_change_.start();
-  if (!together || !before_) before_ = before;
+  if (!together || !before_) before_ = std::make_shared<const elicitation::BuildSettings>(before);
   work_.hold(*this, seen_);
   emit changed();
 }
@@ -82,14 +94,24 @@ void SettingsPrice::forget() {
   emit changed();
 }
 
+QString SettingsPrice::change() const { return before_ ? settingsChange(*before_, data_.settings()) : QString(); }
+
 QString SettingsPrice::sentence() const {
-  if (!before_) return {};
-  const QString change = settingsChange(*before_, data_.settings());
-  if (change.isEmpty()) return {};
+  const QString changed = change();
+  if (changed.isEmpty()) return {};
   if (!work_.failure().isEmpty() && work_.isCurrent())
-    return tr("%1: there is no model. %2").arg(change, work_.failure());
-  const bool current = work_.value() != nullptr && !work_.isBusy();
-  return tr("%1: %2").arg(change, current ? *work_.value() : tr("the averaged force is being compared…"));
+    return tr("%1: there is no model. %2").arg(changed, work_.failure());
+  const bool current = work_.value() != nullptr && !work_.value()->sentence.isEmpty() && !work_.isBusy();
+  return tr("%1: %2").arg(changed, current ? work_.value()->sentence : tr("the averaged force is being compared…"));
+}
+
+std::vector<fuzzy::Term> SettingsPrice::formerTerms(const std::string& variable) const {
+  if (work_.value() == nullptr || work_.of()->before != before_ || change().isEmpty()) return {};
+  const fuzzy::ForceModel& model = work_.value()->former->model;
+  if (model.output.id == variable) return model.output.terms;
+  const auto input = std::find_if(model.inputs.begin(), model.inputs.end(),
+                                  [&variable](const fuzzy::Variable& one) { return one.id == variable; });
+  return input == model.inputs.end() ? std::vector<fuzzy::Term>() : input->terms;
 }
 
 }  // namespace tactus::workbench

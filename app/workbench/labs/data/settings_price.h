@@ -1,14 +1,18 @@
-// What a change of the settings does to the averaged force, in a sentence: at most so many newtons, felt at such a
-// share of the input space.
+// What a change of the settings does: to the averaged force in a sentence (at most so many newtons, felt at such a
+// share of the input space), and the terms of before.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QObject>
 #include <QString>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "app/workbench/base/computed.h"
 #include "app/workbench/labs/data/lab_data.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::workbench {
 
@@ -27,6 +31,8 @@ class SettingsPrice : public QObject {
   void setSeen(bool seen);
   /// Of the last change; while it is computed, it says so; empty: the settings were not changed.
   QString sentence() const;
+  /// The terms of a variable of the model before the last change; empty: unknown yet, or the settings were not changed.
+  std::vector<fuzzy::Term> formerTerms(const std::string& variable) const;
   Computation& work() { return work_; }
 
  signals:
@@ -35,17 +41,32 @@ class SettingsPrice : public QObject {
  private:
   struct Inputs {
     LabInputs from;
-    elicitation::BuildSettings before;
+    std::shared_ptr<const elicitation::BuildSettings> before;
   };
+  struct Price {
+    std::shared_ptr<const elicitation::BuiltModel> former;
+    QString sentence{};  ///< empty: the models are not compared yet
+  };
+  using Work = Computed<Inputs, Price>;
+  /// The last former model: it stays while a slider moves. It keeps no study alive.
+  struct Kept {
+    std::weak_ptr<const LabStudy> study;
+    std::shared_ptr<const elicitation::BuildSettings> settings;
+    std::shared_ptr<const elicitation::BuiltModel> built;
+  };
+
+  static Work::Answer compare(const Inputs& from, const RunOf<Price>& run, Kept& kept);
+  /// There is a change, and it has not been taken back.
+  QString change() const;
 
   void take(const elicitation::BuildSettings& before);
   void forget();
 
   LabData& data_;
-  std::optional<elicitation::BuildSettings> before_;
+  std::shared_ptr<const elicitation::BuildSettings> before_;
   QElapsedTimer since_change_;
   bool seen_ = false;
-  Computed<Inputs, QString> work_;
+  Work work_;
 };
 
 }  // namespace tactus::workbench

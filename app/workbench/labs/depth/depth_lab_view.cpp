@@ -26,6 +26,7 @@
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/depth/depth_canvas.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"
@@ -55,7 +56,7 @@ DepthTermPlot::DepthTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 }
 
-void DepthTermPlot::show(const fuzzy::Variable& depth) {
+bool DepthTermPlot::show(const fuzzy::Variable& depth, const std::vector<fuzzy::Term>& former) {
   plot_->clearGraphs();
   styleAxis(*plot_->xAxis, depth);
   styleAxis(*plot_->yAxis, depth);
@@ -69,8 +70,10 @@ void DepthTermPlot::show(const fuzzy::Variable& depth) {
     const TermOutline outline = outlineOf(depth.terms[i], depth.min, depth.max);
     addShape(*plot_, termLine(depth, depth.terms, i), 1.5, 0.2F).setData(outline.x, outline.membership, true);
   }
+  const bool others = addGhosts(*plot_, depth, depth.terms, former, depth.min, depth.max);
   labels_->setTerms(depth, depth.terms);
   redraw(*plot_);
+  return others;
 }
 
 void DepthTermPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
@@ -97,9 +100,10 @@ PlotTable termTable(const DepthLab& lab) {
 
 }  // namespace
 
-DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
+DepthTermPage::DepthTermPage(DepthLab& lab, const SettingsPrice& price, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
+      price_(price),
       choice_(new QComboBox(this)),
       plot_(new DepthTermPlot(this)),
       numbers_(mutedWords({}, this)) {
@@ -118,18 +122,20 @@ DepthTermPage::DepthTermPage(DepthLab& lab, QWidget* parent)
   connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::refreshState);
   connect(&lab_, &DepthLab::measurementChanged, this, &DepthTermPage::followChoice);
   connect(&lab_, &DepthLab::depthsFromChanged, this, &DepthTermPage::followChoice);
+  connect(&price_, &SettingsPrice::changed, this, &DepthTermPage::refreshState);
   refreshState();
   followChoice();
 }
 
 void DepthTermPage::refreshState() {
-  plot_->show(lab_.terms());
+  const bool others = plot_->show(lab_.terms(), price_.formerTerms(lab_.depth().id));
   QStringList lines;
   for (const fuzzy::Term& term : lab_.terms().terms) {
     QStringList points;
     for (const double point : term.points) points << numberText(point, 1);
     lines << tr("%1: %2 mm").arg(labelOf(term), points.join(QStringLiteral(" · ")));
   }
+  if (others) lines << tr("Dashed: the model before the change.");
   numbers_->setText(lines.join(QLatin1Char('\n')));
 }
 
@@ -221,7 +227,7 @@ constexpr int kWidestLength = 366;                 // px of the page of the form
 
 }  // namespace
 
-DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
+DepthLabView::DepthLabView(DepthLab& lab, const SettingsPrice& price, QWidget* parent)
     : LabView(
           QStringLiteral("depth"), tr("Depth"), [&lab](bool wanted) { lab.setSeen(wanted); }, parent),
       lab_(lab),
@@ -244,7 +250,7 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   hint->setFullText(tr("Wheel: zoom · right button: move the image"));
   setMuted(*hint);
   makeColumn(image, {{canvas_, 1}, makeRow({{hint, 1}, fit}, kStyleGap)}, kStyleGap, inset(theme::kGrid));
-  makeRow(this, {beside, {image, 5}, {makePages(), 4}});
+  makeRow(this, {beside, {image, 5}, {makePages(price), 4}});
   connect(fit, &QPushButton::clicked, canvas_, &DepthCanvas::zoomToAll);
   connect(settings, &DepthSettingsPanel::loadAsked, this, &DepthLabView::chooseImage);
   connect(settings, &DepthSettingsPanel::exampleAsked, this, &DepthLabView::showExample);
@@ -262,10 +268,10 @@ DepthLabView::DepthLabView(DepthLab& lab, QWidget* parent)
   followImage();
 }
 
-QWidget* DepthLabView::makePages() {
+QWidget* DepthLabView::makePages(const SettingsPrice& price) {
   auto* card = new Card(this);
   auto* pages = makeTabs(card);
-  pages->addTab(new DepthTermPage(lab_), tr("Terms"));
+  pages->addTab(new DepthTermPage(lab_, price), tr("Terms"));
   // With large text the table of the formulas is wider than the page.
   auto* length = new QScrollArea;
   length->setObjectName(QStringLiteral("length"));

@@ -24,6 +24,7 @@ namespace tactus::workbench {
 
 class DepthCanvas;
 class DepthLab;
+class SettingsPrice;
 class TermLabels;
 
 // The terms that follow from a depth measurement, as a picture and as numbers, and whether the study's model has them.
@@ -36,7 +37,9 @@ class DepthTermPlot : public QWidget, public PlotSource {
  public:
   explicit DepthTermPlot(QWidget* parent = nullptr);
 
-  void show(const fuzzy::Variable& depth);
+  /// `former`: the terms of the model before the last change of the settings, dashed; empty: none. Returns whether one
+  /// of them is another.
+  bool show(const fuzzy::Variable& depth, const std::vector<fuzzy::Term>& former);
 
   QSize pictureSize() const override { return {900, 300}; }
   void paintPicture(QCPPainter& painter, const QSize& size) override;
@@ -50,8 +53,8 @@ class DepthTermPage : public QWidget {
   Q_OBJECT
 
  public:
-  /// `lab` outlives this.
-  explicit DepthTermPage(DepthLab& lab, QWidget* parent = nullptr);
+  /// Both outlive this.
+  DepthTermPage(DepthLab& lab, const SettingsPrice& price, QWidget* parent = nullptr);
 
   QComboBox& choice() { return *choice_; }
 
@@ -60,6 +63,7 @@ class DepthTermPage : public QWidget {
   void followChoice();
 
   DepthLab& lab_;
+  const SettingsPrice& price_;
   QComboBox* choice_;
   DepthTermPlot* plot_;
   QLabel* numbers_;
@@ -86,8 +90,8 @@ class DepthLabView : public LabView {
   Q_OBJECT
 
  public:
-  /// `lab` outlives this.
-  explicit DepthLabView(DepthLab& lab, QWidget* parent = nullptr);
+  /// Both outlive this.
+  DepthLabView(DepthLab& lab, const SettingsPrice& price, QWidget* parent = nullptr);
 
   DepthCanvas& canvas() { return *canvas_; }
   /// Loads the image file `path`, a DICOM file in the background; a failure is said.
@@ -98,7 +102,7 @@ class DepthLabView : public LabView {
   void showExample();
 
  private:
-  QWidget* makePages();
+  QWidget* makePages(const SettingsPrice& price);
   void chooseImage();
   void refuseImage(const QString& name, const QString& why);
   /// `by_lab`: the lab says when it is out of date.

@@ -17,6 +17,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/labs/force/force_terms_view.h"
 #include "app/workbench/labs/force/judgement_view.h"
@@ -213,10 +214,11 @@ constexpr int kNarrowLab = 1400;        // px: below it the words need the room 
 
 }  // namespace
 
-ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
+ForceLabView::ForceLabView(ForceLab& lab, const SettingsPrice& price, QWidget* parent)
     : LabView(
           QStringLiteral("force"), tr("Force"), [&lab](bool wanted) { lab.setWanted(wanted); }, parent),
       lab_(lab),
+      price_(price),
       votes_(new VotesView),
       terms_(new ForceTermsView),
       judgements_(new JudgementView),
@@ -268,6 +270,7 @@ ForceLabView::ForceLabView(ForceLab& lab, QWidget* parent)
   auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &ForceLab::changed, refresh, &Refresh::request);
   connect(&lab_, &ForceLab::effectsChanged, refresh, &Refresh::request);
+  connect(&price_, &SettingsPrice::changed, refresh, &Refresh::request);
 }
 
 void ForceLabView::showJudgement(const std::string& participant, const std::string& series, double force_n) {
@@ -289,8 +292,7 @@ void ForceLabView::divide() {
 
 void ForceLabView::refreshState() {
   votes_->setVotes(lab_.votes());
-  terms_->setVotes(lab_.votes());
-  terms_->setChosen(lab_.settings().force_terms);
+  terms_->setVotes(lab_.votes(), lab_.settings().force_terms, price_.formerTerms(lab_.votes().words.id));
   for (const auto from : kForceMethods) terms_->setEffect(from, lab_.effectOf(from));
   judgements_->setJudgements(lab_.votes().words, lab_.judgements());
   checks_->setRows(lab_.checks());

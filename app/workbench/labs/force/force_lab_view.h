@@ -100,14 +100,15 @@ class WordIntervalPlot : public QWidget, public PlotSource {
 class ForceLab;
 class ForceTermsView;
 class JudgementView;
+class SettingsPrice;
 class VotesView;
 
 class ForceLabView : public LabView {
   Q_OBJECT
 
  public:
-  /// `lab` outlives this.
-  explicit ForceLabView(ForceLab& lab, QWidget* parent = nullptr);
+  /// Both outlive this.
+  ForceLabView(ForceLab& lab, const SettingsPrice& price, QWidget* parent = nullptr);
 
   VotesView& votes() { return *votes_; }
   ForceTermsView& terms() { return *terms_; }
@@ -126,6 +127,7 @@ class ForceLabView : public LabView {
   void followSeries();
 
   ForceLab& lab_;
+  const SettingsPrice& price_;
   VotesView* votes_;
   ForceTermsView* terms_;
   JudgementView* judgements_;

@@ -43,7 +43,8 @@ ForceTermsPlot::ForceTermsPlot(QWidget* parent)
 }
 
 void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fuzzy::Term>& terms,
-                              const std::vector<elicitation::VoteStep>& votes, double end_n) {
+                              const std::vector<elicitation::VoteStep>& votes, double end_n,
+                              const std::vector<fuzzy::Term>& former) {
   words_ = words;
   plot_->clearGraphs();
   fuzzy::Variable axis = words;
@@ -60,6 +61,7 @@ void ForceTermsPlot::setTerms(const fuzzy::Variable& words, const std::vector<fu
   ticks->setTickStep(0.5);
   plot_->yAxis->setTicker(ticks);
   plot_->yAxis->setRange(0, 1.06);  // the dots of full shares stay whole
+  has_ghosts_ = addGhosts(*plot_, words, terms, former, words.min, end_n);
   std::vector<VertexPick::Vertex> corners;
   const double middle = 0.5 * static_cast<double>(words.terms.size() - 1);
   for (std::size_t k = 0; k < words.terms.size(); ++k) {
@@ -108,6 +110,7 @@ std::vector<LegendEntry> ForceTermsPlot::legend() const {
   for (std::size_t k = 0; k < words_.terms.size(); ++k) {
     out.push_back({labelOf(words_.terms[k]), QPen(termLine(words_, words_.terms, k), 2)});
   }
+  if (has_ghosts_) out.push_back({tr("Before the change"), ghostPen(theme::ink())});
   return out;
 }
 
@@ -203,7 +206,7 @@ ForceTermsView::Column& ForceTermsView::columnOf(elicitation::ForceTermsFrom fro
 
 void ForceTermsView::setEffect(elicitation::ForceTermsFrom from, const QString& effect) {
   Column& column = columnOf(from);
-  column.effect->setText(effect);
+  column.effect->setText(effect.isEmpty() && column.plot->hasGhosts() ? tr("Dashed: before the change.") : effect);
   column.choice->setToolTip(effect.isEmpty() ? hintOf(from) : hintOf(from) + QLatin1Char('\n') + effect);
 }
 
@@ -211,15 +214,17 @@ ForceTermsPlot& ForceTermsView::plot(elicitation::ForceTermsFrom from) { return 
 
 void ForceTermsView::addTool(elicitation::ForceTermsFrom from, QWidget* tool) { columnOf(from).head->addWidget(tool); }
 
-void ForceTermsView::setVotes(const ForceVotes& votes) {
+void ForceTermsView::setVotes(const ForceVotes& votes, elicitation::ForceTermsFrom chosen,
+                              const std::vector<fuzzy::Term>& former) {
   const double end_n = commonEnd(votes);
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const ForceMethod& method = votes.methods[i];
     Column& column = columns_[i];
     column.choice->setEnabled(method.terms.has_value());
-    column.plot->setTerms(votes.words, method.terms ? method.terms->output.terms : std::vector<fuzzy::Term>(),
-                          votes.steps, end_n);
+    if (kForceMethods[i] == chosen) column.choice->setChecked(true);
     column.terms = method.terms ? method.terms->output.terms : std::vector<fuzzy::Term>();
+    column.plot->setTerms(votes.words, column.terms, votes.steps, end_n,
+                          kForceMethods[i] == chosen ? former : std::vector<fuzzy::Term>());
     if (method.terms) {
       tellCorners(column);
       QStringList hint(wideCorners(column.terms));
@@ -277,12 +282,6 @@ void ForceTermsView::resizeEvent(QResizeEvent* event) {
 void ForceTermsView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
   if (event->type() == QEvent::FontChange) QTimer::singleShot(0, this, &ForceTermsView::fitTexts);
-}
-
-void ForceTermsView::setChosen(elicitation::ForceTermsFrom from) {
-  for (std::size_t i = 0; i < columns_.size(); ++i) {
-    if (kForceMethods[i] == from) columns_[i].choice->setChecked(true);
-  }
 }
 
 }  // namespace tactus::workbench

@@ -26,10 +26,13 @@ class ForceTermsPlot : public QWidget, public PlotSource {
  public:
   explicit ForceTermsPlot(QWidget* parent = nullptr);
 
-  /// `words` gives the colors; `votes` the shares; the axis ends at `end_n`.
+  /// `words` gives the colors; `votes` the shares; the axis ends at `end_n`. `former`: the words of the model before
+  /// the last change of the settings, dashed; empty: none.
   void setTerms(const fuzzy::Variable& words, const std::vector<fuzzy::Term>& terms,
-                const std::vector<elicitation::VoteStep>& votes, double end_n);
+                const std::vector<elicitation::VoteStep>& votes, double end_n, const std::vector<fuzzy::Term>& former);
 
+  /// Words of before are drawn: some are others.
+  bool hasGhosts() const { return has_ghosts_; }
   VertexPick& corners() { return *corners_; }
   std::vector<LegendEntry> legend() const override;
   void paintPicture(QCPPainter& painter, const QSize& size) override;
@@ -48,6 +51,7 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   QCustomPlot* plot_;
   VertexPick* corners_;
   fuzzy::Variable words_;
+  bool has_ghosts_ = false;
   QString axis_text_;
   QString axis_unit_;
 };
@@ -58,11 +62,10 @@ class ForceTermsView : public QWidget {
  public:
   explicit ForceTermsView(QWidget* parent = nullptr);
 
-  void setVotes(const ForceVotes& votes);
+  /// `chosen`: the method of the model. `former`: its words before the last change of the settings; empty: unchanged.
+  void setVotes(const ForceVotes& votes, elicitation::ForceTermsFrom chosen, const std::vector<fuzzy::Term>& former);
   /// What a method would do to the force; empty: not known, or it is the method of the model.
   void setEffect(elicitation::ForceTermsFrom from, const QString& effect);
-  /// The method of the model.
-  void setChosen(elicitation::ForceTermsFrom from);
   ForceTermsPlot& plot(elicitation::ForceTermsFrom from);
   /// Adds `tool` beside the name of a method.
   void addTool(elicitation::ForceTermsFrom from, QWidget* tool);

@@ -83,9 +83,10 @@ std::vector<FactorRow> factorRows(const elicitation::MethodStudy& study) {
   return rows;
 }
 
-MethodLab::MethodLab(LabData& data, QObject* parent)
+MethodLab::MethodLab(LabData& data, Studied studied, QObject* parent)
     : QObject(parent),
       data_(data),
+      studied_(std::move(studied)),
       found_([this] { return order_; }, &MethodLab::compareChoices),
       curves_([this] { return drawn(); }, &MethodLab::draw) {
   connect(&found_, &Computation::valueChanged, this, [this] {
@@ -102,7 +103,7 @@ MethodLab::MethodLab(LabData& data, QObject* parent)
   connect(&data_, &LabData::studyReplaced, this, [this] {
     markOld();
     if (data_.study() != nullptr && !found_.isBusy()) return;
-    order_ = data_.inputs();
+    order_ = orderNow();
     found_.renew();
   });
   connect(&data_, &LabData::studyChanged, this, &MethodLab::changed);
@@ -115,19 +116,31 @@ void MethodLab::setWanted(bool wanted) {
 
 void MethodLab::compare() {
   if (!isPossible() || isBusy()) return;
-  order_ = data_.inputs();
+  order_ = orderNow();
   found_.refresh();
   found_.hold(*this);
 }
 
-MethodLab::FoundCell::Answer MethodLab::compareChoices(const LabInputs& from, const RunOf<Found>& run) {
+std::optional<MethodLab::Order> MethodLab::orderNow() const {
+  const auto inputs = data_.inputs();
+  if (!inputs) return std::nullopt;
+  const auto known = studied_ ? studied_() : std::nullopt;
+  const bool same =
+      known && known->built.study == inputs->study && settingsChange(known->built.settings, inputs->settings).isEmpty();
+  return Order{*inputs, same ? std::optional(Found{known->built.model, known->choices}) : std::nullopt};
+}
+
+MethodLab::FoundCell::Answer MethodLab::compareChoices(const Order& order, const RunOf<Found>& run) {
+  if (order.known) return std::make_shared<const Found>(*order.known);
+  const LabInputs& from = order.from;
   const elicitation::BuildSettings settings = stoppable(from.settings, run.stop);
   auto built = elicitation::buildModel(from.study->study, from.study->forms, settings);
   if (!built) return tl::unexpected(text(built.error().message()));
   auto study =
       elicitation::methodStudy(from.study->study, from.study->forms, settings, *built, {run.stop, run.progress});
   if (!study) return tl::unexpected(text(study.error().message()));
-  return std::make_shared<const Found>(Found{std::move(*built), std::move(*study)});
+  return std::make_shared<const Found>(Found{std::make_shared<const elicitation::BuiltModel>(std::move(*built)),
+                                             std::make_shared<const elicitation::MethodStudy>(std::move(*study))});
 }
 
 void MethodLab::markOld() {
@@ -147,10 +160,11 @@ std::optional<MethodLab::Drawn> MethodLab::drawn() const {
 
 MethodLab::CurvesCell::Answer MethodLab::draw(const Drawn& drawn, const RunOf<MethodCurves>&) {
   const auto& [of, found, index] = drawn;
-  const auto& one = found->study.variants[index];
-  const auto model = elicitation::methodModel(of->study->study, of->study->forms, of->settings, found->built, one);
+  const auto& one = found->study->variants[index];
+  const auto& [study, settings] = of->from;
+  const auto model = elicitation::methodModel(study->study, study->forms, settings, *found->built, one);
   if (!model) return nullptr;
-  const auto now = fuzzy::compile(found->built.model);
+  const auto now = fuzzy::compile(found->built->model);
   const auto other = fuzzy::compile(*model);
   if (!now || !other) return nullptr;
   auto curves = std::make_shared<MethodCurves>();
@@ -158,9 +172,9 @@ MethodLab::CurvesCell::Answer MethodLab::draw(const Drawn& drawn, const RunOf<Me
   curves->x_input = depthInput(*model);
   curves->at = one.at;  // empty if nothing moves
   if (curves->at.empty()) {
-    for (const fuzzy::Variable& input : model->inputs) curves->at.push_back(usualValue(found->built.about(), input));
+    for (const fuzzy::Variable& input : model->inputs) curves->at.push_back(usualValue(found->built->about(), input));
   }
-  curves->now = figures::computeCurves(found->built.model, *now, curves->x_input, curves->at);
+  curves->now = figures::computeCurves(found->built->model, *now, curves->x_input, curves->at);
   curves->other = figures::computeCurves(*model, *other, curves->x_input, curves->at);
   return curves;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -53,8 +54,11 @@ class MethodLab : public QObject {
   Q_OBJECT
 
  public:
-  /// `data` outlives this.
-  explicit MethodLab(LabData& data, QObject* parent = nullptr);
+  /// What was compared elsewhere last; nothing: nothing.
+  using Studied = std::function<std::optional<StudiedMethod>()>;
+
+  /// `data` outlives this. `studied` is asked before choices are compared, so that it is not done twice; may be empty.
+  explicit MethodLab(LabData& data, Studied studied = {}, QObject* parent = nullptr);
 
   /// Compares the choices for the study and the settings of this moment. Runs also while the lab is hidden.
   void compare();
@@ -65,11 +69,11 @@ class MethodLab : public QObject {
   bool isPossible() const { return data_.study() != nullptr; }
 
   /// What was found; null while there is nothing.
-  const elicitation::MethodStudy* found() const { return found_.value() ? &found_.value()->study : nullptr; }
+  const elicitation::MethodStudy* found() const { return found_.value() ? found_.value()->study.get() : nullptr; }
   /// Rises with each change of `found`.
   int foundNumber() const { return number_; }
   /// The model that the others were compared with. Only with `found`.
-  const fuzzy::ForceModel& model() const { return found_.value()->built.model; }
+  const fuzzy::ForceModel& model() const { return found_.value()->built->model; }
   /// The study or a setting has changed since.
   bool isOld() const { return old_; }
   /// Why nothing could be compared; empty if it could.
@@ -95,23 +99,29 @@ class MethodLab : public QObject {
 
  private:
   struct Found {
-    elicitation::BuiltModel built;
-    elicitation::MethodStudy study;
+    std::shared_ptr<const elicitation::BuiltModel> built;
+    std::shared_ptr<const elicitation::MethodStudy> study;
+  };
+  struct Order {
+    LabInputs from;
+    std::optional<Found> known;  ///< it was done elsewhere for the same study and settings
   };
   struct Drawn {
-    std::shared_ptr<const LabInputs> of;
+    std::shared_ptr<const Order> of;
     std::shared_ptr<const Found> found;
     std::size_t variant = 0;
   };
-  using FoundCell = Computed<LabInputs, Found>;
+  using FoundCell = Computed<Order, Found>;
   using CurvesCell = Computed<Drawn, MethodCurves>;
-  static FoundCell::Answer compareChoices(const LabInputs& from, const RunOf<Found>& run);
+  static FoundCell::Answer compareChoices(const Order& order, const RunOf<Found>& run);
   static CurvesCell::Answer draw(const Drawn& drawn, const RunOf<MethodCurves>& run);
   std::optional<Drawn> drawn() const;
+  std::optional<Order> orderNow() const;
   void markOld();
 
   LabData& data_;
-  std::optional<LabInputs> order_;  ///< what is compared: the study and the settings when the button was pressed
+  Studied studied_;
+  std::optional<Order> order_;  ///< what is compared: the study and the settings when the button was pressed
   int number_ = 0;
   bool old_ = false;
   std::optional<std::size_t> chosen_;

@@ -75,7 +75,8 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
       sorted_(new QSortFilterProxyModel(this)),
       view_(nullptr),
       moved_(makeWords(this)),
-      lead_(new QPushButton(tr("Show in the lab"), this)) {
+      lead_(new QPushButton(tr("Show in the lab"), this)),
+      participant_(new QPushButton(this)) {
   setWindowTitle(tr("Where it comes from"));
   resize(kWindow);
   title_->setFont(theme::headingFont());
@@ -91,9 +92,13 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   buttons->addButton(lead_, QDialogButtonBox::ActionRole);
+  buttons->addButton(participant_, QDialogButtonBox::ActionRole);
   makeColumn(this, {title_, notes_, {view_, 1}, moved_, buttons}, theme::kGrid, inset(2 * theme::kGrid));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   connect(lead_, &QPushButton::clicked, this, &OriginWindow::lead);
+  connect(participant_, &QPushButton::clicked, this, [this] {
+    if (const OriginRecord* const record = chosen()) emit participantAsked(*record);
+  });
   connect(view_, &QTableView::clicked, this, &OriginWindow::lead);
   connect(view_, &QTableView::activated, this, &OriginWindow::lead);
   connect(view_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &OriginWindow::followChosen);
@@ -155,6 +160,8 @@ void OriginWindow::refreshState() {
 void OriginWindow::followChosen() {
   const OriginRecord* const record = chosen();
   lead_->setEnabled(record != nullptr);
+  participant_->setVisible(record != nullptr);
+  if (record != nullptr) participant_->setText(tr("Show the record of %1").arg(record->participant));
   if (preview_ != nullptr) preview_->setVisible(record != nullptr && shows_(*record));
   if (record == nullptr) {
     moved_->clear();

@@ -37,6 +37,8 @@ class OriginWindow : public QDialog {
  signals:
   /// The user clicked a record: its lab shows it.
   void recordChosen(const tactus::workbench::OriginRecord& record);
+  /// The user asks for all that its participant said and did.
+  void participantAsked(const tactus::workbench::OriginRecord& record);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -58,6 +60,7 @@ class OriginWindow : public QDialog {
   QWidget* preview_ = nullptr;
   std::function<bool(const OriginRecord&)> shows_;
   QPushButton* lead_;
+  QPushButton* participant_;
   bool placed_ = false;
 };
 

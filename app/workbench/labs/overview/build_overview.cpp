@@ -163,6 +163,11 @@ BuildOverview::BuildOverview(LabModel& model, QObject* parent)
   connect(&choices_, &Computation::valueChanged, this, &BuildOverview::changed);
 }
 
+std::optional<StudiedMethod> BuildOverview::studied() const {
+  if (choices_.value() == nullptr) return std::nullopt;
+  return StudiedMethod{*choices_.of(), choices_.value()};
+}
+
 void BuildOverview::setSeen(bool seen) { choices_.hold(*this, seen); }
 
 std::vector<BuildPart> BuildOverview::parts() const {

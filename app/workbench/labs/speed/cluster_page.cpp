@@ -17,6 +17,7 @@
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/labs/data/settings_price.h"
 #include "app/workbench/labs/speed/speed_clusters.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/plot/plot_marks.h"
@@ -24,6 +25,7 @@
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/plot/term_labels.h"
+#include "app/workbench/plot/term_outline.h"
 
 namespace tactus::workbench {
 namespace {
@@ -58,7 +60,7 @@ SpeedTermPlot::SpeedTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(
   plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 }
 
-void SpeedTermPlot::show(const SpeedResult& result) {
+bool SpeedTermPlot::show(const SpeedResult& result, const std::vector<fuzzy::Term>& former) {
   plot_->axisRect()->setVisible(true);
   plot_->clearPlottables();
   legend_.clear();
@@ -79,7 +81,10 @@ void SpeedTermPlot::show(const SpeedResult& result) {
     addLine(one.speeds.ramps, result.speed.max, QPen(few ? color : fadedLine(color), few ? 1.5 : 1),
             few ? text(one.speeds.participant) : QString());
   }
+  bool others = false;
   if (!result.averaged.empty()) {
+    others = addGhosts(*plot_, result.speed, result.speed.terms, former, result.speed.min, result.speed.max);
+    if (others) legend_.push_back({tr("Before the change"), ghostPen(theme::ink())});
     addLine(result.averaged, result.speed.max, QPen(theme::ink(), 3), tr("Terms of the model"));
     addIntervals(result);
     labels_->setTerms(result.speed, result.speed.terms);
@@ -88,6 +93,7 @@ void SpeedTermPlot::show(const SpeedResult& result) {
   }
   corners_->setVertices(result.averaged.empty() ? std::vector<VertexPick::Vertex>() : innerCorners(result.speed));
   redraw(*plot_);
+  return others;
 }
 
 void SpeedTermPlot::addLine(const std::vector<elicitation::Ramp>& ramps, double max_mm_s, const QPen& pen,
@@ -282,9 +288,10 @@ void ClusterPlot::paint(QCPPainter& painter, const QSize& size) {
   painter.translate(0, -head);
 }
 
-ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
+ClusterPage::ClusterPage(SpeedLab& lab, const SettingsPrice& price, QWidget* parent)
     : QWidget(parent),
       lab_(lab),
+      price_(price),
       terms_(nullptr),
       key_(new ElidedLabel(this)),
       said_(new QLabel(this)),
@@ -320,6 +327,7 @@ ClusterPage::ClusterPage(SpeedLab& lab, QWidget* parent)
   auto* refresh = new Refresh(this, [this] { refreshState(); });
   connect(&lab_, &SpeedLab::resultChanged, refresh, &Refresh::request);
   connect(&lab_, &SpeedLab::pageChanged, refresh, &Refresh::request);
+  connect(&price_, &SettingsPrice::changed, refresh, &Refresh::request);
   refresh->request();
 }
 
@@ -352,7 +360,7 @@ void ClusterPage::refreshState() {
     plots_[i - first]->show(*result->subjects[i], result->speed, numbers[i],
                             known ? result->intervals->participants[i].centres : std::vector<elicitation::Interval>());
   }
-  terms_->show(*result);
+  const bool others = terms_->show(*result, price_.formerTerms(result->speed.id));
   if (!result->failure.empty()) {
     said_->setText(tr("Nothing is averaged: %1").arg(text(result->failure)));
   } else if (result->averaged.empty()) {
@@ -362,7 +370,8 @@ void ClusterPage::refreshState() {
     for (const elicitation::Ramp& ramp : result->averaged) {
       corners << numberText(ramp.p, 1) + QStringLiteral(" – ") + numberText(ramp.q, 1);
     }
-    said_->setText(tr("ramps %1 mm/s").arg(corners.join(QStringLiteral(" · "))));
+    const QString ramps = tr("ramps %1 mm/s").arg(corners.join(QStringLiteral(" · ")));
+    said_->setText(others ? tr("%1 · dashed: before the change").arg(ramps) : ramps);
   }
 }
 

@@ -30,7 +30,9 @@ class SpeedTermPlot : public QWidget, public PlotSource {
  public:
   explicit SpeedTermPlot(QWidget* parent = nullptr);
 
-  void show(const SpeedResult& result);
+  /// `former`: the terms of the model before the last change of the settings, dashed; empty: none. Returns whether one
+  /// of them is another.
+  bool show(const SpeedResult& result, const std::vector<fuzzy::Term>& former);
   VertexPick& corners() { return *corners_; }
 
   QSize pictureSize() const override { return {940, 340}; }
@@ -52,6 +54,7 @@ class SpeedTermPlot : public QWidget, public PlotSource {
 };
 
 class ElidedLabel;
+class SettingsPrice;
 class SpeedLab;
 class SpeedTermPlot;
 
@@ -85,8 +88,8 @@ class ClusterPage : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
-  /// `lab` outlives this.
-  explicit ClusterPage(SpeedLab& lab, QWidget* parent = nullptr);
+  /// Both outlive this.
+  ClusterPage(SpeedLab& lab, const SettingsPrice& price, QWidget* parent = nullptr);
 
   QSize pictureSize() const override { return {940, 620}; }
   SpeedTermPlot& terms() { return *terms_; }
@@ -101,6 +104,7 @@ class ClusterPage : public QWidget, public PlotSource {
   QString settingText() const;
 
   SpeedLab& lab_;
+  const SettingsPrice& price_;
   std::vector<ClusterPlot*> plots_;
   SpeedTermPlot* terms_;
   ElidedLabel* key_;

@@ -298,7 +298,8 @@ constexpr int kSettingsWidth = 29 * theme::kGrid;  // px at 100 %
 
 }  // namespace
 
-SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent)
+SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, const SettingsPrice& price,
+                           QWidget* parent)
     : LabView(
           QStringLiteral("speed"), tr("Speed"), [&lab](bool wanted) { lab.setSeen(wanted); }, parent),
       lab_(lab),
@@ -314,7 +315,7 @@ SpeedLabView::SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& correcti
   auto* const numbers = new NumberPage(lab, this);
   strokes_->setObjectName(QStringLiteral("strokes"));
   numbers->setObjectName(QStringLiteral("table"));
-  auto* const clusters = new ClusterPage(lab, this);
+  auto* const clusters = new ClusterPage(lab, price, this);
   terms_ = &clusters->terms();
   pages_->addTab(clusters, tr("Clusters and terms"));
   pages_->addTab(strokes_, tr("Strokes"));

@@ -22,6 +22,7 @@ namespace tactus::workbench {
 class Corrections;
 class LabModel;
 class SettingRow;
+class SettingsPrice;
 class SpeedLab;
 class SpeedTermPlot;
 class TraceRow;
@@ -99,7 +100,8 @@ class SpeedLabView : public LabView {
 
  public:
   /// All outlive this.
-  SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, QWidget* parent = nullptr);
+  SpeedLabView(SpeedLab& lab, LabModel& model, Corrections& corrections, const SettingsPrice& price,
+               QWidget* parent = nullptr);
 
   /// Turns to the strokes, with this one chosen.
   void showStroke(const elicitation::StrokeKey& stroke);

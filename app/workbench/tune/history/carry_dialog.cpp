@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QShowEvent>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <algorithm>
 
@@ -24,6 +25,15 @@ constexpr int kHeight = 460;  // px; the curves stay in sight beside it
 constexpr int kWhat = 0;
 constexpr int kRemark = 4;
 constexpr int kPercent = 100;
+
+/// Rows of several lines with air between them.
+class RoomyRows : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index) + QSize(theme::kGrid, theme::kGrid);
+  }
+};
 
 }  // namespace
 
@@ -49,6 +59,7 @@ CarryDialog::CarryDialog(CarryController& carry, QWidget* parent)
     label->setTextFormat(Qt::PlainText);
   }
   table_->setMouseTracking(true);
+  table_->setItemDelegate(new RoomyRows(table_));
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // long rules take lines
   QHeaderView* const heads = table_->horizontalHeader();
   heads->setSectionResizeMode(QHeaderView::ResizeToContents);

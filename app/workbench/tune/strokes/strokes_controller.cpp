@@ -1,9 +1,12 @@
 #include "app/workbench/tune/strokes/strokes_controller.h"
 
+#include <QDateTime>
+#include <QLocale>
 #include <algorithm>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
+#include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
@@ -26,10 +29,11 @@ QString levelLabel(const fuzzy::ForceModel& model, const std::string& level) {
 
 }  // namespace
 
-StrokesController::StrokesController(GhostController& ghost, SceneController& scene, StudyConnection& study,
-                                     QObject* parent)
+StrokesController::StrokesController(GhostController& ghost, EditController& edits, SceneController& scene,
+                                     StudyConnection& study, QObject* parent)
     : QObject(parent),
       ghost_(ghost),
+      edits_(edits),
       scene_(scene),
       study_(study),
       strokes_([this] { return stored_ ? std::optional(stored_) : std::nullopt; },
@@ -50,7 +54,7 @@ StrokesController::StrokesController(GhostController& ghost, SceneController& sc
       compared_(
           [this]() -> std::optional<ComparedInputs> {
             if (baseline_.value() == nullptr || !scene_.model()) return std::nullopt;
-            return ComparedInputs{baseline_.value(), scene_.shared()->shared, ghost_.label()};
+            return ComparedInputs{baseline_.value(), scene_.shared()->shared, label()};
           },
           [](const ComparedInputs& inputs, const auto& run) {
             auto out = std::make_shared<const Shown>(
@@ -60,6 +64,8 @@ StrokesController::StrokesController(GhostController& ghost, SceneController& sc
           }) {
   baseline_.needs(strokes_);
   compared_.needs(baseline_);
+  connect(&edits_, &EditController::modelReset, this, &StrokesController::findSignOff);
+  connect(&edits_, &EditController::historyChanged, this, &StrokesController::findSignOff);
   connect(&ghost_, &GhostController::changed, this, &StrokesController::onModels);
   connect(&scene_, &SceneController::modelChanged, this, &StrokesController::onModels);
   connect(&scene_, &SceneController::modelEdited, this, &StrokesController::onModels);
@@ -117,6 +123,33 @@ void StrokesController::onRead(std::shared_ptr<const replay::StoredStrokes> stor
   emit changed();
 }
 
+void StrokesController::findSignOff() {
+  const auto& events = edits_.history().events();
+  const auto last = std::find_if(events.rbegin(), events.rend(),
+                                 [](const editing::Event& one) { return one.kind == editing::EventKind::kSignOff; });
+  if (last == events.rend()) {
+    if (!std::exchange(signed_off_, std::nullopt)) return;
+  } else {
+    if (signed_off_ && signed_off_->event == last->id && signed_off_->model) return;
+    const auto model = edits_.readyOf(last->state);
+    const QDateTime when = QDateTime::fromMSecsSinceEpoch(last->stamp.utc_ms);
+    signed_off_ =
+        SignedOff{last->id,
+                  tr("the sign-off of %1, %2")
+                      .arg(harmless(text(last->stamp.author)), QLocale().toString(when, QLocale::ShortFormat)),
+                  model ? *model : nullptr};
+  }
+  onModels();
+}
+
+void StrokesController::setAgainst(Against against) {
+  if (std::exchange(against_, against) != against) onModels();
+}
+
+QString StrokesController::label() const {
+  return against() == Against::kSignOff ? signed_off_->label : ghost_.label();
+}
+
 // The model before may change a moment after the present one, so what was asked for counts, not what is there.
 void StrokesController::onModels() {
   if (before() != wanted_before_) {
@@ -157,7 +190,9 @@ replay::Conditions StrokesController::conditions() const {
 }
 
 editing::SharedModel StrokesController::before() const {
-  if (!scene_.model() || !ghost_.isOn()) return nullptr;
+  if (!scene_.model()) return nullptr;
+  if (against() == Against::kSignOff) return signed_off_->model;
+  if (!ghost_.isOn()) return nullptr;
   // Without an edit the model is compared with itself.
   return ghost_.before() ? ghost_.before()->shared : scene_.shared()->shared;
 }
@@ -167,7 +202,7 @@ StrokesController::State StrokesController::state() const {
   if (!study_.isOpen()) return State::kNoStudy;
   if (!failure_.isEmpty()) return State::kUnreadable;
   if (strokes_.value() != nullptr && strokes_.value()->empty()) return State::kNoStroke;
-  if (!ghost_.isOn()) return State::kGhostOff;
+  if (against() == Against::kGhost && !ghost_.isOn()) return State::kGhostOff;
   if (shown_ == nullptr) return State::kWaiting;
   return shown_->comparison.strokes.empty() ? State::kNothing : State::kShown;
 }
@@ -222,7 +257,7 @@ QString StrokesController::headline() const {
 
 QString StrokesController::caption() const {
   QStringList parts;
-  if (ghost_.before()) {
+  if (against() == Against::kSignOff || ghost_.before()) {
     parts << tr("Compared with: %1").arg(label_);
   } else {
     parts << tr("No edit yet: the model is compared with itself");

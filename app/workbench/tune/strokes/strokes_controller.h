@@ -1,5 +1,5 @@
 // The recorded strokes of the open study, run through the model before and the present one after each edit: what would
-// feel different. The model before is that of the curves (GhostController).
+// feel different. The model before is that of the curves (GhostController), or the one that was signed off last.
 #pragma once
 
 #include <QObject>
@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/editing/edit_history.h"
 #include "app/replay/recorded_strokes.h"
 #include "app/replay/stroke_replay.h"
 #include "app/workbench/base/computed.h"
@@ -19,6 +20,7 @@ class QWidget;
 
 namespace tactus::workbench {
 
+class EditController;
 class GhostController;
 class SceneController;
 class StudyConnection;
@@ -29,10 +31,19 @@ class StrokesController : public QObject {
 
  public:
   /// All outlive this.
-  StrokesController(GhostController& ghost, SceneController& scene, StudyConnection& study, QObject* parent = nullptr);
+  StrokesController(GhostController& ghost, EditController& edits, SceneController& scene, StudyConnection& study,
+                    QObject* parent = nullptr);
 
   /// Nothing is read or computed while no view is seen.
   void setSeen(bool seen);
+
+  enum class Against {
+    kGhost,    ///< the model before of the curves
+    kSignOff,  ///< the state that was signed off last
+  };
+  /// kGhost where nothing is signed off.
+  Against against() const { return signed_off_ ? against_ : Against::kGhost; }
+  bool isSignedOff() const { return signed_off_.has_value(); }
 
   enum class State {
     kNoModel,
@@ -79,6 +90,7 @@ class StrokesController : public QObject {
   /// Moves the operating point to the largest difference of a stroke, with its conditions.
   void goTo(std::size_t place);
   void choose(std::size_t place);
+  void setAgainst(tactus::workbench::StrokesController::Against against);
   /// Compares with the model before again.
   void showGhost();
   /// Asks for the replay of the recording of the chosen stroke, if it has one.
@@ -108,8 +120,17 @@ class StrokesController : public QObject {
     replay::StrokeComparison comparison;
   };
 
+  /// The state that was signed off last.
+  struct SignedOff {
+    study::RecordId event;
+    QString label;
+    editing::SharedModel model;
+  };
+
   void read();
   void onStudy();
+  void findSignOff();
+  QString label() const;
   void onRead(std::shared_ptr<const replay::StoredStrokes> stored, const QString& failure);
   void onModels();
   void onValue(std::size_t input);
@@ -119,8 +140,11 @@ class StrokesController : public QObject {
   bool wantsConditions() const;
 
   GhostController& ghost_;
+  EditController& edits_;
   SceneController& scene_;
   StudyConnection& study_;
+  Against against_ = Against::kGhost;
+  std::optional<SignedOff> signed_off_;
   bool seen_ = false;
   bool unread_ = true;       ///< the study may have other strokes
   std::size_t reading_ = 0;  ///< number of the newest reading

@@ -1,5 +1,6 @@
 // The strip of recorded strokes: small traces with the force before and the present one, the worst first, and one line
 // that says how many would feel different.
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QFocusEvent>
 #include <QHelpEvent>
@@ -10,6 +11,8 @@
 #include <QPolygonF>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -29,6 +32,7 @@ namespace tactus::workbench {
 namespace {
 
 using State = StrokesController::State;
+using Against = StrokesController::Against;
 
 constexpr int kNarrowest = 172;  // px of a trace, at 100 % of text size
 constexpr int kCurve = 48;       // px of height
@@ -88,6 +92,7 @@ class StrokesPanel : public Card {
 
   StrokesController& strokes_;
   QLabel* headline_;
+  QComboBox* against_;
   QLabel* caption_;
   StrokeTraces* traces_;
   QScrollArea* scroll_;
@@ -266,6 +271,7 @@ void StrokeTraces::paintTrace(QPainter& painter, const QRectF& area, std::size_t
 StrokesPanel::StrokesPanel(StrokesController& strokes)
     : strokes_(strokes),
       headline_(new QLabel(this)),
+      against_(new QComboBox(this)),
       caption_(new QLabel(this)),
       traces_(new StrokeTraces(strokes, this)),
       scroll_(new QScrollArea(this)),
@@ -278,6 +284,10 @@ StrokesPanel::StrokesPanel(StrokesController& strokes)
   headline_->setObjectName(QStringLiteral("strokes_headline"));
   way_out_->setObjectName(QStringLiteral("strokes_way_out"));
   replay_->setObjectName(QStringLiteral("strokes_replay"));
+  against_->setAccessibleName(tr("What the strokes are compared with"));
+  against_->setToolTip(tr("Choose the model that the strokes are compared with"));
+  against_->addItem(tr("before the edit"));
+  against_->addItem(tr("last sign-off"));
   for (QLabel* sentence : {headline_, caption_}) {
     sentence->setWordWrap(true);
     sentence->setTextFormat(Qt::PlainText);
@@ -303,7 +313,9 @@ StrokesPanel::StrokesPanel(StrokesController& strokes)
   traces_->setAutoFillBackground(false);
 
   auto* const shown = new QWidget(this);
-  makeColumn(shown, {headline_, caption_, {scroll_, 1}, left_out_, makeRow({{legend_, 1}, replay_})}, theme::kGrid / 2);
+  makeColumn(shown,
+             {makeRow({{headline_, 1}, against_}), caption_, {scroll_, 1}, left_out_, makeRow({{legend_, 1}, replay_})},
+             theme::kGrid / 2);
   auto* const other = new QWidget(this);
   makeColumn(other, {spring(1), empty_, makeRow({spring(1), way_out_, spring(1)}), spring(1)});
   body_->addWidget(shown);
@@ -313,6 +325,8 @@ StrokesPanel::StrokesPanel(StrokesController& strokes)
   traces_->sought = [this](const QRect& place) {
     scroll_->ensureVisible(place.center().x(), place.center().y(), 0, place.height());
   };
+  connect(against_, &QComboBox::activated, this,
+          [this](int row) { strokes_.setAgainst(row == 0 ? Against::kGhost : Against::kSignOff); });
   connect(replay_, &QPushButton::clicked, &strokes_, &StrokesController::replayChosen);
   connect(way_out_, &QPushButton::clicked, this,
           [this] { strokes_.state() == State::kGhostOff ? strokes_.showGhost() : emit strokes_.recordRequested(); });
@@ -337,6 +351,11 @@ void StrokesPanel::showState() {
   if (!shown) return showEmpty();
   headline_->setText(strokes_.headline());
   headline_->setEnabled(!strokes_.isOld());
+  QStandardItem* const signed_off = qobject_cast<QStandardItemModel*>(against_->model())->item(1);
+  signed_off->setEnabled(strokes_.isSignedOff());
+  signed_off->setToolTip(strokes_.isSignedOff() ? QString() : tr("Nobody has signed off a version of this model yet."));
+  const QSignalBlocker quiet(against_);
+  against_->setCurrentIndex(strokes_.against() == Against::kSignOff ? 1 : 0);
   caption_->setText(strokes_.caption());
   const QStringList left_out = strokes_.leftOut();
   left_out_->setVisible(!left_out.isEmpty());

@@ -9,6 +9,9 @@
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
 
 #include "app/editing/edit.h"
 #include "app/editing/term_list.h"
@@ -22,6 +25,7 @@
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/tune/terms/term_controller.h"
@@ -31,6 +35,30 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kRefusalMs = 8000;  // long enough to read two sentences
+constexpr double kWide = 0.25;    // of the universe, without a corner
+constexpr double kBeyond = 0.15;  // of the way to the last corner: its handle stands free
+
+/// Where the corners stand close: up to a little behind the last one before the widest stretch without any. Nothing
+/// where no stretch is wide, or none comes after the first corner.
+std::optional<figures::Interval> crowdedPart(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {
+  const double range = variable.max - variable.min;
+  std::vector<double> corners{variable.min, variable.max};
+  for (const fuzzy::Term& term : terms) {
+    for (const double corner : term.points) {
+      if (term.shape != fuzzy::Shape::kGaussian && corner > variable.min && corner < variable.max)
+        corners.push_back(corner);
+    }
+  }
+  std::sort(corners.begin(), corners.end());
+  std::size_t last = 0;
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    if (corners[i + 1] - corners[i] > corners[last + 1] - corners[last]) last = i;
+  }
+  if (last == 0 || corners[last + 1] - corners[last] < kWide * range) return std::nullopt;
+  const double step = std::pow(10, std::floor(std::log10(range)) - 1);
+  const double high = corners[last] + kBeyond * (corners[last] - variable.min);
+  return figures::Interval{variable.min, std::min(std::ceil(high / step) * step, corners[last + 1])};
+}
 
 }  // namespace
 
@@ -51,6 +79,7 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
       add_(new QToolButton(this)),
       notes_button_(new NotesButton(this)),
       origin_(new QToolButton(this)),
+      zoom_(new QToolButton(this)),
       plot_(new MembershipEditorPlot(scene.ranges(), this)),
       hint_(new ElidedLabel(this)),
       hint_time_(new QTimer(this)),
@@ -79,6 +108,7 @@ MembershipEditor::MembershipEditor(EditController& edits, TermController& terms,
   origin_->setFont(theme::smallFont());
   origin_->setToolTip(tr("Show the trials of the study behind the selected vertex"));
   origin_->hide();
+  zoom_->setFont(theme::smallFont());
   hint_->setFont(theme::smallFont());
   hint_time_->setSingleShot(true);
   hint_time_->setInterval(kRefusalMs);
@@ -93,7 +123,7 @@ void MembershipEditor::buildPlace() {
                          new PlotMenu(
                              *plot_, [this] { return table(); }, this)});
   // Beside the hint: the row above is full while the scope is one expert.
-  auto* hints = makeRow({{hint_, 1}, origin_, notes_button_});
+  auto* hints = makeRow({{hint_, 1}, zoom_, origin_, notes_button_});
   makeColumn(this, {variables_, modes, {plot_, 1}, hints, sliders_, table_}, 4, inset(theme::kGrid));
 }
 
@@ -125,6 +155,13 @@ void MembershipEditor::connectAll() {
     if (!points.empty()) askOrigin(grip->term, points.front());
   });
 
+  connect(zoom_, &QToolButton::clicked, this, [this] {
+    const fuzzy::Variable& variable = terms_.variable();
+    ShownRanges& ranges = scene_.ranges();
+    const auto part = crowdedPart(variable, terms_.terms());
+    ranges.isPart(variable) || !part ? ranges.showAll(variable) : ranges.show(variable, *part);
+  });
+  connect(&scene_.ranges(), &ShownRanges::changed, this, &MembershipEditor::showZoom);
   connect(plot_, &MembershipEditorPlot::selected, &terms_, &TermController::select);
   connect(plot_, &MembershipEditorPlot::moveBegun, &terms_, &TermController::beginMove);
   connect(plot_, &MembershipEditorPlot::moved, &terms_, &TermController::moveBy);
@@ -218,9 +255,24 @@ void MembershipEditor::showTerms() {
   plot_->setTerms(terms_.variable(), terms_.terms());
   plot_->setStopped(edits_.stopped());
   showGhost();
+  showZoom();
   if (!edits_.stopped().isEmpty()) showRefusal(tr("It goes no further: stopped by %1.").arg(edits_.stopped()));
   showModes();
   showValue();
+}
+
+// The same range as in the other plots of this input.
+void MembershipEditor::showZoom() {
+  if (!terms_.isOpen() || !isVisible()) return;
+  const fuzzy::Variable& variable = terms_.variable();
+  const auto part = crowdedPart(variable, terms_.terms());
+  const bool zoomed = scene_.ranges().isPart(variable);
+  zoom_->setVisible(part.has_value() || zoomed);
+  zoom_->setText(
+      zoomed ? tr("Show all")
+             : tr("Zoom to %1–%2").arg(numberText(variable.min), quantityText(part ? part->high : 0, variable.unit)));
+  zoom_->setToolTip(zoomed ? tr("Show the whole universe in all plots of this input")
+                           : tr("Show where the corners stand close, in all plots of this input"));
 }
 
 void MembershipEditor::showGhost() {

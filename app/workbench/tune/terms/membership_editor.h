@@ -407,6 +407,7 @@ class MembershipEditor : public Card {
   void showList();
   void showTerms();
   void showGhost();
+  void showZoom();
   void showModes();
   void showScope();
   void showNotes();
@@ -434,6 +435,7 @@ class MembershipEditor : public Card {
   QToolButton* add_;
   NotesButton* notes_button_;
   QToolButton* origin_;
+  QToolButton* zoom_;  ///< to where the corners stand close, and back
   BuildNotes notes_;
   MembershipEditorPlot* plot_;
   ElidedLabel* hint_;

@@ -173,16 +173,7 @@ void MembershipEditorPlot::setGhost(std::vector<fuzzy::Term> before) {
 
 void MembershipEditorPlot::drawGhost() {
   const QCPRange range = plot_->xAxis->range();
-  for (std::size_t i = 0; i < before_.size(); ++i) {
-    const auto now =
-        std::find_if(terms_.begin(), terms_.end(), [&](const auto& term) { return term.id == before_[i].id; });
-    if (now != terms_.end() && now->shape == before_[i].shape && now->points == before_[i].points) continue;
-    const TermOutline outline = outlineOf(before_[i], range.lower, range.upper);
-    QCPGraph* graph = plot_->addGraph();
-    graph->setAdaptiveSampling(false);
-    graph->setPen(ghostPen(termLine(variable_, before_, i), isDragging()));
-    graph->setData(outline.x, outline.membership, true);
-  }
+  addGhosts(*plot_, variable_, terms_, before_, range.lower, range.upper, isDragging());
 }
 
 void MembershipEditorPlot::setLocked(std::vector<std::vector<bool>> locked) {

@@ -162,8 +162,9 @@ class PullLayer : public QCPLayerable {
   void set(const PullMarks& marks, const QColor& color) {
     handle_ = marks.handle;
     band_ = marks.band;
+    pins_ = marks.pins;
     color_ = color;
-    setVisible(handle_ || band_);
+    setVisible(handle_ || band_ || !pins_.empty());
   }
 
  protected:
@@ -171,6 +172,7 @@ class PullLayer : public QCPLayerable {
   void draw(QCPPainter* painter) override {
     painter->setClipRect(mParentPlot->axisRect()->rect());
     if (band_) drawBand(*painter);
+    for (const PullMarks::Pin& pin : pins_) drawPin(*painter, pin);
     if (handle_) drawHandle(*painter);
   }
 
@@ -185,6 +187,20 @@ class PullLayer : public QCPLayerable {
     painter.setPen(QPen(color_, 1.5, Qt::DashLine));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(box);
+  }
+
+  // A nail through the line.
+  void drawPin(QCPPainter& painter, const PullMarks::Pin& pin) const {
+    constexpr double kHead = 5;   // px, half of the head
+    constexpr double kStem = 16;  // px
+    const QPointF at = pixelOf(pin.x, pin.force_n);
+    const QPointF head = at - QPointF(0, kStem);
+    painter.setPen(QPen(theme::ink(), 2));
+    painter.drawLine(at, head);
+    painter.setPen(QPen(theme::card(), 1.5));
+    painter.setBrush(theme::ink());
+    painter.drawEllipse(head, kHead, kHead);
+    painter.drawEllipse(at, kHead * 0.6, kHead * 0.6);
   }
 
   void drawHandle(QCPPainter& painter) const {
@@ -210,10 +226,22 @@ class PullLayer : public QCPLayerable {
     painter.setBrush(color_);
     painter.drawPolygon(QPolygonF({to - QPointF(0, kSize + 2), to + QPointF(kSize + 2, 0), to + QPointF(0, kSize + 2),
                                    to - QPointF(kSize + 2, 0)}));
+    if (handle_->says.isEmpty()) return;
+    // Where there is room: at its right, else at its left.
+    painter.setFont(theme::smallFont());
+    const QFontMetricsF metrics(theme::smallFont());
+    const double width = metrics.horizontalAdvance(handle_->says) + 8;
+    const bool right = to.x() + kWide + width < mParentPlot->axisRect()->right();
+    const QRectF tag(right ? to.x() + kWide : to.x() - kWide - width, to.y() - metrics.height() / 2, width,
+                     metrics.height());
+    fill(painter, tag, theme::card(), 0.85F);
+    painter.setPen(theme::ink());
+    painter.drawText(tag, Qt::AlignCenter, handle_->says);
   }
 
   std::optional<PullMarks::Handle> handle_;
   std::optional<PullMarks::Band> band_;
+  std::vector<PullMarks::Pin> pins_;
   QColor color_;
 };
 
@@ -231,6 +259,20 @@ void CurveOverlays::setPull(const PullMarks* pull, const QColor& color) {
     pulled_->setData(column(pull->x), withGaps(pull->curve), true);
   }
   pull_->set(pull != nullptr ? *pull : PullMarks(), color);
+}
+
+void CurveOverlays::setFocused(bool focused) {
+  if (focus_ == nullptr) {
+    if (!focused) return;
+    focus_ = new QCPItemRect(&plot_);
+    focus_->setClipToAxisRect(false);
+    for (QCPItemPosition* corner : {focus_->topLeft, focus_->bottomRight})
+      corner->setType(QCPItemPosition::ptAxisRectRatio);
+    focus_->topLeft->setCoords(0, 0);
+    focus_->bottomRight->setCoords(1, 1);
+  }
+  focus_->setPen(QPen(theme::accent(), 2));
+  focus_->setVisible(focused);
 }
 
 CurveOverlays::CurveOverlays(QCustomPlot& plot) : plot_(plot) {

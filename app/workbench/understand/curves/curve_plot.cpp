@@ -25,10 +25,9 @@ constexpr int kLabelRows = 2;
 constexpr double kSameForce = 0.002;  // of the output; a line is wider
 constexpr double kDash = 5;           // widths of a line
 constexpr int kLow = 300;             // px: below this height the name of the x axis stands in the heading alone
-constexpr int kMeanGraph = 0;         // graph of the mean; that of expert i is i + 1
 
 QPen linePen(std::size_t graph, const std::vector<std::size_t>& numbers, bool fast) {
-  QPen pen = graph == kMeanGraph ? QPen(theme::mean(), 4) : expertPen(numbers[graph - 1], numbers.size());
+  QPen pen = graph == CurvePlot::kMeanGraph ? QPen(theme::mean(), 4) : expertPen(numbers[graph - 1], numbers.size());
   if (fast) pen.setWidthF(1);
   return pen;
 }
@@ -63,8 +62,9 @@ class MeanGraph : public QCPGraph {
 };
 
 void addLine(QCustomPlot& plot, const QString& name) {
-  QCPGraph* graph = plot.graphCount() == kMeanGraph ? new MeanGraph(plot.xAxis, plot.yAxis) : plot.addGraph();
-  if (plot.graphCount() == kMeanGraph + 1) graph->setLayer(QLatin1String(kMeanLayer));
+  QCPGraph* graph =
+      plot.graphCount() == CurvePlot::kMeanGraph ? new MeanGraph(plot.xAxis, plot.yAxis) : plot.addGraph();
+  if (plot.graphCount() == CurvePlot::kMeanGraph + 1) graph->setLayer(QLatin1String(kMeanLayer));
   graph->setName(name);
   graph->setAdaptiveSampling(false);
 }
@@ -77,10 +77,14 @@ CurvePlot::CurvePlot(ShownRanges& ranges, QWidget* parent)
     menu->addSeparator();
     menu->addAction(tr("Where does the force here come from?"), this,
                     [this, x = plot_->xAxis->pixelToCoord(place.x())] { emit originAsked(x); });
+    const auto pin = pinAt(place.x());
+    const double x = pin.value_or(placeOf(x_, plot_->xAxis->pixelToCoord(place.x())));
+    menu->addAction(pin ? tr("Take the pin away") : tr("Pin the force here"), this, [this, x] { emit pinAsked(x); });
   });
   makeColumn(this, {plot_});
   setMinimumSize(360, 160);
   setAccessibleName(tr("Force curves"));
+  setFocusPolicy(Qt::StrongFocus);
 
   plot_->addLayer(QLatin1String(kMeanLayer), plot_->layer(QStringLiteral("main")), QCustomPlot::limAbove);
   bands_ = new TermBands(*plot_);
@@ -337,6 +341,10 @@ void CurvePlot::leaveEvent(QEvent* event) {
 void CurvePlot::setPull(const PullMarks* pull) {
   const bool has_handle = pull != nullptr && pull->handle;
   handle_ = has_handle ? std::optional(QPointF(pull->handle->x, pull->handle->wanted_n)) : std::nullopt;
+  by_keys_ = by_keys_ && has_handle;
+  if (has_handle) setAccessibleDescription(pull->handle->says);
+  pins_.clear();
+  for (std::size_t i = 0; pull != nullptr && i < pull->pins.size(); ++i) pins_.push_back(pull->pins[i].x);
   const bool mean = pull == nullptr || !pull->expert;
   overlays_->setPull(pull, mean ? theme::accent() : theme::expert(numbers_[*pull->expert]));
   redraw(*plot_);
@@ -349,63 +357,6 @@ void CurvePlot::setSimulators(std::vector<SimulatorMark> marks) {
 
 QPoint CurvePlot::pixelOf(double x, double force_n) const {
   return plot_->mapTo(this, QPointF(plot_->xAxis->coordToPixel(x), plot_->yAxis->coordToPixel(force_n)).toPoint());
-}
-
-// The visible line that is nearest at the height of the mouse; the mean where none is near.
-std::optional<std::size_t> CurvePlot::lineAt(QPointF place) const {
-  constexpr double kNear = 12;  // px
-  if (overlays_->familySize() > 0) return std::nullopt;
-  const double x = plot_->xAxis->pixelToCoord(place.x());
-  double nearest = kNear;
-  std::optional<std::size_t> out;
-  for (std::size_t i = 0; i <= weights_.size(); ++i) {
-    const QCPGraph* line = plot_->graph(static_cast<int>(i));
-    const auto at = line->data()->findBegin(x);
-    if (!shown(i) || at == line->data()->constEnd() || std::isnan(at->value)) continue;
-    const double off = std::abs(plot_->yAxis->coordToPixel(at->value) - place.y());
-    // The mean is drawn over the others.
-    if (off >= nearest || (i > kMeanGraph && off >= nearest - 1)) continue;
-    nearest = off;
-    out = i == kMeanGraph ? std::nullopt : std::optional(i - 1);
-  }
-  return out;
-}
-
-bool CurvePlot::isOnHandle(QPointF place) const {
-  constexpr double kNear = 11;  // px
-  if (!handle_) return false;
-  const QPointF at(plot_->xAxis->coordToPixel(handle_->x()), plot_->yAxis->coordToPixel(handle_->y()));
-  return (at - place).manhattanLength() < kNear;
-}
-
-// Alt takes a line, Alt and Shift draw a band, and the handle of a pulled line needs no key.
-bool CurvePlot::beginPull(const QMouseEvent& event) {
-  const QPointF place = event.position();
-  if (event.button() != Qt::LeftButton || !plot_->axisRect()->rect().contains(place.toPoint())) return false;
-  const double x = placeOf(x_, plot_->xAxis->pixelToCoord(place.x()));
-  const double force_n = placeOf(output_, plot_->yAxis->pixelToCoord(place.y()));
-  const bool alt = event.modifiers().testFlag(Qt::AltModifier);
-  if (alt && event.modifiers().testFlag(Qt::ShiftModifier)) {
-    drag_ = Drag::kBand;
-    band_from_ = {x, force_n};
-  } else if (alt) {
-    drag_ = Drag::kForce;
-    emit grabbed(lineAt(place), x, force_n);
-  } else if (isOnHandle(place)) {
-    drag_ = Drag::kForce;
-  }
-  return drag_ != Drag::kNone;
-}
-
-void CurvePlot::movePull(const QMouseEvent& event) {
-  const QPointF to(placeOf(x_, plot_->xAxis->pixelToCoord(event.position().x())),
-                   placeOf(output_, plot_->yAxis->pixelToCoord(event.position().y())));
-  if (drag_ == Drag::kForce) {
-    emit pulledTo(to.y());
-  } else {
-    emit bandDrawn({std::min(band_from_.x(), to.x()), std::max(band_from_.x(), to.x())},
-                   {std::min(band_from_.y(), to.y()), std::max(band_from_.y(), to.y())});
-  }
 }
 
 void CurvePlot::onMouse(QMouseEvent* event) {

@@ -132,6 +132,8 @@ class CurveOverlays {
   void setPull(const PullMarks* pull, const QColor& color);
   /// True during a drag: thin lines.
   void setFast(bool fast);
+  /// A frame around the plot: the keys are here.
+  void setFocused(bool focused);
 
   /// Takes the colors of the current look.
   void takeLook();
@@ -151,6 +153,7 @@ class CurveOverlays {
   QCPCurve* steps_ = nullptr;
   QCPGraph* pulled_ = nullptr;  ///< the line after an edit
   PullLayer* pull_ = nullptr;
+  QCPItemRect* focus_ = nullptr;
   SpreadShown shown_;
   bool fast_ = false;
 };
@@ -159,6 +162,8 @@ class CurvePlot : public QWidget, public PlotSource {
   Q_OBJECT
 
  public:
+  static constexpr int kMeanGraph = 0;  ///< the graph of the mean; that of expert i is i + 1
+
   explicit CurvePlot(ShownRanges& ranges, QWidget* parent = nullptr);
   ~CurvePlot() override;
 
@@ -222,13 +227,25 @@ class CurvePlot : public QWidget, public PlotSource {
   void bandDrawn(tactus::figures::Interval x, tactus::figures::Interval force_n);
   void pulledTo(double force_n);
   void pullReleased();
+  // The keys: up and down move the wanted force, left and right the operating point; Enter, Escape.
+  void pullStepped(double by_n);
+  void pullDropped();
+  void pullAsked();
+  void placeStepped(int steps);
+  /// The user pins the force at `x`, or takes the pin away that is there.
+  void pinAsked(double x);
 
  protected:
   void changeEvent(QEvent* event) override;
   void leaveEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
 
  private:
+  std::optional<double> pinAt(double pixel_x) const;
   void onMouse(QMouseEvent* event);
   bool beginPull(const QMouseEvent& event);
   void movePull(const QMouseEvent& event);
@@ -265,6 +282,8 @@ class CurvePlot : public QWidget, public PlotSource {
   Drag drag_ = Drag::kNone;
   QPointF band_from_;              ///< its first corner, in the units of the axes
   std::optional<QPointF> handle_;  ///< of the pulled line, in the units of the axes
+  std::vector<double> pins_;       ///< on the x axis
+  bool by_keys_ = false;           ///< the handle is moved by keys
 };
 
 }  // namespace tactus::workbench

@@ -22,6 +22,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/number_box.h"
 #include "app/workbench/model/ghost_controller.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
@@ -255,6 +256,15 @@ CurvesPanel::CurvesPanel(SceneController& scene, ReadingModel& readings, GhostCo
   connect(plot_, &CurvePlot::bandDrawn, this, &CurvesPanel::bandDrawn);
   connect(plot_, &CurvePlot::pulledTo, this, &CurvesPanel::pulledTo);
   connect(plot_, &CurvePlot::pullReleased, this, &CurvesPanel::pullReleased);
+  connect(plot_, &CurvePlot::pullStepped, this, &CurvesPanel::pullStepped);
+  connect(plot_, &CurvePlot::pullDropped, this, &CurvesPanel::pullDropped);
+  connect(plot_, &CurvePlot::pullAsked, this, &CurvesPanel::pullAsked);
+  connect(plot_, &CurvePlot::pinAsked, this, &CurvesPanel::pinAsked);
+  connect(plot_, &CurvePlot::placeStepped, &scene_, [this](int steps) {
+    const double to = scene_.value(scene_.xInput()) + steps * stepOf(scene_.xVariable());
+    scene_.setValue(scene_.xInput(), placeOf(scene_.xVariable(), to));
+  });
+  setFocusProxy(plot_);
   connect(&readings, &ReadingModel::rowShownChanged, this, &CurvesPanel::onRowShown);
   connect(&scene_, &SceneController::modelChanged, this, &CurvesPanel::adoptModel);
   connect(&scene_, &SceneController::xInputChanged, this, &CurvesPanel::showAxes);

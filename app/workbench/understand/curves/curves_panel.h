@@ -89,6 +89,7 @@ struct PullMarks {
     std::optional<double> now_n;
     double wanted_n = 0;
     std::optional<figures::Interval> reach_n;  ///< what one edit reaches
+    QString says;                              ///< the wanted force, beside the handle
   };
   std::optional<Handle> handle;
   /// The force should lie in `force_n` over `x`.
@@ -97,6 +98,12 @@ struct PullMarks {
     figures::Interval force_n;
   };
   std::optional<Band> band;
+  /// The line stays here.
+  struct Pin {
+    double x = 0;
+    double force_n = 0;
+  };
+  std::vector<Pin> pins;
   std::vector<double> x;                 ///< of `curve`
   std::vector<fuzzy::Evaluation> curve;  ///< the line after the edit that is looked at; empty: none
 };
@@ -137,6 +144,12 @@ class CurvesPanel : public Card {
   /// The handle of the pulled line was moved.
   void pulledTo(double force_n);
   void pullReleased();
+  /// A key moves the wanted force by `by_n`, at the operating point where nothing is pulled yet.
+  void pullStepped(double by_n);
+  /// A key, or another place that is clicked, ends what the keys pull.
+  void pullDropped();
+  /// The user pins the force at `x` of the x axis, or takes the pin away that is there.
+  void pinAsked(double x);
   /// The user asks for edits that bring the force elsewhere at the place that is read.
   void pullAsked();
   /// The user asks for edits that bring the force to the reference curve `name`.

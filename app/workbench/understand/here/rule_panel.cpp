@@ -321,6 +321,13 @@ RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget
     pointOf(expert, {rule});
     selection_.editRules();
   });
+  connect(why_, &WhyView::answerAsked, this, [this](std::size_t expert, std::size_t rule) {
+    const fuzzy::Expert& who = scene_.model()->model.experts[expert];
+    emit answerAsked(who.id, who.rules[rule]);
+  });
+  connect(why_, &WhyView::termAsked, this, [this](const editing::TermPlace& place) {
+    if (!scene_.showsAnother()) selection_.editTerm(place);
+  });
   connect(rules_, &RuleFlow::chosen, this, &RulePanel::point);
   connect(rules_, &RuleFlow::editAsked, this, [this](std::size_t rule) {
     point(rule);
@@ -396,7 +403,8 @@ void RulePanel::showWhy() {
     return;
   }
   sentence_->setText(text(analysis::sentenceOf(reasons_->of()->open->model, *reasons_->value())));
-  why_->set(reasons_->of()->open, reasons_->value());
+  const WhyPlace& of = *reasons_->of();
+  why_->set(of.open, of.point, of.expert, reasons_->value());
 }
 
 void RulePanel::showSelected() {

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/editing/term_list.h"
 #include "app/workbench/base/computed.h"
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
@@ -39,13 +40,14 @@ class SceneController;
 class Selection;
 
 // What holds the force down and what pulls it up: the numbers of `tactus why` (docs/why.md), one line each. A click on
-// a word, or Enter, shows the rules that say it.
+// a word, or Enter, shows the rules that say it; on a move, the terms and rules by which it acts; on a rule, the way to
+// the answer behind it.
 
 class WhyView : public QWidget {
   Q_OBJECT
 
  public:
-  enum class Kind { kHead, kNote, kWord, kRule, kExpert, kMove };
+  enum class Kind { kHead, kNote, kWord, kRule, kAnswer, kExpert, kMove, kTerm };
   struct Line {
     Line(Kind is, QStringList says) : kind(is), cells(std::move(says)) {}
 
@@ -53,18 +55,23 @@ class WhyView : public QWidget {
     QStringList cells;             ///< the name, then numbers
     std::optional<double> pull_n;  ///< a bar left or right of zero
     QColor color;                  ///< of the bar, or of the expert
-    std::size_t expert = 0;        ///< kRule, kExpert: index in the model
-    std::size_t rule = 0;          ///< kRule: index in the expert's rules
-    std::string term;              ///< kWord
+    std::size_t expert = 0;        ///< kRule, kAnswer, kExpert: index in the model
+    std::size_t rule = 0;          ///< kRule, kAnswer: index in the expert's rules
+    std::size_t input = 0;         ///< kMove, kTerm: index in the model
+    std::string term;              ///< kWord: of the output; kTerm: of the input
+    QString key{};                 ///< where the keys are; no other line has it
   };
 
   explicit WhyView(QWidget* parent = nullptr);
 
-  /// `reasons` are of the mean of `open`, or of one expert. A word that was chosen stays chosen.
-  void set(std::shared_ptr<const OpenModel> open, std::shared_ptr<const analysis::Reasons> reasons);
+  /// `reasons` are of `open` at `point`, of the mean or of one expert. What was chosen stays chosen.
+  void set(std::shared_ptr<const OpenModel> open, std::vector<double> point, std::optional<std::size_t> expert,
+           std::shared_ptr<const analysis::Reasons> reasons);
   void clear();
+  /// Whether a rule has a line that leads to the answer behind it: a study is open.
+  void setAnswersKnown(bool known);
 
-  /// The words with the rules of the chosen one; then the experts and the moves.
+  /// The words with the rules of the chosen one; then the experts, and the moves with what the chosen one acts by.
   const std::vector<Line>& words() const { return words_; }
   const std::vector<Line>& others() const { return others_; }
   /// The rules of `expert` that say `term` here, strongest pull first.
@@ -77,7 +84,10 @@ class WhyView : public QWidget {
   void wordChosen(const std::string& term);
   void expertChosen(std::size_t expert);
   void ruleChosen(std::size_t expert, std::size_t rule);
+  /// The rule was chosen once more, or double-clicked.
   void editAsked(std::size_t expert, std::size_t rule);
+  void answerAsked(std::size_t expert, std::size_t rule);
+  void termAsked(const tactus::editing::TermPlace& place);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -99,6 +109,9 @@ class WhyView : public QWidget {
   void addWords();
   void addExperts();
   void addMoves();
+  void addMoved(const analysis::Counterfactual& move);
+  void addRule(std::vector<Line>& lines, const analysis::RulePull& rule) const;
+  const std::vector<fuzzy::Term>& termsOf(const fuzzy::Variable& input) const;
   std::vector<Placed> placed() const;
   const Line* lineAt(const QPointF& place) const;
   const Line* current() const;
@@ -111,8 +124,13 @@ class WhyView : public QWidget {
   std::shared_ptr<const analysis::Reasons> reasons_;
   std::vector<Line> words_;
   std::vector<Line> others_;
-  std::string chosen_;              ///< the word whose rules are shown
-  std::optional<QString> current_;  ///< name of the line at which the keys are
+  std::vector<double> point_;
+  std::optional<std::size_t> expert_;  ///< whose reasons; nothing: the mean's
+  bool answers_known_ = false;
+  std::string chosen_;                                              ///< the word whose rules are shown
+  std::optional<std::size_t> chosen_move_;                          ///< the input whose move is shown
+  std::optional<std::pair<std::size_t, std::size_t>> chosen_rule_;  ///< expert and rule
+  std::optional<QString> current_;                                  ///< key of the line at which the keys are
 };
 
 // How the rules of one expert lead to the force: one line per firing rule, strongest first. A line goes from the
@@ -242,6 +260,13 @@ class RulePanel : public Card {
 
  public:
   RulePanel(const SceneController& scene, Selection& selection, QWidget* parent = nullptr);
+
+  /// Whether the answers behind the rules can be asked for: a study is open.
+  void setAnswersKnown(bool known) { why_->setAnswersKnown(known); }
+
+ signals:
+  /// The user asks for the answer behind a rule of the expert with this id.
+  void answerAsked(const std::string& expert, const tactus::fuzzy::Rule& rule);
 
  private:
   void adoptModel();

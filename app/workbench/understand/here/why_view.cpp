@@ -14,6 +14,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_colors.h"
 #include "app/workbench/understand/here/rule_panel.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
 namespace {
@@ -28,8 +29,15 @@ constexpr double kBetweenColumns = 24;
 constexpr double kWordsShare = 0.43;      // of two columns; the others have more numbers
 constexpr double kCharactersForTwo = 76;  // the least width for two columns side by side
 constexpr int kNarrowestWhy = 220;        // px
+constexpr std::size_t kRulesOfMove = 4;   // the strongest: a move is felt through few
 
 double whyLineHeight() { return QFontMetricsF(theme::smallFont()).height() + kLineGap; }
+
+/// What a click on another line shows below it.
+bool isBelow(const WhyView::Line& line) {
+  using Kind = WhyView::Kind;
+  return line.kind == Kind::kRule || line.kind == Kind::kAnswer || line.kind == Kind::kTerm;
+}
 
 bool isSteady(const WhyView::Line& line) {
   return line.kind == WhyView::Kind::kHead || line.kind == WhyView::Kind::kNote;
@@ -64,10 +72,17 @@ WhyView::WhyView(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-void WhyView::set(std::shared_ptr<const OpenModel> open, std::shared_ptr<const analysis::Reasons> reasons) {
+void WhyView::set(std::shared_ptr<const OpenModel> open, std::vector<double> point, std::optional<std::size_t> expert,
+                  std::shared_ptr<const analysis::Reasons> reasons) {
   open_ = std::move(open);
+  point_ = std::move(point);
+  expert_ = expert;
   reasons_ = std::move(reasons);
   makeLines();
+}
+
+void WhyView::setAnswersKnown(bool known) {
+  if (std::exchange(answers_known_, known) != known) makeLines();
 }
 
 void WhyView::clear() {
@@ -92,6 +107,14 @@ void WhyView::makeLines() {
     addExperts();
     addMoves();
   }
+  // A rule may stand below a word and below a move.
+  for (auto* lines : {&words_, &others_}) {
+    QString above;
+    for (Line& line : *lines) {
+      if (!isBelow(line)) above = QString::number(static_cast<int>(line.kind)) + line.cells[0];
+      line.key = isBelow(line) ? above + QLatin1Char('\n') + line.cells[0] : above;
+    }
+  }
   const Line* const line = current();
   setAccessibleDescription(line != nullptr ? line->cells.join(QStringLiteral(", ")) : QString());
   fit();
@@ -111,18 +134,27 @@ void WhyView::addWords() {
     words_.push_back(std::move(line));
     if (word.term != chosen_) continue;
     for (const analysis::RulePull& rule : reasons_->balance.rules) {
-      if (model.experts[rule.expert].rules[rule.rule].then != word.term) continue;
-      const QString who = labelOf(model.experts[rule.expert]);
-      Line said{
-          Kind::kRule,
-          {tr("%1, rule %2: %3")
-               .arg(who, QString::number(rule.rule + 1), text(analysis::conditionsOf(model, rule.expert, rule.rule))),
-           QString(), text(analysis::signedNewtons(rule.pull_n))}};
-      said.expert = rule.expert;
-      said.rule = rule.rule;
-      words_.push_back(std::move(said));
+      if (model.experts[rule.expert].rules[rule.rule].then == word.term) addRule(words_, rule);
     }
   }
+}
+
+// With the way to the answer behind it once it is chosen.
+void WhyView::addRule(std::vector<Line>& lines, const analysis::RulePull& rule) const {
+  const fuzzy::ForceModel& model = open_->model;
+  const QString who = labelOf(model.experts[rule.expert]);
+  Line said{Kind::kRule,
+            {tr("%1, rule %2: %3")
+                 .arg(who, QString::number(rule.rule + 1), text(analysis::conditionsOf(model, rule.expert, rule.rule))),
+             QString(), text(analysis::signedNewtons(rule.pull_n))}};
+  said.expert = rule.expert;
+  said.rule = rule.rule;
+  lines.push_back(said);
+  if (!answers_known_ || chosen_rule_ != std::pair(rule.expert, rule.rule)) return;
+  Line answer{Kind::kAnswer, {tr("The answer of %1 behind rule %2…").arg(who).arg(rule.rule + 1)}};
+  answer.expert = rule.expert;
+  answer.rule = rule.rule;
+  lines.push_back(std::move(answer));
 }
 
 void WhyView::addExperts() {
@@ -148,12 +180,45 @@ void WhyView::addMoves() {
     if (move.kind != analysis::Counterfactual::Kind::kNoticeable) continue;
     const fuzzy::Variable& input = model.inputs[move.input];
     const QString by = (move.delta < 0 ? QString() : QStringLiteral("+")) + QString::number(move.delta, 'f', 3);
-    others_.push_back({Kind::kMove,
-                       {shortLabelOf(input), text(analysis::withUnit(move.value, input)), by,
-                        text(analysis::signedNewtons(move.force_n - reasons_->balance.force_n))}});
+    Line line{Kind::kMove,
+              {shortLabelOf(input), text(analysis::withUnit(move.value, input)), by,
+               text(analysis::signedNewtons(move.force_n - reasons_->balance.force_n))}};
+    line.input = move.input;
+    others_.push_back(std::move(line));
+    if (move.input == chosen_move_) addMoved(move);
   }
   if (others_.size() == head)
     others_.back() = Line{Kind::kNote, {tr("No input alone makes a difference that is felt.")}};
+}
+
+const std::vector<fuzzy::Term>& WhyView::termsOf(const fuzzy::Variable& input) const {
+  return expert_ ? fuzzy::termsFor(open_->model.experts[*expert_], input) : input.terms;
+}
+
+// A move acts by the terms that hold more or less after it, and by the rules that have them as a condition.
+void WhyView::addMoved(const analysis::Counterfactual& move) {
+  const fuzzy::Variable& input = open_->model.inputs[move.input];
+  std::vector<std::string> moved;
+  for (const fuzzy::Term& term : termsOf(input)) {
+    const auto membership = fuzzy::MembershipFunction::of(term);
+    const double before = membership(point_[move.input]);
+    const double after = membership(move.value);
+    if (before == after) continue;
+    Line line{Kind::kTerm,
+              {tr("Term %1: membership %2 → %3").arg(labelOf(term), numberText(before, 2), numberText(after, 2))}};
+    line.input = move.input;
+    line.term = term.id;
+    moved.push_back(term.id);
+    others_.push_back(std::move(line));
+  }
+  std::size_t shown = 0;
+  for (const analysis::RulePull& rule : reasons_->balance.rules) {
+    const auto& conditions = open_->model.experts[rule.expert].rules[rule.rule].conditions;
+    const bool acts = std::any_of(conditions.begin(), conditions.end(), [&](const fuzzy::Condition& one) {
+      return one.input == input.id && std::find(moved.begin(), moved.end(), one.term) != moved.end();
+    });
+    if (acts && shown++ < kRulesOfMove) addRule(others_, rule);
+  }
 }
 
 std::vector<WhyView::Placed> WhyView::placed() const {
@@ -211,7 +276,9 @@ void WhyView::paintLine(QPainter& painter, const Placed& placed) const {
   const Line& line = *placed.line;
   const QFontMetricsF metrics(theme::smallFont());
   const QRectF& place = placed.place;
-  if (&line == current() || (line.kind == Kind::kWord && line.term == chosen_)) {
+  const bool open =
+      (line.kind == Kind::kWord && line.term == chosen_) || (line.kind == Kind::kMove && line.input == chosen_move_);
+  if (&line == current() || open) {
     painter.setPen(QPen(theme::accent(), hasFocus() && &line == current() ? 2 : 1));
     painter.setBrush(Qt::NoBrush);
     painter.drawRoundedRect(place.adjusted(1, 1, -1, -1), 4, 4);
@@ -247,7 +314,7 @@ void WhyView::paintLine(QPainter& painter, const Placed& placed) const {
       painter.restore();
     }
   }
-  if (line.kind == Kind::kRule) room.setLeft(room.left() + 2 * theme::kGrid);
+  if (isBelow(line)) room.setLeft(room.left() + (line.kind == Kind::kAnswer ? 4 : 2) * theme::kGrid);
   if (line.kind == Kind::kExpert) {
     painter.save();
     painter.setPen(Qt::NoPen);
@@ -271,14 +338,14 @@ const WhyView::Line* WhyView::current() const {
   if (!current_) return nullptr;
   for (const auto* lines : {&words_, &others_}) {
     for (const Line& line : *lines) {
-      if (!isSteady(line) && line.cells[0] == *current_) return &line;
+      if (!isSteady(line) && line.key == *current_) return &line;
     }
   }
   return nullptr;
 }
 
 void WhyView::moveTo(const Line& line) {
-  current_ = line.cells[0];
+  current_ = line.key;
   setAccessibleDescription(line.cells.join(QStringLiteral(", ")));
   update();
 }
@@ -292,11 +359,32 @@ void WhyView::act(const Line& line) {
       if (!chosen_.empty()) emit wordChosen(term);
       break;
     }
-    case Kind::kRule: emit ruleChosen(line.expert, line.rule); break;
+    case Kind::kRule: {
+      const std::pair rule(line.expert, line.rule);
+      if (chosen_rule_ == rule) {
+        emit editAsked(rule.first, rule.second);
+        break;
+      }
+      chosen_rule_ = rule;
+      makeLines();
+      emit ruleChosen(rule.first, rule.second);
+      break;
+    }
+    case Kind::kAnswer: emit answerAsked(line.expert, line.rule); break;
+    case Kind::kMove:
+      chosen_move_ = chosen_move_ == line.input ? std::nullopt : std::optional(line.input);
+      makeLines();
+      break;
+    case Kind::kTerm: {
+      // The own term of the expert whose force is explained, if there is one; else that of all.
+      const fuzzy::Variable& input = open_->model.inputs[line.input];
+      const bool own = &termsOf(input) != &input.terms;
+      emit termAsked({{input.id, own ? open_->model.experts[*expert_].id : std::string()}, line.term});
+      break;
+    }
     case Kind::kExpert: emit expertChosen(line.expert); break;
     case Kind::kHead:
-    case Kind::kNote:
-    case Kind::kMove: break;
+    case Kind::kNote: break;
   }
 }
 
@@ -343,10 +431,13 @@ bool WhyView::event(QEvent* event) {
   }
   QString says = line->cells.join(QStringLiteral(" · "));
   if (line->kind == Kind::kWord) says += QLatin1Char('\n') + tr("Click to see the rules that say it");
-  if (line->kind == Kind::kRule) says += QLatin1Char('\n') + tr("Click to select it, double-click to edit it");
+  if (line->kind == Kind::kRule) says += QLatin1Char('\n') + tr("Click to select it, click again to edit it");
   if (line->kind == Kind::kExpert) says += QLatin1Char('\n') + tr("Click to see the rules of this expert");
   if (line->kind == Kind::kMove)
-    says += QLatin1Char('\n') + tr("The smallest move of this input that a hand would feel");
+    says += QLatin1Char('\n') + tr("The smallest move of this input that a hand would feel. Click to see the "
+                                   "terms and rules by which it acts");
+  if (line->kind == Kind::kTerm) says += QLatin1Char('\n') + tr("Click to edit it");
+  if (line->kind == Kind::kAnswer) says += QLatin1Char('\n') + tr("Click to see it, and the record of the participant");
   QToolTip::showText(help->globalPos(), says, this);
   return true;
 }

@@ -115,6 +115,7 @@ PullCard::PullCard(PullController& pull, std::vector<PullWish> references, QWidg
       all_(new QCheckBox(this)),
       hint_(makeText(theme::smallFont(), true)),
       warning_(makeText(theme::smallFont(), false)),
+      pin_row_(makePinRow()),
       take_(new PrimaryButton(tr("Make this edit"), this)) {
   setAccessibleName(tr("Pull the force"));
   const fuzzy::ForceModel& model = pull_.scene().model()->model;
@@ -142,7 +143,7 @@ PullCard::PullCard(PullController& pull, std::vector<PullWish> references, QWidg
   auto* cancel = new QPushButton(tr("Cancel"), this);
   makeColumn(this,
              {makeRow({title, who_, {kind_, 1}, close}), point_row_, band_row_, sentence_, offers, all_, hint_,
-              warning_, makeRow({spring(1), cancel, take_})},
+              warning_, pin_row_, makeRow({spring(1), cancel, take_})},
              theme::kGrid * 3 / 4, inset(theme::kGrid * 3 / 2));
   keepFitted(*this, [this] { fit(); });
 
@@ -199,6 +200,32 @@ QWidget* PullCard::makeBandRow() {
               makeRow({new QLabel(tr("at least"), this), low_, new QLabel(tr("at most"), this), high_, spring(1)})},
              theme::kGrid / 2);
   return row;
+}
+
+// `The force stays at 120 mm, 240 mm. [Take the pins away]`
+QWidget* PullCard::makePinRow() {
+  pins_ = makeText(theme::smallFont(), false);
+  auto* away = new QPushButton(tr("Take the pins away"), this);
+  connect(away, &QPushButton::clicked, &pull_, &PullController::clearPins);
+  auto* row = new QWidget(this);
+  makeRow(row, {{pins_, 1}, away});
+  return row;
+}
+
+void PullCard::showPins() {
+  const SceneController& scene = pull_.scene();
+  QStringList here;
+  int elsewhere = 0;
+  for (const std::vector<double>& pin : pull_.pins()) {
+    std::vector<double> place = scene.values();
+    place[scene.xInput()] = pin[scene.xInput()];
+    place == pin ? void(here << placeText(scene.xVariable(), pin[scene.xInput()])) : void(++elsewhere);
+  }
+  QStringList says;
+  if (!here.isEmpty()) says << tr("The force stays at %1.").arg(here.join(QStringLiteral(", ")));
+  if (elsewhere > 0) says << tr("It stays at %n place(s) with other inputs.", nullptr, elsewhere);
+  pins_->setText(says.join(QLatin1Char(' ')));
+  pin_row_->setVisible(!says.isEmpty());
 }
 
 void PullCard::onKindChosen(int index) {
@@ -281,6 +308,7 @@ void PullCard::adoptAnswer() {
   hint_->setVisible(of_mean);
   warning_->setText(warnings.join(QLatin1Char('\n')));
   warning_->setVisible(!warnings.isEmpty());
+  showPins();
   if (answer != listed_) {
     listed_ = answer;
     listOffers();

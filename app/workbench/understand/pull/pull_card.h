@@ -39,6 +39,8 @@ class PullCard : public Card {
  private:
   QWidget* makePointRow();
   QWidget* makeBandRow();
+  QWidget* makePinRow();
+  void showPins();
   NumberBox* addBox(const fuzzy::Variable& variable);
   void onKindChosen(int index);
   void onNumberTyped();
@@ -69,6 +71,8 @@ class PullCard : public Card {
   QCheckBox* all_;
   QLabel* hint_;     ///< what the mean does not offer
   QLabel* warning_;  ///< locks and approvals
+  QWidget* pin_row_;
+  QLabel* pins_;
   QPushButton* take_;
   const PullAnswer* listed_ = nullptr;  ///< the answer in the list; only compared
 };

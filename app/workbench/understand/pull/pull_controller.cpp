@@ -74,8 +74,11 @@ PullController::PullController(EditController& edits, const SceneController& sce
       scene_(scene),
       locks_(std::move(locks)),
       search_([this] { return state_ == State::kIdle ? std::nullopt : std::optional(question()); },
-              [](const Question& question, const RunOf<PullAnswer>& run) { return answerOf(question, run); }) {
+              [linted = std::make_shared<Linted>()](const Question& question, const RunOf<PullAnswer>& run) {
+                return answerOf(question, run, *linted);
+              }) {
   connect(&search_, &Search::valueChanged, this, &PullController::changed);
+  connect(&scene_, &SceneController::modelChanged, this, &PullController::keepPins);
   connect(&scene_, &SceneController::modelChanged, this, &PullController::endIfMoved);
   connect(&scene_, &SceneController::modelEdited, this, &PullController::endIfMoved);
   connect(&scene_, &SceneController::xInputChanged, this, &PullController::endIfMoved);
@@ -152,6 +155,34 @@ void PullController::preview(std::size_t offer) {
   emit changed();
 }
 
+void PullController::togglePin(const std::vector<double>& point) {
+  const auto there = std::find(pins_.begin(), pins_.end(), point);
+  if (there != pins_.end()) {
+    pins_.erase(there);
+  } else if (!scene_.model()->compiled.evaluate(point).fired) {
+    edits_.refuse(tr("The force was not pinned: no rule fires here, so there is no force to keep"));
+    return;
+  } else {
+    pins_.push_back(point);
+  }
+  if (state_ != State::kIdle) ask();
+  emit changed();
+}
+
+void PullController::clearPins() {
+  pins_.clear();
+  if (state_ != State::kIdle) ask();
+  emit changed();
+}
+
+void PullController::keepPins() {
+  const OpenModel* const open = scene_.model();
+  const auto gone = [open](const std::vector<double>& pin) {
+    return open == nullptr || !analysis::checkPoint(open->model, pin) || !open->compiled.evaluate(pin).fired;
+  };
+  if (std::erase_if(pins_, gone) > 0) emit changed();
+}
+
 void PullController::take(std::size_t offer) {
   if (state_ != State::kChoosing || isSearching() || answer() == nullptr || offer >= answer()->offers.size()) return;
   const std::vector<analysis::PullEdit> edits = answer()->offers[offer].edits;
@@ -182,6 +213,7 @@ PullController::Question PullController::question() const {
                                                                : values_[x_input_];
   out.settings.expert = expert_;
   out.settings.curve_input = x_input_;
+  out.settings.pins = pins_;
   const fuzzy::ForceModel& model = open_->model;
   for (const editing::VertexPlace& place : locks_()) {
     const auto variable = place.list.variable == model.output.id ? std::optional(model.inputs.size())
@@ -288,7 +320,8 @@ void addWords(Found& found, const fuzzy::ForceModel& model, const Candidates& ca
 
 }  // namespace
 
-PullController::Search::Answer PullController::answerOf(const Question& question, const RunOf<PullAnswer>& run) {
+PullController::Search::Answer PullController::answerOf(const Question& question, const RunOf<PullAnswer>& run,
+                                                        Linted& linted) {
   const OpenModel& open = *question.open;
   const fuzzy::ForceModel& model = open.model;
   const auto& expert = question.settings.expert;
@@ -319,9 +352,13 @@ PullController::Search::Answer PullController::answerOf(const Question& question
   }
   if (question.whole && !offers.empty()) {
     run.hand(found.answer);
-    const analysis::NewFindings findings(model, open.compiled, run.stop);
+    if (linted.of.lock() != question.open) {
+      const auto findings = std::make_shared<const analysis::NewFindings>(model, open.compiled, run.stop);
+      if (run.stop.stop_requested()) return nullptr;
+      linted = {question.open, findings};
+    }
     for (PullOffer& offer : offers) {
-      const auto sentences = findings.of(analysis::applied(model, offer.edits), run.stop);
+      const auto sentences = linted.findings->of(analysis::applied(model, offer.edits), run.stop);
       if (run.stop.stop_requested()) return nullptr;
       for (const std::string& one : sentences) offer.notes << tr("New finding: %1").arg(text(one));
     }

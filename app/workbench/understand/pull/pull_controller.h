@@ -16,6 +16,7 @@
 #include "app/workbench/base/computed.h"
 #include "app/workbench/model/open_model.h"
 #include "core/analysis/pull/pull.h"
+#include "core/analysis/pull/pull_text.h"
 
 namespace tactus::workbench {
 
@@ -95,6 +96,9 @@ class PullController : public QObject {
   /// Who approved the model as it is: an edit makes a version that they have not felt.
   QStringList approvedBy() const;
   std::size_t lockedVertices() const { return locks_().size(); }
+  /// The points at which the force must stay, whatever is pulled: one value per input. They stay until they are taken
+  /// away, or a model is opened that has no such points.
+  const std::vector<std::vector<double>>& pins() const { return pins_; }
   const SceneController& scene() const { return scene_; }
 
  public slots:
@@ -107,12 +111,15 @@ class PullController : public QObject {
   /// The drag ended: the user chooses.
   void choose();
   void preview(std::size_t offer);
+  /// Pins the force at `point`, or takes the pin away that is there. Refused in one sentence where no rule fires.
+  void togglePin(const std::vector<double>& point);
+  void clearPins();
   /// Makes the edits of an offer, as one step of undo, and ends.
   void take(std::size_t offer);
   void cancel();
 
  signals:
-  /// Wish, expert, state, answer or preview.
+  /// Wish, expert, state, answer, preview or pins.
   void changed();
 
  private:
@@ -127,11 +134,17 @@ class PullController : public QObject {
   };
   using Search = Computed<Question, PullAnswer>;
 
-  static Search::Answer answerOf(const Question& question, const RunOf<PullAnswer>& run);
+  /// What the lint finds in the model that is pulled: the same for each wish.
+  struct Linted {
+    std::weak_ptr<const OpenModel> of;
+    std::shared_ptr<const analysis::NewFindings> findings;
+  };
+  static Search::Answer answerOf(const Question& question, const RunOf<PullAnswer>& run, Linted& linted);
   Question question() const;
   void ask();
   void enter(State state);
   void endIfMoved();
+  void keepPins();
 
   EditController& edits_;
   const SceneController& scene_;
@@ -140,6 +153,7 @@ class PullController : public QObject {
   PullWish wish_;
   std::optional<std::size_t> expert_;
   std::optional<std::size_t> previewed_;
+  std::vector<std::vector<double>> pins_;
   std::shared_ptr<const OpenModel> open_;  ///< at the beginning
   std::vector<double> values_;             ///< likewise
   std::size_t x_input_ = 0;                ///< likewise

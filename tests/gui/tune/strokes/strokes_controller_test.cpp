@@ -54,6 +54,30 @@ TEST_F(StrokesControllerTest, AnEditIsComparedWithTheModelBeforeIt) {
   ASSERT_TRUE(comesTrue([this] { return strokes.comparison().summary.felt == 0; }));
 }
 
+TEST_F(StrokesControllerTest, TheLastSignOffStaysTheModelBefore) {
+  openStudy();
+  record();
+  EXPECT_FALSE(strokes.isSignedOff());
+  strokes.setAgainst(StrokesController::Against::kSignOff);
+  EXPECT_EQ(strokes.against(), StrokesController::Against::kGhost) << "nothing is signed off";
+  edits.signOff(QStringLiteral("S4"));
+  ASSERT_TRUE(strokes.isSignedOff());
+  harden();
+  fuzzy::ForceModel named = edits.model();
+  named.name += " again";
+  ASSERT_TRUE(edits.apply(editing::finished(named, "Another name")));
+  strokes.setSeen(true);
+  ASSERT_TRUE(isShown());
+  ASSERT_TRUE(comesTrue([this] { return !strokes.isOld() && strokes.comparison().summary.felt == 2; }));
+  EXPECT_TRUE(strokes.caption().contains(QStringLiteral("Compared with: the sign-off of S4, ")))
+      << strokes.caption().toStdString();
+  ghost.setOn(false);
+  EXPECT_EQ(strokes.state(), State::kShown) << "the curves' model before does not matter";
+  ghost.setOn(true);
+  strokes.setAgainst(StrokesController::Against::kGhost);
+  ASSERT_TRUE(comesTrue([this] { return !strokes.isOld() && strokes.comparison().summary.felt == 0; }));
+}
+
 TEST_F(StrokesControllerTest, NothingRunsWhileNobodyLooks) {
   openStudy();
   record();

@@ -69,7 +69,7 @@ class StrokesFixture : public testing::Test {
   StudyConnection study;
   StudyModels study_models{study, models, edits};
   FeelStore store{feel, scene, study, [this] { return study_models.modelVersion(); }};
-  StrokesController strokes{ghost, scene, study};
+  StrokesController strokes{ghost, edits, scene, study};
 };
 
 }  // namespace tactus::workbench

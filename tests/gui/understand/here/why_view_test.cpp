@@ -13,6 +13,7 @@
 #include "app/workbench/model/selection.h"
 #include "app/workbench/understand/here/rule_panel.h"
 #include "core/base/text.h"
+#include "core/fuzzy/membership.h"
 
 #include "tests/app/cli/run_program.h"
 #include "tests/gui/patience.h"
@@ -196,6 +197,63 @@ TEST_F(WhyViewTest, InTheMeanTheRulesOfAllSayTheWord) {
   QTest::mouseDClick(&view(), Qt::LeftButton, {}, {40, static_cast<int>(2.5 * line)});
   EXPECT_EQ(edited.count(), 1);
   EXPECT_TRUE(selection.rule().has_value());
+}
+
+// From a move that is felt to the terms and rules by which it acts, to their editors, and to the answer: by keys.
+TEST_F(WhyViewTest, AMoveLeadsToItsTermsAndRulesAndARuleToItsAnswer) {
+  open(support::inventedExperts());
+  const std::vector<double> point = {1, 60, 200, 50};
+  scene.goTo(point);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !of(Kind::kMove).empty(); }, kPatience));
+  const auto move = of(Kind::kMove).front();
+  const auto press = [&](Qt::Key key) { QTest::keyClick(&view(), key); };
+  const auto lines = of(Kind::kWord).size() + of(Kind::kExpert).size();
+  view().setFocus();
+  for (std::size_t i = 0; i <= lines; ++i) press(Qt::Key_Down);
+  press(Qt::Key_Return);
+  const auto terms = of(Kind::kTerm);
+  ASSERT_FALSE(terms.empty());
+  const fuzzy::Variable& input = scene.model()->model.inputs[move.input];
+  for (const auto& line : terms) {
+    EXPECT_EQ(line.input, move.input);
+    const auto membership = fuzzy::MembershipFunction::of(*fuzzy::findTerm(input.terms, line.term));
+    EXPECT_NE(membership(point[move.input]), membership(move.cells[1].section(QLatin1Char(' '), 0, 0).toDouble()));
+  }
+  QSignalSpy term_edited(&selection, &Selection::termEditAsked);
+  press(Qt::Key_Down);
+  press(Qt::Key_Return);
+  EXPECT_EQ(term_edited.count(), 1);
+  EXPECT_EQ(selection.term(), (editing::TermPlace{{input.id, {}}, terms.front().term}));
+
+  const auto rules = of(Kind::kRule);
+  ASSERT_FALSE(rules.empty());
+  for (const auto& line : rules) {
+    const auto& conditions = scene.model()->model.experts[line.expert].rules[line.rule].conditions;
+    EXPECT_TRUE(std::any_of(conditions.begin(), conditions.end(), [&](const auto& one) {
+      return one.input == input.id &&
+             std::any_of(terms.begin(), terms.end(), [&](const auto& term) { return term.term == one.term; });
+    }));
+  }
+  for (std::size_t i = 0; i < terms.size(); ++i) press(Qt::Key_Down);
+  QSignalSpy rule_edited(&selection, &Selection::editAsked);
+  press(Qt::Key_Return);
+  EXPECT_EQ(selection.rules(), std::vector<std::size_t>{rules.front().rule});
+  EXPECT_EQ(rule_edited.count(), 0);
+  press(Qt::Key_Return);
+  EXPECT_EQ(rule_edited.count(), 1);
+
+  // The answer is there with a study alone.
+  EXPECT_TRUE(of(Kind::kAnswer).empty());
+  panel.setAnswersKnown(true);
+  ASSERT_EQ(of(Kind::kAnswer).size(), 1U);
+  std::pair<std::string, fuzzy::Rule> asked;
+  QObject::connect(&panel, &RulePanel::answerAsked, [&](const std::string& expert, const fuzzy::Rule& rule) {
+    asked = {expert, rule};
+  });
+  press(Qt::Key_Down);
+  press(Qt::Key_Return);
+  const fuzzy::Expert& who = scene.model()->model.experts[rules.front().expert];
+  EXPECT_EQ(asked, std::pair(who.id, who.rules[rules.front().rule]));
 }
 
 TEST_F(WhyViewTest, HiddenItComputesNothing) {

@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QPushButton>
 
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/understand/curves/curve_plot.h"
@@ -93,6 +94,52 @@ TEST_F(PullCardTest, AltShiftAndDragDrawsABand) {
   EXPECT_NEAR(wish.to, 9, .2);
   EXPECT_NEAR(wish.low_n, .3, .02);
   EXPECT_NEAR(wish.high_n, .6, .02);
+}
+
+// The drag by keys: the arrows move the wanted force at the operating point, Enter opens the offers, Escape drops it.
+TEST_F(PullCardTest, ArrowsPullEnterOffersAndEscapeDrops) {
+  auto& plot = *bench.views.curves->findChild<CurvePlot*>();
+  const std::size_t x = bench.scene.xInput();
+  bench.scene.setValue(x, 8);
+  plot.setFocus(Qt::TabFocusReason);
+  ASSERT_TRUE(plot.hasFocus());
+  QTest::keyClick(&plot, Qt::Key_Right);
+  EXPECT_GT(bench.scene.value(x), 8) << "without a pull the operating point moves";
+  QTest::keyClick(&plot, Qt::Key_Left);
+  EXPECT_EQ(bench.scene.value(x), 8);
+  const double step = .01;  // a hundredth of 1 N
+  QTest::keyClick(&plot, Qt::Key_Down);
+  ASSERT_EQ(bench.pull.state(), State::kPulling);
+  EXPECT_EQ(bench.pull.wish().from, 8);
+  EXPECT_NEAR(bench.pull.wish().force_n, .5 - step, 1e-9);
+  QTest::keyClick(&plot, Qt::Key_PageDown);
+  QTest::keyClick(&plot, Qt::Key_Up, Qt::ShiftModifier);
+  EXPECT_NEAR(bench.pull.wish().force_n, .5 - 11 * step + step / 10, 1e-9);
+  QTest::keyClick(&plot, Qt::Key_Escape);
+  EXPECT_EQ(bench.pull.state(), State::kIdle);
+  QTest::keyClick(&plot, Qt::Key_Down);
+  QTest::keyClick(&plot, Qt::Key_Return);
+  EXPECT_EQ(bench.pull.state(), State::kChoosing);
+  ASSERT_NE(card(), nullptr);
+  QTest::keyClick(card(), Qt::Key_Escape);
+  EXPECT_EQ(bench.pull.state(), State::kIdle);
+  EXPECT_TRUE(plot.hasFocus()) << "the keys go back to the curves";
+}
+
+TEST_F(PullCardTest, APinIsToldInTheCardAndTakenAwayThere) {
+  emit bench.views.curves->pinAsked(6);
+  ASSERT_EQ(bench.pull.pins().size(), 1U);
+  EXPECT_EQ(bench.pull.pins()[0][bench.scene.xInput()], 6);
+  emit bench.views.curves->pullAsked();
+  ASSERT_NE(card(), nullptr);
+  QPushButton* away = nullptr;
+  for (QPushButton* button : card()->findChildren<QPushButton*>()) {
+    if (button->isVisible() && button->text() == QStringLiteral("Take the pins away")) away = button;
+  }
+  ASSERT_NE(away, nullptr);
+  away->click();
+  EXPECT_TRUE(bench.pull.pins().empty());
+  EXPECT_FALSE(away->isVisible());
 }
 
 TEST_F(PullCardTest, AnotherStageClosesIt) {

@@ -117,6 +117,39 @@ TEST_F(PullControllerTest, ALockedVertexIsNotMoved) {
   EXPECT_EQ(pull.lockedVertices(), 1U);
 }
 
+// A pin holds the force within a quarter of a noticeable difference (sqrt(0.04^2 + (0.12 F)^2)) in each offer.
+TEST_F(PullControllerTest, APinnedForceStays) {
+  const std::vector<double> pin = {1, 60, 208, 50};
+  const double before_n = models.current()->compiled.evaluate(pin).force_n;
+  const double held_n = std::hypot(.04, .12 * before_n) / 4;
+  const auto moved_n = [&](const PullOffer& offer) {
+    return std::abs(fuzzy::compile(analysis::applied(edits.model(), offer.edits))->evaluate(pin).force_n - before_n);
+  };
+  pullTo(.55);
+  const auto& free = pull.answer()->offers;
+  EXPECT_TRUE(std::any_of(free.begin(), free.end(), [&](const auto& offer) { return moved_n(offer) > held_n; }));
+  pull.togglePin(pin);
+  wait();
+  for (const PullOffer& offer : pull.answer()->offers) EXPECT_LE(moved_n(offer), held_n + 1e-9);
+  EXPECT_EQ(pull.pins().size(), 1U);
+  pull.togglePin(pin);
+  EXPECT_TRUE(pull.pins().empty());
+}
+
+TEST_F(PullControllerTest, APinNeedsAForceAndGoesWithItsModel) {
+  auto holed = support::s4FiveRegions();
+  holed.experts[0].rules = {{{{"speed", "fast"}}, "large"}};
+  models.open(folder.write(holed, QStringLiteral("holed.tactus.json")));
+  QSignalSpy refused(&edits, &EditController::refused);
+  pull.togglePin({1, 60, 200, 0});
+  EXPECT_TRUE(pull.pins().empty());
+  EXPECT_EQ(refused.count(), 1);
+  pull.togglePin({1, 60, 200, 100});
+  EXPECT_EQ(pull.pins().size(), 1U);
+  models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
+  EXPECT_TRUE(pull.pins().empty());
+}
+
 TEST_F(PullControllerTest, AnAnswerThatIsContradictedIsNamed) {
   pullTo(.62);
   bool rules = false;
