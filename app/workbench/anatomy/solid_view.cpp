@@ -27,11 +27,11 @@ namespace {
 
 constexpr int kBodyCells = 84;
 constexpr int kRegionCells = 26;
-constexpr double kOutsideShare = 0.1;  // of the longer side of a picture: the tool before its way
-constexpr double kMarginShare = 0.05;  // of a view, around the body
+constexpr double kBeforeWayShare = 0.1;  // of the longer side of a picture: the tool before its way
+constexpr double kBodyMargin = 0.05;  // of a view, around the body
 constexpr double kToolShare = 0.016;   // of the shorter side of a view
 constexpr double kMostToolPx = 9;
-constexpr double kTipPx = 5;
+constexpr double kTipDotPx = 5;
 constexpr double kLinePx = 1.4;
 constexpr double kRegionLinePx = 0.9;
 constexpr double kDegreesOfPx = 0.5;
@@ -158,11 +158,11 @@ class SolidView::Scene {
       std::vector<QPointF> points;
       for (const Spot& spot : tool) points.push_back(inWidget(pane, spot));
       const double width = std::min(kMostToolPx, kToolShare * std::min(pane.place.width(), pane.place.height()));
-      drawTool(painter, points, width, kTipPx);
+      drawTool(painter, points, width, kTipDotPx);
       if (tip) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(*tip);
-        painter.drawEllipse(points.back(), kTipPx - 1, kTipPx - 1);
+        painter.drawEllipse(points.back(), kTipDotPx - 1, kTipDotPx - 1);
       }
       painter.restore();
     }
@@ -209,7 +209,7 @@ class SolidView::Scene {
   /// It comes from outside, straight on from the beginning of the way; before that the tip is in front.
   std::vector<Spot> toolTo(double depth_mm) const {
     const double begin_mm = picture().way_mm.front();
-    const double outside = kOutsideShare * std::max(picture().width, picture().height);
+    const double outside = kBeforeWayShare * std::max(picture().width, picture().height);
     const Spot enters = wayAt(picture(), begin_mm);
     const Spot next = wayAt(picture(), begin_mm + 0.02 * (picture().way_mm.back() - begin_mm));
     const double dx = next.x - enters.x, dy = next.y - enters.y, length = std::max(std::hypot(dx, dy), 1e-9);
@@ -236,7 +236,7 @@ class SolidView::Scene {
 
   double scaleIn(View view, const QRectF& place) const {
     const QSizeF size = extent(view);
-    return (1 - 2 * kMarginShare) * std::min(place.width() / size.width(), place.height() / size.height());
+    return (1 - 2 * kBodyMargin) * std::min(place.width() / size.width(), place.height() / size.height());
   }
 
   /// The three views in one row, in one column, or two beside or above the third: where the body is largest.

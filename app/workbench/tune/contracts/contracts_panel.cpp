@@ -254,12 +254,11 @@ class ContractsPanel : public Card {
         makeContractForm(contracts_, contract, std::nullopt, window())->open();
       });
     };
-    using Kind = fuzzy::Contract::Kind;
-    add(tr("More of an &input never raises or lowers the force…"), Kind::kNeverRaises);
-    add(tr("One &word is never harder than another…"), Kind::kNeverHarder);
-    add(tr("The force never &steps…"), Kind::kNoStep);
-    add(tr("The force is never &above or below…"), Kind::kNeverAbove);
-    add(tr("Some &rule fires everywhere…"), Kind::kNeverSilent);
+    add(tr("More of an &input never raises or lowers the force…"), fuzzy::Contract::Kind::kNeverRaises);
+    add(tr("One &word is never harder than another…"), fuzzy::Contract::Kind::kNeverHarder);
+    add(tr("The force never &steps…"), fuzzy::Contract::Kind::kNoStep);
+    add(tr("The force is never &above or below…"), fuzzy::Contract::Kind::kNeverAbove);
+    add(tr("Some &rule fires everywhere…"), fuzzy::Contract::Kind::kNeverSilent);
   }
 
   void adopt() {
