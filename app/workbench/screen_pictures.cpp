@@ -252,6 +252,7 @@ base::Result<void> addContractPictures(PictureAlbum& album, Workbench& bench) {
   const QString title = stageName(Stage::kTune) + QStringLiteral(": ") + bench.panels.contracts->windowTitle();
   auto added = album.add(stageId(Stage::kTune), QStringLiteral("contracts_checked"), title, bench.window);
   bench.edits.returnTo(before);
+  bench.panels.membership_editor->reveal();
   return added;
 }
 

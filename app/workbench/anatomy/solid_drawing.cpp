@@ -123,6 +123,13 @@ class Triangle {
   float area_;
 };
 
+/// Two of the channels of `pixel` times `share` / 255, rounded, each in its place.
+std::uint32_t shareOf(std::uint32_t pixel, std::uint32_t share) {
+  constexpr std::uint32_t kChannels = 0x00FF00FFU;
+  const std::uint32_t product = (pixel & kChannels) * share + 0x00800080U;
+  return ((product + ((product >> 8U) & kChannels)) >> 8U) & kChannels;
+}
+
 void blend(Canvas& canvas, const Extent& extent) {
   for (int row = extent.top; row < extent.bottom; ++row) {
     const std::size_t line = static_cast<std::size_t>(row) * static_cast<std::size_t>(canvas.width);
@@ -132,9 +139,7 @@ void blend(Canvas& canvas, const Extent& extent) {
       if (over == 0) continue;
       const std::uint32_t left = 255 - (over >> 24U);
       std::uint32_t& pixel = canvas.pixels[at];
-      const std::uint32_t even = ((pixel & 0x00FF00FFU) * left / 255) & 0x00FF00FFU;
-      const std::uint32_t odd = (((pixel >> 8U) & 0x00FF00FFU) * left / 255) & 0x00FF00FFU;
-      pixel = over + even + (odd << 8U);
+      pixel = over + shareOf(pixel, left) + (shareOf(pixel >> 8U, left) << 8U);
     }
   }
 }

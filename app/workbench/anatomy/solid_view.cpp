@@ -28,8 +28,8 @@ namespace {
 constexpr int kBodyCells = 84;
 constexpr int kRegionCells = 26;
 constexpr double kBeforeWayShare = 0.1;  // of the longer side of a picture: the tool before its way
-constexpr double kBodyMargin = 0.05;  // of a view, around the body
-constexpr double kToolShare = 0.016;   // of the shorter side of a view
+constexpr double kBodyMargin = 0.05;     // of a view, around the body
+constexpr double kToolShare = 0.016;     // of the shorter side of a view
 constexpr double kMostToolPx = 9;
 constexpr double kTipDotPx = 5;
 constexpr double kLinePx = 1.4;

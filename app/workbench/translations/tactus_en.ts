@@ -239,6 +239,16 @@
     </message>
 </context>
 <context>
+    <name>PanelFeatures</name>
+    <message numerus="yes">
+        <source>Contracts (%n broken)</source>
+        <translation>
+            <numerusform>Contracts (%n broken)</numerusform>
+            <numerusform>Contracts (%n broken)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>PlanPlot</name>
     <message numerus="yes">
         <source>%n question(s)</source>
@@ -366,6 +376,27 @@
         <translation>
             <numerusform>%n note of the build.</numerusform>
             <numerusform>%n notes of the build.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The model breaks %1 of %n contract(s), so a bundle of it fails its own check, first: %2.</source>
+        <translation>
+            <numerusform>The model breaks %1 of %n contract, so a bundle of it fails its own check, first: %2.</numerusform>
+            <numerusform>The model breaks %1 of %n contracts, so a bundle of it fails its own check, first: %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Of %n contract(s), %1 could be neither proved nor refuted.</source>
+        <translation>
+            <numerusform>Of %n contract, %1 could be neither proved nor refuted.</numerusform>
+            <numerusform>Of %n contracts, %1 could be neither proved nor refuted.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The model keeps %n contract(s) everywhere, proved.</source>
+        <translation>
+            <numerusform>The model keeps its contract everywhere, proved.</numerusform>
+            <numerusform>The model keeps %n contracts everywhere, proved.</numerusform>
         </translation>
     </message>
 </context>
@@ -747,6 +778,13 @@
             <numerusform>Show %n edits that are not plausible</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>It stays at %n place(s) with other inputs.</source>
+        <translation>
+            <numerusform>It stays at %n place with other inputs.</numerusform>
+            <numerusform>It stays at %n places with other inputs.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>tactus::workbench::ReadinessRow</name>
@@ -926,12 +964,32 @@
     </message>
 </context>
 <context>
+    <name>tactus::workbench::StudyNoticeStrip</name>
+    <message numerus="yes">
+        <source>Show %n more</source>
+        <translation>
+            <numerusform>Show %n more</numerusform>
+            <numerusform>Show %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>tactus::workbench::TableImport</name>
     <message numerus="yes">
         <source>%n participant(s) imported from %1.</source>
         <translation>
             <numerusform>%n participant imported from %1.</numerusform>
             <numerusform>%n participants imported from %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>tactus::workbench::TellController</name>
+    <message numerus="yes">
+        <source>At %n of 121 moments one of the two has no force; they are left out.</source>
+        <translation>
+            <numerusform>At %n of 121 moments one of the two has no force; it is left out.</numerusform>
+            <numerusform>At %n of 121 moments one of the two has no force; they are left out.</numerusform>
         </translation>
     </message>
 </context>

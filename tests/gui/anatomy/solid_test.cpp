@@ -76,8 +76,11 @@ TEST(Solid, AStripThroughTheFrameBecomesARoundBar) {
     left = std::min(left, vertex.at.x);
     right = std::max(right, vertex.at.x);
     // It fades toward the ends alone.
-    if (std::abs(vertex.at.x) < 60) EXPECT_EQ(vertex.seen, 1);
-    if (std::abs(vertex.at.x) == 100) EXPECT_EQ(vertex.seen, 0);
+    if (std::abs(vertex.at.x) < 60) {
+      EXPECT_EQ(vertex.seen, 1);
+    } else if (std::abs(vertex.at.x) == 100) {
+      EXPECT_EQ(vertex.seen, 0);
+    }
   }
   EXPECT_EQ(left, -100);
   EXPECT_EQ(right, 100);
@@ -205,8 +208,11 @@ TEST(SolidDrawing, FillsWhatTheOutlineEncloses) {
     for (int x = 0; x < 200; ++x) {
       const double distance = std::hypot(x + 0.5 - 100, y + 0.5 - 100);
       const std::uint32_t pixel = canvas.pixels[static_cast<std::size_t>(200 * y + x)];
-      if (distance < 78.5) EXPECT_EQ(pixel >> 24U, 255U) << x << " " << y;
-      if (distance > 81) EXPECT_EQ(pixel, 0U) << x << " " << y;
+      if (distance < 78.5) {
+        EXPECT_EQ(pixel >> 24U, 255U) << x << " " << y;
+      } else if (distance > 81) {
+        EXPECT_EQ(pixel, 0U) << x << " " << y;
+      }
     }
   }
   ASSERT_GT(contour.size(), 100);
@@ -234,6 +240,21 @@ TEST(SolidDrawing, WhatIsDrawnLaterLiesOver) {
   EXPECT_NEAR(canvas.pixels[210] >> 24U, 127.5, 3);  // 64 steps of opacity
   drawSolid(canvas, ball, projection, half);
   EXPECT_NEAR(canvas.pixels[210] >> 24U, 191, 4);
+}
+
+// Each channel by itself: half of the color, then half of what was there as well.
+TEST(SolidDrawing, KeepsTheColorOfWhatLiesUnder) {
+  const Solid ball = solidOf(circle(80), kAround, std::nullopt, 20);
+  Canvas canvas(20, 20);
+  const SolidColors half{0x8040C0, 0x8040C0, 0.5, 0.5};
+  const Projection projection({}, {}, 1, 10, 10);
+  for (const double share : {0.5, 0.75, 0.875}) {
+    drawSolid(canvas, ball, projection, half);
+    const std::uint32_t pixel = canvas.pixels[210];
+    EXPECT_NEAR((pixel >> 16U) & 0xFFU, share * 0x80, 4);
+    EXPECT_NEAR((pixel >> 8U) & 0xFFU, share * 0x40, 4);
+    EXPECT_NEAR(pixel & 0xFFU, share * 0xC0, 4);
+  }
 }
 
 }  // namespace

@@ -36,7 +36,10 @@ QString wordName(const fuzzy::ForceModel& model, const std::string& input_id, co
 }
 
 QString roundedForce(double force_n, const std::string& unit) {
-  return (text(base::roundedNumber(force_n)) + QLatin1Char(' ') + unitText(unit)).trimmed();
+  constexpr double kSmall = 1e-3;
+  const QString number =
+      std::abs(force_n) < kSmall ? QString::number(force_n, 'g', 2) : text(base::roundedNumber(force_n));
+  return (number + QLatin1Char(' ') + unitText(unit)).trimmed();
 }
 
 /// `Tube lubrication 0.4`.
