@@ -15,6 +15,22 @@ bool sameSentence(const Contract& one, Contract other) {
   return one == other;
 }
 
+/// Without the values of other kinds: the file keeps what the sentence says.
+Contract onlyWhatItSays(Contract contract) {
+  using Kind = Contract::Kind;
+  const Kind kind = contract.kind;
+  const Contract none;
+  const bool of_force = kind == Kind::kNeverAbove || kind == Kind::kNeverBelow;
+  if (of_force || kind == Kind::kNeverSilent) contract.input = none.input;
+  if (kind != Kind::kNeverHarder) contract.word = contract.than = none.word;
+  if (kind != Kind::kNoStep && !of_force) contract.limit = none.limit;
+  if (kind != Kind::kNoStep) {
+    contract.within = none.within;
+    contract.limit_in_jnd = none.limit_in_jnd;
+  }
+  return contract;
+}
+
 base::Result<void> requireNew(const ForceModel& model, const Contract& contract, std::optional<std::size_t> beside) {
   for (std::size_t i = 0; i < model.contracts.size(); ++i) {
     if (i == beside || !sameSentence(model.contracts[i], contract)) continue;
@@ -45,6 +61,7 @@ base::Result<void> requireIndex(const ForceModel& model, std::size_t index) {
 }  // namespace
 
 base::Result<Edit> addContract(const ForceModel& model, Contract contract) {
+  contract = onlyWhatItSays(std::move(contract));
   if (const auto ok = requireNew(model, contract, std::nullopt); !ok) return tl::unexpected(ok.error());
   ForceModel out = model;
   contract.id = freeId(model, contract.kind);
@@ -54,6 +71,7 @@ base::Result<Edit> addContract(const ForceModel& model, Contract contract) {
 }
 
 base::Result<Edit> replaceContract(const ForceModel& model, std::size_t index, Contract contract) {
+  contract = onlyWhatItSays(std::move(contract));
   if (const auto ok = requireIndex(model, index); !ok) return tl::unexpected(ok.error());
   if (const auto ok = requireNew(model, contract, index); !ok) return tl::unexpected(ok.error());
   ForceModel out = model;

@@ -173,7 +173,9 @@ class OwnRun {
     out.recorded_n = cut(*channels_.source_force);
     if (model_ != nullptr) place(begin);
     // A press does not move the tube. After a stroke that came out differently the tube is set where it was recorded.
-    if (model_ != nullptr && insertion_.state().depth_mm != depthMm(begin)) insertion_.place(depthMm(begin));
+    // Depths are compared as they are recorded: without the offset again they could differ in their last bit.
+    const auto recordedMm = [&] { return insertion_.state().depth_mm + scene_->renderer().depth_offset_mm; };
+    if (model_ != nullptr && recordedMm() != (*channels_.depth)[begin]) insertion_.place(depthMm(begin));
     out.at_press = insertion_.state();
     double since_press_s = 0;
     bool is_long = false;

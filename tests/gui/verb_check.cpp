@@ -14,14 +14,15 @@ namespace tactus::tests {
 namespace {
 
 // "New" stands for "make a new", as in every program. Whoever writes a button with another verb adds it here.
-const QStringList kVerbs = {
-    "About", "Accept",  "Add",  "Approve", "Arm",     "Begin",   "Build",    "Carry",  "Check",  "Choose",
-    "Close", "Compare", "Copy", "Decide",  "Disable", "Discard", "Edit",     "Enable", "End",    "Explain",
-    "Enter", "Explore", "Feel", "Feels",   "Fill",    "Finish",  "Flex",     "Forget", "Go",     "Import",
-    "Keep",  "Load",    "Look", "Mark",    "Move",    "Make",    "Measure",  "Name",   "New",    "Open",
-    "Pull",  "Put",     "Quit", "Raise",   "Read",    "Record",  "Redo",     "Remove", "Reopen", "Replay",
-    "Reset", "Restore", "Save", "Search",  "Serve",   "Set",     "Show",     "Sign",   "Start",  "Store",
-    "Stop",  "Switch",  "Take", "Try",     "Undo",    "Verify",  "Withdraw", "Write",  "Zoom"};
+const QStringList kVerbs = {"About", "Accept", "Add",    "Approve", "Arm",      "Begin",   "Build",   "Carry",
+                            "Check", "Choose", "Close",  "Compare", "Copy",     "Decide",  "Disable", "Discard",
+                            "Edit",  "Enable", "End",    "Explain", "Enter",    "Explore", "Feel",    "Feels",
+                            "Fill",  "Find",   "Finish", "Flex",    "Forget",   "Go",      "Import",  "Keep",
+                            "Load",  "Look",   "Mark",   "Move",    "Make",     "Measure", "Name",    "New",
+                            "Open",  "Pin",    "Pull",   "Put",     "Quit",     "Raise",   "Read",    "Record",
+                            "Redo",  "Remove", "Reopen", "Replay",  "Reset",    "Restore", "Save",    "Search",
+                            "Serve", "Set",    "Show",   "Sign",    "Start",    "Store",   "Stop",    "Switch",
+                            "Take",  "Try",    "Undo",   "Verify",  "Withdraw", "Write",   "Zoom"};
 const QStringList kHintVerbs = {"Answer", "Arm",  "Ask", "Cancel", "Change", "Click", "Cut",  "Drag",  "Filter", "Flex",
                                 "Give",   "Hold", "Let", "Lock",   "Move",   "Press", "Sign", "Split", "Type"};
 

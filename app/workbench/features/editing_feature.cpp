@@ -139,7 +139,7 @@ void addEditing(Bench& bench) {
   auto* const editor = new MembershipEditor(edits, bench.terms, bench.scene, bench.ghost);
   bench.views.membership_editor = editor;
   bench.panels.membership_editor =
-      &window.addPanel(QStringLiteral("membership_editor"), EditingFeature::tr("Membership function editor"), editor);
+      &window.addPanel(QStringLiteral("membership_editor"), EditingFeature::tr("Terms"), editor);
   QAction* const undo =
       window.menus().addAction(MenuSlot::kEditUndo, EditingFeature::tr("&Undo"), Qt::CTRL | Qt::Key_Z);
   QAction* const redo =

@@ -299,10 +299,8 @@ void FeelPanel::connectAll() {
   });
   connect(large_, &QPushButton::clicked, this, &FeelPanel::largeAsked);
   connect(follow_, &QCheckBox::toggled, &feel_, &FeelController::setFollowsHand);
-  connect(solid_box_, &QCheckBox::toggled, this, [this](bool on) {
-    showBody();
-    emit solidChanged(on);
-  });
+  connect(solid_box_, &QCheckBox::toggled, this, &FeelPanel::showBody);
+  connect(solid_box_, &QCheckBox::toggled, this, &FeelPanel::solidChanged);
   connect(placement_, &PlacementCard::newPlacementRequested, &feel_, &FeelController::newPlacement);
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
   connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);

@@ -40,7 +40,7 @@ TEST(RecordedStrokes, OwnModelGivesTheRecordedForceBitForBit) {
   offset.renderer = fuzzy::RendererParameters{};
   offset.renderer->depth_offset_mm = 100;
   fuzzy::ForceModel punctured = offset;
-  punctured.events = {{"oropharynx", .6}, {"laryngopharynx", .5}};
+  punctured.events = {{"nasopharynx", .6}, {"laryngopharynx", .5}};
   for (const fuzzy::ForceModel& model : {support::s4FiveRegions(), support::inventedExperts(), offset, punctured}) {
     const auto recorded = felt(model, threePushes());
     const auto strokes = strokesOf(recorded);

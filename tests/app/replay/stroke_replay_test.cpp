@@ -342,7 +342,7 @@ TEST(StrokeReplay, AStifferSpringIsADifferenceEverywhere) {
 
 TEST(StrokeReplay, PuncturesOfBothModelsAreFelt) {
   ForceModel model = support::s4FiveRegions();
-  model.events = {{"oropharynx", .6}};
+  model.events = {{"laryngopharynx", .6}};
   const Strokes strokes = strokesOn(model);
   ForceModel none = model;
   none.events.clear();

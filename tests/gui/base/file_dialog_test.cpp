@@ -86,7 +86,11 @@ TEST_F(FileDialogs, AFolderToWriteMayBeNew) {
     QTimer::singleShot(0, qApp, [typed] {
       auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
       ASSERT_NE(dialog, nullptr);
-      if (!typed.isEmpty()) dialog->findChild<QLineEdit*>()->setText(typed);
+      if (!typed.isEmpty()) {
+        auto* const name = dialog->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+        name->selectAll();
+        QTest::keyClicks(name, typed);
+      }
       static_cast<QDialog*>(dialog)->accept();
     });
     return file_dialog::getFolderToWrite(nullptr, QStringLiteral("x"), folder_.filePath(QStringLiteral("bundle")));

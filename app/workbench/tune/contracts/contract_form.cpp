@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -49,6 +50,8 @@ class ContractForm : public QDialog {
     sentence_->setFont(theme::headingFont());
     sentence_->setTextFormat(Qt::PlainText);
     sentence_->setWordWrap(true);
+    // First the layout: a label that is shown before it has a window would be a window of its own.
+    QVBoxLayout* const column = makeColumn(this, {sentence_, form_}, 2 * theme::kGrid, inset(2 * theme::kGrid));
     addFields();
     addWhere();
     auto* const note = new QLabel(
@@ -62,8 +65,8 @@ class ContractForm : public QDialog {
     take->setDefault(true);
     take->setObjectName(QStringLiteral("contract_take"));
     auto* const cancel = new QPushButton(tr("Cancel"), this);
-    makeColumn(this, {sentence_, form_, note, makeRow({spring(1), cancel, take})}, 2 * theme::kGrid,
-               inset(2 * theme::kGrid));
+    column->addWidget(note);
+    column->addLayout(makeRow({spring(1), cancel, take}));
     setMinimumWidth(appearance::scaled(kWide));
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(take, &QPushButton::clicked, this, [this] { takeIt(); });

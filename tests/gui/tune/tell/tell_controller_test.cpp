@@ -80,7 +80,8 @@ TEST_F(TellControllerTest, FindsWhatTheCommandFinds) {
   EXPECT_TRUE(tell.verdict().startsWith(QStringLiteral("Felt: 3.02 JND"))) << tell.verdict().toStdString();
   EXPECT_TRUE(tell.details()[0].startsWith(QStringLiteral("Insertion from 125.0 to 155.0 mm, 120 mm/s")));
   // Neck flexion 90 degrees is the word large of the model.
-  EXPECT_TRUE(tell.details()[1].contains(QStringLiteral("90 deg (Large)"))) << tell.details()[1].toStdString();
+  EXPECT_TRUE(tell.details()[1].contains(QStringLiteral("90 deg (Large)"), Qt::CaseInsensitive))
+      << tell.details()[1].toStdString();
 
   // What is drawn is the stroke, and what is shaded is felt.
   const auto& moments = tell.told()->moments;

@@ -127,9 +127,9 @@ TEST_F(PullCardTest, ArrowsPullEnterOffersAndEscapeDrops) {
 }
 
 TEST_F(PullCardTest, APinIsToldInTheCardAndTakenAwayThere) {
-  emit bench.views.curves->pinAsked(6);
+  emit bench.views.curves->pinAsked(9);
   ASSERT_EQ(bench.pull.pins().size(), 1U);
-  EXPECT_EQ(bench.pull.pins()[0][bench.scene.xInput()], 6);
+  EXPECT_EQ(bench.pull.pins()[0][bench.scene.xInput()], 9);
   emit bench.views.curves->pullAsked();
   ASSERT_NE(card(), nullptr);
   QPushButton* away = nullptr;

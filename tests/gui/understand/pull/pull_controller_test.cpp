@@ -144,7 +144,7 @@ TEST_F(PullControllerTest, APinNeedsAForceAndGoesWithItsModel) {
   pull.togglePin({1, 60, 200, 0});
   EXPECT_TRUE(pull.pins().empty());
   EXPECT_EQ(refused.count(), 1);
-  pull.togglePin({1, 60, 200, 100});
+  pull.togglePin({1, 60, 200, 300});
   EXPECT_EQ(pull.pins().size(), 1U);
   models.open(folder.write(tests::twoExperts(), QStringLiteral("other.tactus.json")));
   EXPECT_TRUE(pull.pins().empty());
