@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFileIconProvider>
 #include <QFileInfo>
+#include <QLineEdit>
 #include <QTemporaryDir>
 
 #include "app/workbench/base/documents.h"
@@ -17,15 +18,24 @@ class PlainIcons : public QFileIconProvider {
   QString type(const QFileInfo& info) const override { return info.isDir() ? QString() : info.suffix(); }
 };
 
-/// Qt's own one says of the name of a new folder that it was not found.
+/// Qt's own one says of the name of a new folder that it was not found, and takes the folder that is marked in the list
+/// before the one that is typed.
 class Dialog : public QFileDialog {
  public:
   using QFileDialog::QFileDialog;
   void accept() override {
-    const QString chosen = selectedFiles().value(0);
-    if (fileMode() == Directory && acceptMode() == AcceptSave && !QFileInfo::exists(chosen)) QDir().mkpath(chosen);
-    QFileDialog::accept();
+    const auto* const name = findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    const bool names = fileMode() == Directory && acceptMode() == AcceptSave && name != nullptr;
+    if (!names || name->text().isEmpty()) return QFileDialog::accept();
+    folder_ = directory().absoluteFilePath(name->text());
+    QDir().mkpath(folder_);
+    QDialog::accept();
   }
+  /// The folder to write into; empty for any other question.
+  const QString& folder() const { return folder_; }
+
+ private:
+  QString folder_;
 };
 
 struct Question {
@@ -52,6 +62,7 @@ QStringList ask(QWidget* parent, const QString& caption, const QString& start, c
   if (names) dialog.selectFile(place.fileName());
   if (selected_filter != nullptr && !selected_filter->isEmpty()) dialog.selectNameFilter(*selected_filter);
   if (dialog.exec() != QDialog::Accepted) return {};
+  if (!dialog.folder().isEmpty()) return {dialog.folder()};
   if (selected_filter != nullptr) *selected_filter = dialog.selectedNameFilter();
   return dialog.selectedFiles();
 }
