@@ -65,6 +65,7 @@ constexpr Exception kExceptions[] = {
     {"labs/depth/dicom_image.cpp", "premature end", "in what a program prints"},
     {"labs/depth/depth_lab_view.cpp", "II*\\0", "the mark of a format"},
     {"labs/depth/depth_lab_view.cpp", "MM\\0*", "the mark of a format"},
+    {"base/file_dialog.cpp", "fileNameEdit", "the name of a widget"},
     {"base/theme.cpp", "Fusion", "the name of a style"},
     {"labs/frame/lab_card.cpp", "Fusion", "the name of a style"},
     {"desktop/system_look.cpp", "org.freedesktop.portal.Desktop", "a name on the bus"},
