@@ -64,6 +64,15 @@ void addForceTermsFrom(CLI::App& command, Options& o) {
       ->default_str("vote");
 }
 
+/// The procedure that a table is about.
+inline void addTablePack(CLI::App& command, std::string& pack) {
+  command
+      .add_option("--pack", pack,
+                  "Procedure of the table: a name or a folder; by default the pack beside it, or nasogastric tube "
+                  "insertion")
+      ->check(notEmpty());
+}
+
 /// A number for which `holds` is true; the sentence `wanted` describes the condition.
 CLI::Validator numberThat(std::string wanted, std::function<bool(double)> holds);
 

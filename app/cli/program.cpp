@@ -203,11 +203,7 @@ void addCommands(CLI::App& app, Chosen& chosen) {
                command.add_option("--series", o.series, "Series of the judgements to compare")->check(notEmpty());
                command.add_option("--form", o.form, "Form of the answers to compare; by default the one answered most")
                    ->check(notEmpty());
-               command
-                   .add_option("--pack", o.pack,
-                               "Procedure of the table: a name or a folder; by default the pack "
-                               "beside it, or nasogastric tube insertion")
-                   ->check(notEmpty());
+               addTablePack(command, o.pack);
                addJson(command, o.json);
              });
   addCommand(app, chosen, "eval", "The force of a model at the points of a CSV file", eval,

@@ -110,11 +110,7 @@ void addBuildCommands(CLI::App& app, Chosen& chosen) {
                    ->required()
                    ->transform(inputFile());
                command.add_option("--series", o.series, "Series of stimuli to count")->check(notEmpty());
-               command
-                   .add_option("--pack", o.pack,
-                               "Procedure of the table: a name or a folder; by default the pack "
-                               "beside it, or nasogastric tube insertion")
-                   ->check(notEmpty());
+               addTablePack(command, o.pack);
                addForceTerms(command, o);
                addJson(command, o.json);
              });

@@ -17,14 +17,12 @@ bool sameSentence(const Contract& one, Contract other) {
 
 /// Without the values of other kinds: the file keeps what the sentence says.
 Contract onlyWhatItSays(Contract contract) {
-  using Kind = Contract::Kind;
-  const Kind kind = contract.kind;
+  const auto has = fuzzy::membersOf(contract.kind);
   const Contract none;
-  const bool of_force = kind == Kind::kNeverAbove || kind == Kind::kNeverBelow;
-  if (of_force || kind == Kind::kNeverSilent) contract.input = none.input;
-  if (kind != Kind::kNeverHarder) contract.word = contract.than = none.word;
-  if (kind != Kind::kNoStep && !of_force) contract.limit = none.limit;
-  if (kind != Kind::kNoStep) {
+  if (!has.input) contract.input = none.input;
+  if (!has.words) contract.word = contract.than = none.word;
+  if (!has.limit) contract.limit = none.limit;
+  if (!has.within) {
     contract.within = none.within;
     contract.limit_in_jnd = none.limit_in_jnd;
   }

@@ -1,7 +1,6 @@
 #include "app/session/sealing.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <utility>
 
@@ -19,12 +18,6 @@ namespace {
 using base::ErrorCode;
 using base::Result;
 using study::RecordId;
-
-study::Moment momentNow() {
-  using namespace std::chrono;
-  return {duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count(),
-          duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count()};
-}
 
 /// The person who keeps the seal; a new one with the first record. No real person, so that none can withdraw it.
 Result<RecordId> sealKeeperOf(store::StudyFile& file, study::RecordIds& ids) {
@@ -47,14 +40,14 @@ Result<study::Entry> newEntry(store::StudyFile& file, std::string_view program) 
   TACTUS_TRY(session.person, sealKeeperOf(file, ids));
   session.id = ids.next();
   session.kind = study::SessionKind::kUsability;
-  session.started = momentNow();
+  session.started = study::momentNow();
   session.program = std::string(program);
   if (auto ok = store::append(file, session); !ok) return tl::unexpected(ok.error());
   study::ProfileRecord profile;
   profile.entry = {ids.next(), session.id, session.started, study::EnteredBy::kProgram, std::nullopt, {}};
   profile.category = store::kSealCategory;
   if (auto ok = store::append(file, profile); !ok) return tl::unexpected(ok.error());
-  return study::Entry{ids.next(), session.id, momentNow(), study::EnteredBy::kResearcher, std::nullopt, {}};
+  return study::Entry{ids.next(), session.id, study::momentNow(), study::EnteredBy::kResearcher, std::nullopt, {}};
 }
 
 }  // namespace

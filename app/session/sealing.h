@@ -22,7 +22,7 @@ struct SealState {
 };
 base::Result<SealState> sealState(const store::StudyFile& file);
 
-/// The conditions of a curve for which nobody gives any: the usual value of each input but the way, by id.
+/// The conditions of a curve if none are given: the usual value of each input but the way, by id.
 std::map<std::string, double> usualConditions(const procedure::Procedure& about);
 
 struct SealOrder {

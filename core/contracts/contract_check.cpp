@@ -74,9 +74,7 @@ class Check {
       if (!range) return false;
       ranges_[*input] = *range;
     }
-    const bool needs_input = contract_.kind == Kind::kNeverRaises || contract_.kind == Kind::kNeverLowers ||
-                             contract_.kind == Kind::kNeverHarder || contract_.kind == Kind::kNoStep;
-    if (!needs_input) return true;
+    if (!fuzzy::membersOf(contract_.kind).input) return true;
     const auto input = inputOf(model_, contract_.input);
     if (!input) return open("The model has no input " + base::quoted(contract_.input) + ".");
     input_ = *input;

@@ -42,6 +42,19 @@ std::string_view name(Contract::Kind kind) noexcept {
   return "";
 }
 
+ContractMembers membersOf(Contract::Kind kind) noexcept {
+  switch (kind) {
+    case Contract::Kind::kNeverRaises:
+    case Contract::Kind::kNeverLowers: return {.input = true};
+    case Contract::Kind::kNeverHarder: return {.input = true, .words = true};
+    case Contract::Kind::kNoStep: return {.input = true, .within = true, .limit = true};
+    case Contract::Kind::kNeverAbove:
+    case Contract::Kind::kNeverBelow: return {.limit = true};
+    case Contract::Kind::kNeverSilent: break;
+  }
+  return {};
+}
+
 std::size_t pointCount(Shape shape) noexcept {
   switch (shape) {
     case Shape::kTrapezoid: return 4;

@@ -195,6 +195,16 @@ std::string_view name(Role role) noexcept;
 std::string_view name(Implication implication) noexcept;
 /// `never_raises`, `never_lowers`, `never_harder`, `no_step`, `never_above`, `never_below`, `never_silent`.
 std::string_view name(Contract::Kind kind) noexcept;
+
+/// Which members a kind of contract has beside `id`, `kind` and `where`; the others keep their first values.
+struct ContractMembers {
+  bool input = false;
+  bool words = false;   ///< `word` and `than`
+  bool within = false;  ///< with `limit_in_jnd`
+  bool limit = false;
+};
+ContractMembers membersOf(Contract::Kind kind) noexcept;
+
 /// The number of points of a shape: 4, 3, 2.
 std::size_t pointCount(Shape shape) noexcept;
 

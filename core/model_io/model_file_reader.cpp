@@ -209,22 +209,18 @@ class ModelReader {
   }
 
   fuzzy::Contract contract(JsonValue object) {
-    using Kind = fuzzy::Contract::Kind;
     fuzzy::Contract out;
     JsonMembers members(object, error_);
     members.textOrEmpty(required("id"), out.id);
     out.kind = oneOf(members, "kind", fuzzy::kContractKinds);
-    const auto is = [&](std::initializer_list<Kind> kinds) {
-      return std::find(kinds.begin(), kinds.end(), out.kind) != kinds.end();
-    };
-    if (is({Kind::kNeverRaises, Kind::kNeverLowers, Kind::kNeverHarder, Kind::kNoStep}))
-      members.textOrEmpty(required("input"), out.input);
-    if (is({Kind::kNeverHarder})) {
+    const auto has = fuzzy::membersOf(out.kind);
+    if (has.input) members.textOrEmpty(required("input"), out.input);
+    if (has.words) {
       members.textOrEmpty(required("word"), out.word);
       members.textOrEmpty(required("than"), out.than);
     }
-    if (is({Kind::kNoStep, Kind::kNeverAbove, Kind::kNeverBelow})) members.number(required("limit"), out.limit);
-    if (is({Kind::kNoStep})) {
+    if (has.limit) members.number(required("limit"), out.limit);
+    if (has.within) {
       members.flag("limit_in_jnd", out.limit_in_jnd);
       members.number(required("within"), out.within);
     }

@@ -67,19 +67,13 @@ void append(JsonWriter& json, const fuzzy::Check& check) {
   json.key("fired").value(check.fired).endObject();
 }
 
-/// The members that this kind of contract has.
 void append(JsonWriter& json, const fuzzy::Contract& contract) {
-  using Kind = fuzzy::Contract::Kind;
-  const Kind kind = contract.kind;
-  json.beginObject(Layout::kInline).key("id").value(contract.id).key("kind").value(name(kind));
-  const bool has_limit = kind == Kind::kNoStep || kind == Kind::kNeverAbove || kind == Kind::kNeverBelow;
-  if (kind != Kind::kNeverAbove && kind != Kind::kNeverBelow && kind != Kind::kNeverSilent)
-    json.key("input").value(contract.input);
-  if (kind == Kind::kNeverHarder) json.key("word").value(contract.word).key("than").value(contract.than);
-  if (has_limit) json.key("limit").value(contract.limit);
-  if (kind == Kind::kNoStep) {
-    json.key("limit_in_jnd").value(contract.limit_in_jnd).key("within").value(contract.within);
-  }
+  const auto has = fuzzy::membersOf(contract.kind);
+  json.beginObject(Layout::kInline).key("id").value(contract.id).key("kind").value(name(contract.kind));
+  if (has.input) json.key("input").value(contract.input);
+  if (has.words) json.key("word").value(contract.word).key("than").value(contract.than);
+  if (has.limit) json.key("limit").value(contract.limit);
+  if (has.within) json.key("limit_in_jnd").value(contract.limit_in_jnd).key("within").value(contract.within);
   if (!contract.where.empty()) {
     json.key("where").beginObject();
     for (const auto& condition : contract.where) json.key(condition.input).value(condition.term);

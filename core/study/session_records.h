@@ -50,6 +50,9 @@ struct Moment {
   bool operator==(const Moment&) const = default;
 };
 
+/// By the clocks of this computer.
+Moment momentNow();
+
 /// The person or program that entered a record.
 enum class EnteredBy {
   kParticipant,

@@ -40,7 +40,7 @@ class SealFeature : public QObject {
   /// Reads what the study knows of seals, then calls `then` with it.
   void withState(const std::function<void(const session::SealState&)>& then);
   void chooseReference();
-  void read(const QString& path);
+  void read(const QString& path, const session::SealState& state);
   /// Asks for the note, the conditions and the passphrase.
   void ask(const session::SealOrder& order, const session::SealState& state);
   void seal(const session::SealOrder& order);
@@ -84,11 +84,11 @@ void SealFeature::chooseReference() {
     const QString path = file_dialog::getOpenFileName(&bench_.window, tr("Choose the curve to put under seal"),
                                                       QFileInfo(bench_.study.path()).absolutePath(),
                                                       tr("Curves (*.csv);;All files (*)"));
-    if (!path.isEmpty()) read(path);
+    if (!path.isEmpty()) read(path, state);
   });
 }
 
-void SealFeature::read(const QString& path) {
+void SealFeature::read(const QString& path, const session::SealState& state) {
   const auto refuse = [this](const QString& why) {
     bench_.window.banner().showRemedy(tr("Nothing was sealed. %1").arg(why),
                                       {tr("Choose another file…"), [this] { chooseReference(); }});
@@ -101,7 +101,7 @@ void SealFeature::read(const QString& path) {
   if (const auto curve = elicitation::readReferenceCurve(order.content, order.name, *bench_.study.procedure()); !curve)
     return refuse(text(curve.error().message()));
   order.conditions = session::usualConditions(*bench_.study.procedure());
-  withState([this, order](const session::SealState& state) { ask(order, state); });
+  ask(order, state);
 }
 
 void SealFeature::ask(const session::SealOrder& order, const session::SealState& state) {

@@ -37,7 +37,7 @@ base::Result<void> storeStroke(store::StudyFile& file, study::RecordIds& ids, co
                                const study::FeltSetting& setting) {
   FeelSessions sessions;
   FeelSessions::Visit visit;
-  visit.started = momentNow();
+  visit.started = study::momentNow();
   visit.device = setting.device;
   visit.device_id = "calculated";
   visit.simulated = true;
@@ -46,7 +46,7 @@ base::Result<void> storeStroke(store::StudyFile& file, study::RecordIds& ids, co
     study::Entry out;
     out.id = ids.next();
     out.session = session;
-    out.when = momentNow();
+    out.when = study::momentNow();
     out.entered_by = study::EnteredBy::kResearcher;
     return out;
   };

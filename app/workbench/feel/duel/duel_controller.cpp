@@ -193,7 +193,7 @@ void DuelController::onState() {
       if (state_ != State::kStarting && state_ != State::kInterrupted) return;
       if (visit_.run != device_.runs()) {
         const haptics::DeviceInfo info = *device_.device();
-        visit_ = {device_.runs(), felt_.who(),    momentNow(),       deviceText(info),
+        visit_ = {device_.runs(), felt_.who(),    study::momentNow(), deviceText(info),
                   info.id,        info.simulated, info.friction_in_n};
         if (!std::exchange(resumed_, true)) {
           study::DuelStart start = run_->start();
@@ -358,7 +358,7 @@ void DuelController::enter(State state) {
 study::Entry DuelController::entry() {
   study::Entry out;
   out.id = ids_.next();
-  out.when = momentNow();
+  out.when = study::momentNow();
   out.entered_by = felt_.who() ? study::EnteredBy::kParticipant : study::EnteredBy::kResearcher;
   return out;
 }

@@ -52,12 +52,12 @@ void FeelMarks::readStudy() {
 void FeelMarks::mark() {
   const haptics::Sample sample = feel_.latest();
   if (!feel_.isRunning() || feel_.isReplay() || !sample.enabled || scene_.model() == nullptr) {
-    emit said(tr("Nothing was marked, because the hand does not hold the tube. Hold it, and mark what you feel (F7)."));
+    emit said(tr("Nothing was marked, because the hand does not hold the tool. Hold it, and mark what you feel (F7)."));
     return;
   }
   study::FeelMark mark;
   mark.entry.id = ids_.next();
-  mark.entry.when = momentNow();
+  mark.entry.when = study::momentNow();
   mark.entry.entered_by = store_.who() ? study::EnteredBy::kParticipant : study::EnteredBy::kResearcher;
   mark.setting = store_.setting();
   mark.depth_mm = feel_.depthMm();

@@ -1,7 +1,6 @@
 #include "app/workbench/feel/recordings/feel_store.h"
 
 #include <algorithm>
-#include <chrono>
 #include <type_traits>
 #include <utility>
 
@@ -37,11 +36,6 @@ std::string settingsOf(const FeelSessions::Visit& visit) {
 }
 
 }  // namespace
-
-study::Moment momentNow() {
-  using namespace std::chrono;
-  return {utcNowMs(), duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count()};
-}
 
 Result<RecordId> FeelSessions::researcher(store::StudyFile& file, study::RecordIds& ids) {
   TACTUS_TRY(const auto people, readPeople(file));
@@ -231,7 +225,7 @@ void FeelStore::onState() {
   }
   if (feel_.runs() != seen_run_) {
     seen_run_ = feel_.runs();
-    run_started_ = momentNow();
+    run_started_ = study::momentNow();
     if (recording_ && !feel_.isReplay()) beginRecording();
   }
   emit changed();
@@ -457,7 +451,7 @@ std::vector<FeelRecorder::Condition> FeelStore::conditions() const {
 study::Entry FeelStore::entry() {
   study::Entry out;
   out.id = ids_.next();
-  out.when = momentNow();
+  out.when = study::momentNow();
   out.entered_by = enteredBy();
   return out;
 }

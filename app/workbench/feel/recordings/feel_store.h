@@ -56,8 +56,6 @@ class FeelSessions {
   std::map<study::RecordId, int> counts_;
 };
 
-/// The current time of both clocks.
-study::Moment momentNow();
 /// Name and serial number, as records keep them.
 std::string deviceText(const haptics::DeviceInfo& info);
 

@@ -220,7 +220,7 @@ void RecordingsCard::showState() {
   replay_->setText(replaying ? tr("Stop") : tr("Replay"));
   replay_->setToolTip(replaying
                           ? tr("End the replay")
-                          : tr("Let the recorded hand move the tube through the present model, by calculation; the "
+                          : tr("Let the recorded hand move the tool through the present model, by calculation; the "
                                "recorded force stands beside the present one in the trace"));
   record_->setIcon(recording ? recordIcon(feel_.isRunning()) : QIcon());
   if (!recording) {

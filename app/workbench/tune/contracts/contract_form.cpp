@@ -26,11 +26,6 @@ using Kind = fuzzy::Contract::Kind;
 constexpr int kWide = 520;  // px
 constexpr double kMostJnd = 50;
 
-bool isOfInput(Kind kind) {
-  return kind == Kind::kNeverRaises || kind == Kind::kNeverLowers || kind == Kind::kNeverHarder ||
-         kind == Kind::kNoStep;
-}
-
 class ContractForm : public QDialog {
   Q_DECLARE_TR_FUNCTIONS(ContractForm)
 
@@ -78,7 +73,7 @@ class ContractForm : public QDialog {
 
   /// What a new contract has no choice for yet, or an old one has under a name that is gone.
   void fillGaps() {
-    if (isOfInput(contract_.kind) && !inputNamed(model_, contract_.input)) {
+    if (fuzzy::membersOf(contract_.kind).input && !inputNamed(model_, contract_.input)) {
       const auto way = contract_.kind == Kind::kNoStep || contract_.kind == Kind::kNeverHarder
                            ? fuzzy::wayOf(model_.inputs)
                            : std::nullopt;

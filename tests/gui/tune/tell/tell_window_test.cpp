@@ -27,7 +27,12 @@ class TellWindowTest : public tests::ShownBench {
     tests::makeStudyFile(study_path);
     bench.study.open(study_path);
     ASSERT_TRUE(QTest::qWaitFor([this] { return bench.study.isOpen(); }, kPatience));
-    bench.models.open(folder.write(tests::twoExperts()));
+    // Without the hole of these experts: a tube that is pushed into one keeps its last force, which is no comparison.
+    fuzzy::ForceModel model = tests::twoExperts();
+    for (fuzzy::Variable& input : model.inputs) {
+      if (input.id == "depth") input.terms[0].points = {0, 0, 4, 7};
+    }
+    bench.models.open(folder.write(model));
     bench.study_models.putModel();
     ASSERT_TRUE(
         QTest::qWaitFor([this] { return bench.study_models.keepsModel() && !bench.study.isBusy(); }, kPatience));
@@ -124,6 +129,8 @@ TEST_F(TellWindowTest, KeptInTheStudyThePanelStrokesRunsItAsCalculated) {
   ASSERT_EQ(bench.strokes.comparison().strokes.size(), 1U);
   EXPECT_EQ(bench.strokes.nameOf(0), QStringLiteral("calculated stroke, recording 1"));
   EXPECT_TRUE(bench.strokes.caption().contains(QStringLiteral("SIMULATED"))) << bench.strokes.caption().toStdString();
+  // It was made on the edit that it tells: the edit is felt.
+  EXPECT_EQ(bench.strokes.comparison().summary.felt, 1U);
 }
 
 }  // namespace
