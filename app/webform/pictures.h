@@ -15,7 +15,7 @@ using procedure::Point;
 
 /// A region of the way of the tube.
 struct PictureRegion {
-  std::string id;       ///< as the depth terms of the form: `nasal_cavity`
+  std::string id;       ///< as the terms of the way
   std::string outline;  ///< `d` of an SVG path
   Point tip;            ///< where the tip lies that is in the region: half of the way through it
   std::size_t end = 0;  ///< index in Picture::tube of the last point before the tip
@@ -24,11 +24,11 @@ struct PictureRegion {
 
 /// The body in one pose.
 struct Picture {
-  std::string posture;         ///< of the default procedure `upright`, `half`, `chest`; otherwise `p1`, `p2`, …
-  std::string drawing;         ///< SVG text without tube and regions
-  std::array<double, 4> box;   ///< view box of the drawing: x, y, width, height in mm
+  std::string posture;         ///< the name of its file: `upright`
+  std::string drawing;         ///< SVG text
+  std::array<double, 4> box;   ///< view box of the drawing: x, y, width, height
   std::array<double, 4> near;  ///< the part of it that most questions are about
-  std::vector<Point> tube;     ///< the way of the tube, from the hand to the stomach
+  std::vector<Point> tube;     ///< the way of the tool, with its approach
   std::vector<PictureRegion> regions;
 };
 

@@ -84,6 +84,15 @@ struct Point {
   double y = 0;
 };
 
+/// A part of a picture.
+struct Box {
+  double left = 0, top = 0, width = 0, height = 0;
+};
+
+inline bool holds(const Box& box, const Point& at) {
+  return at.x >= box.left && at.x <= box.left + box.width && at.y >= box.top && at.y <= box.top + box.height;
+}
+
 /// Where in a picture the front of the body is.
 enum class FrontSide { kLeft, kRight, kTop, kBottom };
 
@@ -92,14 +101,23 @@ struct Picture {
   std::string file;                ///< path in the pack
   study::ItemCondition pose = {};  ///< the condition that it shows; empty: the usual one
   double left = 0, top = 0, width = 0, height = 0;
-  std::vector<Point> way;                      ///< close points, from where the tip enters to the end of the universe
-  std::vector<double> way_mm;                  ///< the place of each point, rising
-  std::vector<double> way_across;              ///< how far each point lies before the plane of the picture
+  std::vector<Point> way;          ///< close points, from where the tip enters; a deeper tip stays at its end
+  std::vector<double> way_mm;      ///< the place of each point, rising
+  std::vector<double> way_across;  ///< how far each point lies before the plane of the picture
+  std::vector<Point> approach;     ///< of the tool to where it enters; none: it comes straight
+  std::optional<Box> near;         ///< the part that most questions are about; nothing: all regions
   std::map<std::string, std::string> regions;  ///< `d` of the outline of each region, by its id
   std::string svg;                             ///< the whole picture
   std::vector<Point> outline;                  ///< of the whole body, closed; none: there is no 3-D view
   std::optional<double> breadth;               ///< of the body across the picture, at its broadest
   FrontSide front = FrontSide::kLeft;
+};
+
+/// The body from another side, to look at.
+struct OtherView {
+  std::string file;         ///< path in the pack
+  std::string word;         ///< id of the text that says from where
+  bool of_regions = false;  ///< stands beside the names of the regions; otherwise beside the whole way
 };
 
 /// Where the tip is at `place_mm`; clamped to the way.
@@ -109,6 +127,10 @@ Point placeAt(const Picture& picture, double place_mm);
 /// is its name in errors. Refused: what docs/procedure-packs.md does not allow.
 base::Result<Picture> readPicture(std::string_view svg, const std::string& file, double from_mm, double to_mm,
                                   const std::vector<std::string>& regions);
+
+struct Procedure;
+/// The pictures and the other views that the manifest names, from the files of `procedure`.
+base::Result<void> readPictures(Procedure& procedure);
 
 /// The points of a path that `readPicture` took.
 std::vector<Point> pointsOf(std::string_view path);
@@ -131,6 +153,7 @@ struct Procedure {
   std::vector<std::string> wordings;   ///< paths of the wordings of the forms (questionnaires/questionnaire.h)
   std::map<std::string, Texts> words;  ///< of the participant's screens: id of the text, then by language
   std::vector<Picture> pictures;       ///< none: a bar of regions stands for the body
+  std::vector<OtherView> other_views;
   std::vector<Step> steps;
   std::vector<Landmark> landmarks;
   std::vector<PublishedForce> published;

@@ -28,6 +28,7 @@ constexpr std::size_t kLongestId = 40;
 
 constexpr std::array<std::string_view, 3> kRoleNames = {"condition", "way", "rate"};
 constexpr std::array<std::string_view, 4> kPictureNames = {"bars", "drops", "arrows", "pose"};
+constexpr std::array<std::string_view, 2> kBesideNames = {"whole", "regions"};
 constexpr std::array<std::string_view, 2> kDirectionNames = {"falls", "rises"};
 
 /// An id is a part of the names of texts, columns, paths and symbols.
@@ -264,6 +265,15 @@ Procedure readManifest(JsonMembers& json, Problem& error, const PackFiles& files
     }
     members.refuseOthers();
   }
+  for (const JsonValue value : json.elements("other_views")) {
+    JsonMembers members(value, error);
+    OtherView& view = out.other_views.emplace_back();
+    members.text(required("file"), view.file);
+    wantFile(members, "file", view.file, files);
+    members.text(required("word"), view.word);
+    view.of_regions = members.word(required("beside"), kBesideNames) == 1U;
+    members.refuseOthers();
+  }
   out.steps = readSteps(json, error);
   out.landmarks = readLandmarks(json, error);
   out.published = readPublished(json, out, error);
@@ -436,22 +446,6 @@ Result<void> checkWords(const Procedure& procedure, const std::string& file) {
                       file);
 }
 
-Result<void> readPictures(Procedure& procedure) {
-  const fuzzy::Variable& way = procedure.wayInput();
-  std::vector<std::string> regions;
-  for (const auto& term : way.terms) regions.push_back(term.id);
-  for (Picture& picture : procedure.pictures) {
-    const study::ItemCondition pose = picture.pose;
-    if (!pose.input.empty() && !isKnown(procedure, procedure.way_terms.front(), pose)) {
-      return fail(ErrorCode::kReference, "pose of " + base::quoted(picture.file),
-                  base::quoted(pose.input + " " + pose.term), "an input of the procedure and one of its words");
-    }
-    TACTUS_TRY(picture, readPicture(procedure.files.at(picture.file), picture.file, way.min, way.max, regions));
-    picture.pose = pose;
-  }
-  return {};
-}
-
 }  // namespace
 
 Result<Procedure> readProcedure(PackFiles files, const std::string& name) {
@@ -489,6 +483,7 @@ Result<Procedure> readProcedure(PackFiles files, const std::string& name) {
   for (const std::string& path : out.wordings) keep(path);
   if (!named.words.empty()) keep(named.words);
   for (const Picture& picture : out.pictures) keep(picture.file);
+  for (const OtherView& view : out.other_views) keep(view.file);
   out.files = std::move(kept);
   out.sha256 = packSha256(out.files);
   if (auto ok = readPictures(out); !ok) return base::inFile(std::move(ok).error(), name);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/anatomy/pack_view.h"
 
 namespace tactus::workbench::anatomy {
@@ -15,7 +14,7 @@ class BarView final : public PackView {
  public:
   using PackView::PackView;
 
-  void setPose(const study::ItemCondition& /*condition*/) override {}
+  void setPose(const study::ItemCondition& /*condition*/, bool /*gently*/) override {}
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -2,8 +2,11 @@
 // draws it.
 #pragma once
 
+#include <QByteArray>
 #include <QColor>
+#include <QPixmap>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 #include <QWidget>
 #include <memory>
@@ -29,9 +32,6 @@ struct WayRange {
 /// next, in the first set of regions that has it. Nothing for an unknown id.
 std::optional<WayRange> rangeOf(const procedure::Procedure& procedure, const std::string& region);
 
-/// Whether the drawings of the program stand for `procedure`, which has no pictures of its own.
-bool isDrawnHere(const procedure::Procedure& procedure);
-
 /// Whether a picture of the body shows the words of `input` as poses.
 bool showsPose(const procedure::Procedure& procedure, const std::string& input);
 
@@ -43,6 +43,22 @@ inline constexpr QColor kLitEdge(0x6B, 0x45, 0x00);
 /// The tool through `points`, px, `width` wide and at least as wide as is seen, with its tip, of at least the radius
 /// `least_tip`, at the last one.
 void drawTool(QPainter& painter, const std::vector<QPointF>& points, double width, double least_tip = 7);
+
+inline constexpr double kPlatePadding = 0.4;  // of a line
+
+/// A name to show in a picture.
+struct PlateName {
+  QString text;
+  QPointF at;            ///< what it names, px
+  bool on_left = false;  ///< the edge of the picture at which it stands
+  bool lit = false;      ///< bold
+  double least_y = 0;    ///< px, the plate stands no higher
+  double most_y = 1e9;   ///< px, its top stands no lower
+};
+
+/// Draws the names on plates into `area`, each with a line to its place, at their edges, in the order of their places,
+/// without overlap, in the font of `painter`.
+void drawPlates(QPainter& painter, const QRectF& area, std::vector<PlateName> names);
 
 /// A part of the way to light: amber, a dark outline and its name.
 struct LitRange {
@@ -67,8 +83,10 @@ class BodyView : public QWidget {
 
   const procedure::Procedure& about() const { return *about_; }
 
-  /// The body as the condition has it; the usual pose if no picture shows that.
-  virtual void setPose(const study::ItemCondition& condition) = 0;
+  /// The body as the condition has it, at once, or within a second if `gently`; the usual pose if no picture shows it.
+  virtual void setPose(const study::ItemCondition& condition, bool gently = false) = 0;
+  /// The condition that is shown; empty for the usual pose.
+  virtual study::ItemCondition pose() const { return {}; }
   /// The other way round, for left hands. Names are never mirrored.
   virtual void setMirrored(bool mirrored) = 0;
   /// Depth of the tip, mm; nothing: no tool. It is drawn with the next frame, never by itself.
@@ -152,8 +170,26 @@ class SolidView : public QWidget {
   QPointF dragged_from_;
 };
 
-/// The view of the procedure: its pictures; a plain bar of regions if it has none. The drawings of the default
-/// procedure are part of the program, because its neck moves between them.
+/// The body from another side, beside a picture of it: another view of a pack.
+class InsetView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `svg`: the file.
+  explicit InsetView(QByteArray svg, QWidget* parent = nullptr);
+
+  QSize sizeHint() const override { return {160, 240}; }
+  QSize minimumSizeHint() const override { return {64, 96}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QByteArray svg_;
+  QPixmap drawing_;  ///< at the current size
+};
+
+/// The view of the procedure: its pictures; a plain bar of regions if it has none.
 BodyView* makeBodyView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent);
 
 }  // namespace tactus::workbench::anatomy

@@ -1,25 +1,20 @@
-#include "app/workbench/anatomy/inset_view.h"
-
 #include <QPainter>
 #include <QPainterPath>
 #include <QSvgRenderer>
-#include <string_view>
+#include <utility>
 
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench::anatomy {
 
-std::string_view frontDrawing();
-std::string_view behindDrawing();
-
 namespace {
 
-QPixmap drawn(Inset inset, const QSize& size, double ratio) {
-  const std::string_view file = inset == Inset::kFront ? frontDrawing() : behindDrawing();
+QPixmap drawn(const QByteArray& svg, const QSize& size, double ratio) {
   QPixmap pixmap(size * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(theme::card());
-  QSvgRenderer renderer(QByteArray::fromRawData(file.data(), static_cast<qsizetype>(file.size())));
+  QSvgRenderer renderer(svg);
   const QSizeF room = renderer.viewBoxF().size().scaled(QSizeF(size), Qt::KeepAspectRatio);
   QRectF place(QPointF(), room);
   place.moveCenter(QRectF(QPointF(), QSizeF(size)).center());
@@ -32,12 +27,12 @@ QPixmap drawn(Inset inset, const QSize& size, double ratio) {
 
 }  // namespace
 
-InsetView::InsetView(Inset inset, QWidget* parent) : QWidget(parent), inset_(inset) {}
+InsetView::InsetView(QByteArray svg, QWidget* parent) : QWidget(parent), svg_(std::move(svg)) {}
 
 void InsetView::paintEvent(QPaintEvent* /*event*/) {
   if (width() < 2 || height() < 2) return;
   const double ratio = devicePixelRatioF();
-  if (drawing_.size() != size() * ratio) drawing_ = drawn(inset_, size(), ratio);
+  if (drawing_.size() != size() * ratio) drawing_ = drawn(svg_, size(), ratio);
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath corners;

@@ -15,8 +15,7 @@
 
 namespace tactus::workbench::anatomy {
 
-inline constexpr double kEdgePx = 2.2;        // around the lit region
-inline constexpr double kPlatePadding = 0.4;  // of a line, as drawPlates has it
+inline constexpr double kEdgePx = 2.2;  // around the lit region
 
 class PackView : public BodyView {
  public:
@@ -28,7 +27,12 @@ class PackView : public BodyView {
     depth_mm_ = depth_mm;
     update();
   }
-  void light(const std::optional<LitRange>& range) override { change(lit_, range); }
+  void light(const std::optional<LitRange>& range) override {
+    if (lit_ == range) return;
+    lit_ = range;
+    forgetLit();
+    update();
+  }
   void lightRegion(const QString& id) override {
     const auto range = rangeOf(about(), id.toStdString());
     light(range ? std::optional(LitRange{range->from_mm, range->to_mm, nameOf(id)}) : std::nullopt);
@@ -51,6 +55,8 @@ class PackView : public BodyView {
  protected:
   /// Another thing than the depth is drawn.
   virtual void forget() {}
+  /// Another part is lit.
+  virtual void forgetLit() {}
 
   template <class Value>
   void change(Value& kept, const Value& value) {

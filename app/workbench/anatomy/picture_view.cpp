@@ -5,12 +5,13 @@
 #include <QPainterPathStroker>
 #include <QPixmap>
 #include <QSvgRenderer>
+#include <QVariantAnimation>
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <utility>
 
-#include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/anatomy/pack_view.h"
 
 namespace tactus::workbench::anatomy {
@@ -25,70 +26,135 @@ constexpr double kOutsideShare = 0.1;  // of the longer side of a picture: the t
 constexpr double kTopShare = 0.3;      // of the height
 constexpr double kTipPx = 5;           // radius
 constexpr double kStripShare = 0.25;   // of a picture: wider than any passage
+constexpr int kTurnMs = 1000;          // from one pose to another
 
 QByteArray bytesOf(const std::string& text) { return {text.data(), static_cast<qsizetype>(text.size())}; }
 
 class PictureView final : public PackView {
  public:
-  using PackView::PackView;
+  PictureView(std::shared_ptr<const procedure::Procedure> about, QWidget* parent) : PackView(std::move(about), parent) {
+    turn_.setDuration(kTurnMs);
+    turn_.setStartValue(0.0);
+    turn_.setEndValue(1.0);
+    turn_.setEasingCurve(QEasingCurve::InOutSine);
+    connect(&turn_, &QVariantAnimation::valueChanged, this, [this](const QVariant& value) {
+      turned_ = value.toDouble();
+      update();
+    });
+  }
 
-  void setPose(const study::ItemCondition& condition) override {
+  void setPose(const study::ItemCondition& condition, bool gently) override {
     const auto& all = about().pictures;
     const auto found = std::find_if(all.begin(), all.end(),
                                     [&](const procedure::Picture& picture) { return picture.pose == condition; });
-    change(shown_, found == all.end() ? std::size_t{0} : static_cast<std::size_t>(found - all.begin()));
+    const auto wanted = found == all.end() ? std::size_t{0} : static_cast<std::size_t>(found - all.begin());
+    if (wanted == shown_) return;
+    turn_.stop();
+    before_ = gently && isVisible() ? shown_ : wanted;
+    shown_ = wanted;
+    turned_ = before_ == shown_ ? 1 : 0;
+    forgetLit();
+    if (turned_ < 1) turn_.start();
+    update();
   }
+
+  study::ItemCondition pose() const override { return picture().pose; }
 
  protected:
   void forget() override {
-    drawing_ = lit_drawing_ = {};
+    drawings_.clear();
+    forgetLit();
+  }
+  void forgetLit() override {
+    lit_drawing_ = {};
     name_place_.reset();
   }
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  /// A picture, near or whole.
+  struct Shot {
+    std::size_t picture = 0;
+    bool near = false;
+    auto operator<=>(const Shot&) const = default;
+  };
   struct NamePlace {
     bool on_left = true;
     double y = 0;
   };
 
   const procedure::Picture& picture() const { return about().pictures[shown_]; }
-  QRectF viewBox() const;
-  QRectF nearBox() const;
-  void findFrame();
-  QTransform toWidget() const;
-  QPointF placeAt(double depth_mm) const;
-  std::vector<QPointF> between(double from_mm, double to_mm) const;
-  std::vector<QPointF> toolTo(double depth_mm) const;
-  QPixmap drawn(const std::function<void(QPainter&)>& draw) const;
+  QRectF nearBox(std::size_t index) const;
+  bool showsNear() const;
+  QRectF frameOf(const Shot& shot) const;
+  QTransform toWidget(const QRectF& frame) const;
+  std::vector<QPointF> toolIn(const Shot& shot, double depth_mm) const;
+  std::vector<QPointF> tool(double depth_mm) const;
+  QPixmap drawn(const QRectF& frame, const QRectF& box, const std::function<void(QPainter&)>& draw) const;
+  const QPixmap& drawing(const Shot& shot);
   void drawLit(QPainter& painter) const;
-  NamePlace placeOfName(const QPointF& at) const;
+  NamePlace placeOfName(const QPointF& at);
   std::vector<PlateName> plateNames();
 
   std::size_t shown_ = 0;
-  QRectF frame_;         ///< the part of the picture in the widget, in its units
-  QPixmap drawing_;      ///< not mirrored
-  QPixmap lit_drawing_;  ///< likewise; the lit part alone
+  std::size_t before_ = 0;  ///< the pose from which the body turns
+  double turned_ = 1;       ///< how much of the turn is done, [0, 1]
+  QVariantAnimation turn_;
+  bool near_ = false;
+  mutable std::map<std::size_t, QRectF> near_boxes_;  ///< found once
+  QRectF frame_;                                      ///< the part of the picture in the widget, in its units
+  std::map<Shot, QPixmap> drawings_;                  ///< not mirrored
+  QPixmap lit_drawing_;                               ///< likewise; the lit part alone
   std::optional<NamePlace> name_place_;
 };
 
-QRectF PictureView::viewBox() const { return {picture().left, picture().top, picture().width, picture().height}; }
+QRectF viewBoxOf(const procedure::Picture& picture) {
+  return {picture.left, picture.top, picture.width, picture.height};
+}
 
-// Around the regions and the beginning of the way.
-QRectF PictureView::nearBox() const {
-  const QSvgRenderer renderer(bytesOf(about().files.at(picture().file)));
-  QRectF box(placeAt(picture().way_mm.front()), QSizeF(1, 1));
-  for (const auto& [id, outline] : picture().regions)
+QPointF placeIn(const procedure::Picture& picture, double depth_mm) {
+  const procedure::Point at = procedure::placeAt(picture, depth_mm);
+  return {at.x, at.y};
+}
+
+std::vector<QPointF> between(const procedure::Picture& picture, double from_mm, double to_mm) {
+  std::vector<QPointF> out = {placeIn(picture, from_mm)};
+  for (std::size_t i = 0; i < picture.way.size(); ++i) {
+    const double mm = picture.way_mm[i];
+    if (mm > from_mm && mm < to_mm) out.emplace_back(picture.way[i].x, picture.way[i].y);
+  }
+  out.push_back(placeIn(picture, to_mm));
+  return out;
+}
+
+// The part that most questions are about: as the pack says, or around the regions and the beginning of the way.
+QRectF PictureView::nearBox(std::size_t index) const {
+  const procedure::Picture& picture = about().pictures[index];
+  if (picture.near) return {picture.near->left, picture.near->top, picture.near->width, picture.near->height};
+  if (const auto kept = near_boxes_.find(index); kept != near_boxes_.end()) return kept->second;
+  const QSvgRenderer renderer(bytesOf(about().files.at(picture.file)));
+  QRectF box(placeIn(picture, picture.way_mm.front()), QSizeF(1, 1));
+  for (const auto& [id, outline] : picture.regions)
     box |= renderer.boundsOnElement(QStringLiteral("region_") + QString::fromStdString(id));
   const double margin = kNearShare * std::max(box.width(), box.height());
-  return box.adjusted(-margin, -margin, margin, margin) & viewBox();
+  return near_boxes_[index] = box.adjusted(-margin, -margin, margin, margin) & viewBoxOf(picture);
+}
+
+// What is lit, or the tip, lies in it.
+bool PictureView::showsNear() const {
+  if (whole_) return false;
+  if (!picture().near) return true;
+  if (names_shown_) return false;
+  const auto place = lit_ ? std::optional(WayRange{lit_->from_mm, lit_->to_mm}.middleMm()) : depth_mm_;
+  return !place || nearBox(shown_).contains(placeIn(picture(), *place));
 }
 
 // The part to show, extended on two sides to the shape of the widget.
-void PictureView::findFrame() {
-  const QRectF box = viewBox();
+QRectF PictureView::frameOf(const Shot& shot) const {
+  const procedure::Picture& picture = about().pictures[shot.picture];
+  const QRectF box = viewBoxOf(picture);
   const double margin = kMarginShare * std::min(box.width(), box.height());
-  const QRectF part = whole_ ? box.adjusted(-margin, -margin, margin, margin) : nearBox();
+  const QRectF part = shot.near ? nearBox(shot.picture) : box.adjusted(-margin, -margin, margin, margin);
   // Names at the edges stand beside the picture where there is room.
   double names_px = 0;
   if (names_shown_) {
@@ -99,68 +165,81 @@ void PictureView::findFrame() {
   QSizeF size(width() * free, height());
   size.scale(part.size(), Qt::KeepAspectRatioByExpanding);
   size.rwidth() /= free;
-  frame_ = QRectF(QPointF(), size);
-  frame_.moveCenter(part.center());
+  QRectF frame(QPointF(), size);
+  frame.moveCenter(part.center());
+  return frame;
 }
 
-QTransform PictureView::toWidget() const {
+QTransform PictureView::toWidget(const QRectF& frame) const {
   QTransform transform;
   if (mirrored_) {
     transform.translate(width(), 0);
     transform.scale(-1, 1);
   }
-  transform.scale(width() / frame_.width(), height() / frame_.height());
-  transform.translate(-frame_.left(), -frame_.top());
+  transform.scale(width() / frame.width(), height() / frame.height());
+  transform.translate(-frame.left(), -frame.top());
   return transform;
 }
 
-QPointF PictureView::placeAt(double depth_mm) const {
-  const auto& mm = picture().way_mm;
-  const double depth = std::clamp(depth_mm, mm.front(), mm.back());
-  const auto next = std::upper_bound(mm.begin() + 1, mm.end() - 1, depth);
-  const auto i = static_cast<std::size_t>(next - mm.begin());
-  const procedure::Point& a = picture().way[i - 1];
-  const procedure::Point& b = picture().way[i];
-  const double share = mm[i] > mm[i - 1] ? (depth - mm[i - 1]) / (mm[i] - mm[i - 1]) : 0;
-  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
-}
-
-std::vector<QPointF> PictureView::between(double from_mm, double to_mm) const {
-  std::vector<QPointF> out = {placeAt(from_mm)};
-  for (std::size_t i = 0; i < picture().way.size(); ++i) {
-    const double mm = picture().way_mm[i];
-    if (mm > from_mm && mm < to_mm) out.emplace_back(picture().way[i].x, picture().way[i].y);
-  }
-  out.push_back(placeAt(to_mm));
-  return out;
-}
-
-// It comes from outside, straight on from the beginning of the way; before that the tip is in front.
-std::vector<QPointF> PictureView::toolTo(double depth_mm) const {
-  const double begin_mm = picture().way_mm.front();
-  const double outside = kOutsideShare * std::max(frame_.width(), frame_.height());
-  const QPointF enters = placeAt(begin_mm);
-  const QPointF inward = placeAt(begin_mm + 0.02 * (picture().way_mm.back() - begin_mm)) - enters;
+// In the widget. It comes as the picture says, or from outside straight on from the beginning of the way; before that
+// the tip is in front.
+std::vector<QPointF> PictureView::toolIn(const Shot& shot, double depth_mm) const {
+  const procedure::Picture& of = about().pictures[shot.picture];
+  const QRectF frame = frameOf(shot);
+  const double begin_mm = of.way_mm.front();
+  const double outside = kOutsideShare * std::max(frame.width(), frame.height());
+  const QPointF enters = placeIn(of, begin_mm);
+  const QPointF inward = placeIn(of, begin_mm + 0.02 * (of.way_mm.back() - begin_mm)) - enters;
   const QPointF step = inward / std::max(std::hypot(inward.x(), inward.y()), 1e-9);
-  if (depth_mm <= begin_mm)
-    return {enters - step * outside, enters - step * (outside * (depth_mm < begin_mm ? 0.5 : 0))};
-  std::vector<QPointF> out = between(begin_mm, depth_mm);
-  out.insert(out.begin(), enters - step * outside);
+  std::vector<QPointF> out;
+  for (const procedure::Point& point : of.approach) out.emplace_back(point.x, point.y);
+  if (out.empty()) out = {enters - step * outside, enters - step * (outside * (depth_mm < begin_mm ? 0.5 : 0))};
+  if (depth_mm > begin_mm) {
+    const auto way = between(of, begin_mm, depth_mm);
+    out.insert(out.end(), way.begin(), way.end());
+  }
+  const QTransform to_widget = toWidget(frame);
+  for (QPointF& point : out) point = to_widget.map(point);
   return out;
 }
 
-QPixmap PictureView::drawn(const std::function<void(QPainter&)>& draw) const {
+// While the body turns, between both poses: poses whose ways have other nodes than each other change at once.
+std::vector<QPointF> PictureView::tool(double depth_mm) const {
+  std::vector<QPointF> out = toolIn({shown_, near_}, depth_mm);
+  if (turned_ == 1) return out;
+  const auto from = toolIn({before_, near_}, depth_mm);
+  for (std::size_t i = 0; i < out.size() && from.size() == out.size(); ++i)
+    out[i] = from[i] + (out[i] - from[i]) * turned_;
+  return out;
+}
+
+QPixmap PictureView::drawn(const QRectF& frame, const QRectF& box, const std::function<void(QPainter&)>& draw) const {
   const double ratio = devicePixelRatioF();
   QPixmap pixmap(size() * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.scale(width() / frame_.width(), height() / frame_.height());
-  painter.translate(-frame_.topLeft());
-  painter.setClipRect(viewBox());  // beyond it a picture may end anyhow
+  painter.scale(width() / frame.width(), height() / frame.height());
+  painter.translate(-frame.topLeft());
+  painter.setClipRect(box);  // beyond it a picture may end anyhow
   draw(painter);
   return pixmap;
+}
+
+// A picture takes longer than a frame to draw.
+const QPixmap& PictureView::drawing(const Shot& shot) {
+  QPixmap& out = drawings_[shot];
+  if (out.isNull()) {
+    const procedure::Picture& of = about().pictures[shot.picture];
+    const QRectF frame = frameOf(shot);
+    out = drawn(frame, viewBoxOf(of), [&](QPainter& onto) {
+      QSvgRenderer renderer(bytesOf(about().files.at(of.file)));
+      renderer.setViewBox(frame);
+      renderer.render(&onto, frame);
+    });
+  }
+  return out;
 }
 
 // Whole regions by their outline, others cut along the way. What the outline may be made of the renderer reads anyway.
@@ -192,7 +271,8 @@ void PictureView::drawLit(QPainter& painter) const {
       lit.load(svg(shape(kWideEdgePx + 2 * kEdgePx, kLitEdge) + shape(kWideEdgePx, kLit)));
     painter.save();
     if (range->from_mm < lit_->from_mm || range->to_mm > lit_->to_mm) {
-      const auto points = between(std::max(range->from_mm, lit_->from_mm), std::min(range->to_mm, lit_->to_mm));
+      const auto points =
+          between(picture(), std::max(range->from_mm, lit_->from_mm), std::min(range->to_mm, lit_->to_mm));
       QPainterPath line(points.front());
       for (const QPointF& point : points) line.lineTo(point);
       QPainterPathStroker stroker;
@@ -206,15 +286,15 @@ void PictureView::drawLit(QPainter& painter) const {
 }
 
 // Where a plate hides the least of the picture.
-PictureView::NamePlace PictureView::placeOfName(const QPointF& at) const {
+PictureView::NamePlace PictureView::placeOfName(const QPointF& at) {
   QFont bold = font();
   bold.setBold(true);
   const QFontMetricsF metrics(bold);
   const double line = metrics.height();
   const QSizeF size(metrics.horizontalAdvance(lit_->name) + 2 * kPlatePadding * line, line * (1 + kPlatePadding));
-  const QImage picture = drawing_.toImage();
+  const QImage picture = drawing({shown_, near_}).toImage();
   const QImage lit = lit_drawing_.toImage();
-  const double ratio = drawing_.devicePixelRatio();
+  const double ratio = devicePixelRatioF();
   const auto hidden = [&](const QRectF& box) {
     constexpr int kStepPx = 3;
     constexpr int kLitWeight = 1000;
@@ -231,11 +311,13 @@ PictureView::NamePlace PictureView::placeOfName(const QPointF& at) const {
   };
   NamePlace best;
   int least = -1;
-  const double bottom = height() - kPlatePadding * line - size.height();
+  const double top = kPlatePadding * line;
+  const double bottom = height() - top - size.height();
   for (const bool on_left : {!mirrored_, mirrored_}) {
-    const double x = on_left ? kPlatePadding * line : width() - kPlatePadding * line - size.width();
-    const double beside = std::clamp(at.y() - size.height() / 2, kPlatePadding * line, bottom);
-    for (const double y : {bottom, beside, kPlatePadding * line}) {
+    const double x = on_left ? top : width() - top - size.width();
+    constexpr int kHeights = 6;
+    for (int i = kHeights; i >= 0; --i) {
+      const double y = top + (bottom - top) * i / kHeights;
       // At the top of the one side stand the small pictures of the question.
       if (on_left != mirrored_ && y < kTopShare * height()) continue;
       const int count = hidden(QRectF(QPointF(x, y), size));
@@ -249,16 +331,17 @@ PictureView::NamePlace PictureView::placeOfName(const QPointF& at) const {
 
 std::vector<PlateName> PictureView::plateNames() {
   std::vector<PlateName> out;
-  const QTransform to_widget = toWidget();
+  const QTransform to_widget = toWidget(frame_);
   const auto spot = [&](const WayRange& range) {
-    return to_widget.map(placeAt(range.from_mm + kNamedShare * (range.to_mm - range.from_mm)));
+    return to_widget.map(placeIn(picture(), range.from_mm + kNamedShare * (range.to_mm - range.from_mm)));
   };
   const bool named = lit_ && !lit_->name.isEmpty();
   if (names_shown_) {
     for (const RegionName& one : regionNames()) {
       const auto range = rangeOf(about(), one.id.toStdString());
       if (!range) continue;
-      out.push_back({one.name, to_widget.map(placeAt(range->middleMm())), false, named && one.name == lit_->name, 0});
+      out.push_back(
+          {one.name, to_widget.map(placeIn(picture(), range->middleMm())), false, named && one.name == lit_->name, 0});
     }
     // As many at each edge.
     std::vector<PlateName*> by_place;
@@ -279,33 +362,36 @@ void PictureView::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.save();
   begin(painter);
-  if (drawing_.isNull() || drawing_.devicePixelRatio() != devicePixelRatioF()) {
-    forget();
-    findFrame();
-    drawing_ = drawn([this](QPainter& onto) {
-      QSvgRenderer renderer(bytesOf(about().files.at(picture().file)));
-      renderer.setViewBox(frame_);
-      renderer.render(&onto, frame_);
-    });
-    if (lit_) lit_drawing_ = drawn([this](QPainter& onto) { drawLit(onto); });
+  if (!drawings_.empty() && drawings_.begin()->second.devicePixelRatio() != devicePixelRatioF()) forget();
+  if (const bool near = showsNear(); near != near_) {
+    near_ = near;
+    forgetLit();
   }
+  frame_ = frameOf({shown_, near_});
+  const bool lights = lit_ && turned_ == 1;
+  if (lights && lit_drawing_.isNull())
+    lit_drawing_ = drawn(frame_, viewBoxOf(picture()), [this](QPainter& onto) { drawLit(onto); });
   painter.save();
   if (mirrored_) {
     painter.translate(width(), 0);
     painter.scale(-1, 1);
   }
-  painter.drawPixmap(0, 0, drawing_);
-  if (lit_) painter.drawPixmap(0, 0, lit_drawing_);
-  painter.restore();
-  if (depth_mm_) {
-    std::vector<QPointF> points = toolTo(*depth_mm_);
-    const QTransform to_widget = toWidget();
-    for (QPointF& point : points) point = to_widget.map(point);
-    drawTool(painter, points, toolPx(), kTipPx);
+  if (turned_ < 1) {
+    // One picture fades into the other.
+    painter.drawPixmap(0, 0, drawing({before_, near_}));
+    painter.setOpacity(turned_);
+  }
+  painter.drawPixmap(0, 0, drawing({shown_, near_}));
+  if (lights) {
+    // As if the color lay below the drawing, whose lines stay.
+    painter.setCompositionMode(QPainter::CompositionMode_Multiply);
+    painter.drawPixmap(0, 0, lit_drawing_);
   }
   painter.restore();
+  if (depth_mm_) drawTool(painter, tool(*depth_mm_), toolPx(), kTipPx);
+  painter.restore();
   painter.setRenderHint(QPainter::Antialiasing);
-  drawPlates(painter, rect(), plateNames());
+  if (turned_ == 1) drawPlates(painter, rect(), plateNames());
 }
 
 }  // namespace

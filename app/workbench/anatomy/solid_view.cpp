@@ -10,18 +10,11 @@
 #include <cmath>
 #include <utility>
 
-#include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/anatomy/solid.h"
 #include "app/workbench/base/theme.h"
-#include "core/base/check.h"
-#include "core/base/text.h"
 
 namespace tactus::workbench::anatomy {
-
-std::string_view uprightDrawing();
-std::string_view halfFlexedDrawing();
-std::string_view chinOnChestDrawing();
 
 namespace {
 
@@ -44,47 +37,8 @@ constexpr SolidColors kSkin{0xF4D9CB, 0xC08F78, 0.34, 0.9};
 constexpr SolidColors kRegion{0xE9A79B, 0x9C5A50, 0.5, 0.95};
 constexpr QColor kRegionLine(0x9C, 0x5A, 0x50);
 
-/// The body of the default procedure in its three postures, as pictures with an outline. Its drawings are part of the
-/// program.
-std::vector<procedure::Picture> drawnPictures(const procedure::Procedure& about) {
-  std::vector<procedure::Picture> out;
-  const fuzzy::Variable& way = about.wayInput();
-  const auto number = [](double value) { return base::formatNumber(value); };
-  std::vector<std::string> regions;
-  for (const Region region : kRegions) regions.emplace_back(idOf(region));
-  const auto pathAfter = [](std::string_view file, std::string_view mark) {
-    const auto begin = file.find(" d=\"", file.find(mark)) + 4;
-    return std::string(file.substr(begin, file.find('"', begin) - begin));
-  };
-  const std::array files = {uprightDrawing(), halfFlexedDrawing(), chinOnChestDrawing()};
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    constexpr double kStepMm = 2;
-    constexpr double kBreadthMm = 245;  // at which the head is 155 broad
-    const TubeWay line(drawnFlexionDeg(static_cast<Posture>(i)));
-    std::string d, mm;
-    for (double place = way.min; place <= way.max; place += kStepMm) {
-      const QPointF at = line.placeAt(place);
-      d += (d.empty() ? "M" : "L") + number(at.x()) + " " + number(at.y());
-      mm += number(place) + " ";
-    }
-    std::string svg = R"(<svg viewBox="-152 -168 412 620"><path id="way" data-mm=")" + mm + "\" d=\"" + d +
-                      R"("/><path id="outline" data-breadth=")" + number(kBreadthMm) + "\" d=\"" +
-                      pathAfter(files[i], "<g id=\"body\">") + "\"/>";
-    for (const std::string& id : regions)
-      svg += "<path id=\"region_" + id + "\" d=\"" + pathAfter(files[i], "id=\"region_" + id + "\"") + "\"/>";
-    auto picture = procedure::readPicture(svg + "</svg>", "drawing", way.min, way.max, regions);
-    TACTUS_CHECK(picture.has_value());
-    for (const fuzzy::Variable& input : about.inputs) {
-      if (showsPose(about, input.id) && i < input.terms.size()) picture->pose = {input.id, input.terms[i].id};
-    }
-    out.push_back(*std::move(picture));
-  }
-  return out;
-}
-
 /// The pictures from which the body can be made.
 std::vector<procedure::Picture> solidPictures(const procedure::Procedure& about) {
-  if (isDrawnHere(about)) return drawnPictures(about);
   std::vector<procedure::Picture> out;
   for (const procedure::Picture& picture : about.pictures) {
     if (!picture.outline.empty()) out.push_back(picture);
@@ -130,13 +84,14 @@ class SolidView::Scene {
     if (first) turnBack();
   }
 
-  void forget() {
+  /// Another region is lit: the body stays as it is drawn.
+  void forgetRegions() {
     for (Pane& pane : panes_) pane.drawing = {};
   }
   const Turn& turned() const { return panes_[kTurned].turn; }
   void setTurn(const Turn& turn) {
     panes_[kTurned].turn = turn;
-    panes_[kTurned].drawing = {};
+    panes_[kTurned].forget();
   }
   void turnBack() { setTurn(firstTurn(picture().front)); }
   const QRectF& place(View view) const { return panes_[view].place; }
@@ -145,7 +100,8 @@ class SolidView::Scene {
   void prepare(const QSize& size, double ratio, const std::optional<LitRange>& lit) {
     if (size != placed_) arrange(size);
     for (Pane& pane : panes_) {
-      if (pane.drawing.isNull() || pane.drawing.devicePixelRatio() != ratio) pane.drawing = drawn(pane, ratio, lit);
+      if (!pane.drawing.isNull() && pane.drawing.devicePixelRatio() != ratio) pane.forget();
+      if (pane.drawing.isNull()) pane.drawing = drawn(pane, ratio, lit);
     }
   }
 
@@ -180,6 +136,14 @@ class SolidView::Scene {
     QRectF place;      ///< in the widget
     double scale = 1;  ///< px of a unit
     QPixmap drawing;   ///< without the tool
+    // The body alone, which takes the longest to draw.
+    std::optional<Canvas> body = {};
+    std::vector<ContourLine> contour = {};
+
+    void forget() {
+      drawing = {};
+      body.reset();
+    }
   };
 
   const procedure::Picture& picture() const { return pictures_[shown_]; }
@@ -260,7 +224,7 @@ class SolidView::Scene {
       Pane& pane = panes_[view];
       pane.place = best[view].toAlignedRect().intersected(QRect(QPoint(), size));
       pane.scale = view == kTurned ? scaleIn(view, best[view]) : scale;
-      pane.drawing = {};
+      pane.forget();
     }
     placed_ = size;
   }
@@ -275,13 +239,17 @@ class SolidView::Scene {
     return {at.x, at.y};
   }
 
-  QPixmap drawn(const Pane& pane, double ratio, const std::optional<LitRange>& range) const {
+  QPixmap drawn(Pane& pane, double ratio, const std::optional<LitRange>& range) const {
     const QSize size = (pane.place.size() * ratio).toSize();
     QPixmap out(size);
     out.fill(theme::card());
     if (size.isEmpty()) return out;
-    Canvas canvas(size.width(), size.height());
     const Projection to_canvas = projection(pane, QPointF(size.width(), size.height()) / 2, ratio);
+    if (!pane.body) {
+      pane.body.emplace(size.width(), size.height());
+      pane.contour = drawSolid(*pane.body, body_, to_canvas, kSkin);
+    }
+    Canvas canvas = *pane.body;
     QPainter painter(&out);
     painter.setRenderHint(QPainter::Antialiasing);
     struct Lines {
@@ -289,7 +257,7 @@ class SolidView::Scene {
       QColor color;
       double width;
     };
-    std::vector<Lines> lines = {{drawSolid(canvas, body_, to_canvas, kSkin), kLine, kLinePx}};
+    std::vector<Lines> lines = {{pane.contour, kLine, kLinePx}};
     for (const Part& part : parts_) {
       const auto own = rangeOf(about_, part.region);
       const bool shines = range && own && own->middleMm() >= range->from_mm && own->middleMm() < range->to_mm;
@@ -332,7 +300,6 @@ SolidView::~SolidView() = default;
 
 QString SolidView::missing(const procedure::Procedure* about) {
   if (about == nullptr) return tr("There is no 3-D view: the procedure of this model is not known here.");
-  if (isDrawnHere(*about)) return {};
   if (about->pictures.empty()) return tr("There is no 3-D view: this procedure has no picture of the body.");
   const bool any = std::any_of(about->pictures.begin(), about->pictures.end(),
                                [](const procedure::Picture& picture) { return !picture.outline.empty(); });
@@ -362,7 +329,7 @@ void SolidView::setDepth(double depth_mm) {
 void SolidView::light(const std::optional<LitRange>& range) {
   if (lit_ == range) return;
   lit_ = range;
-  if (scene_ != nullptr) scene_->forget();
+  if (scene_ != nullptr) scene_->forgetRegions();
   update();
 }
 
@@ -431,7 +398,7 @@ void SolidView::drawNotes(QPainter& painter) const {
 }
 
 void SolidView::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && scene_ != nullptr) scene_->forget();
+  if (event->type() == QEvent::PaletteChange && scene_ != nullptr) scene_->forgetRegions();
   QWidget::changeEvent(event);
 }
 

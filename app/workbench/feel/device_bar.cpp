@@ -54,21 +54,21 @@ DeviceBar::DeviceBar(FeelController& feel, DeviceSearch& search, QWidget* parent
   chip_->setCheckable(true);
   chip_->setArrowType(Qt::DownArrow);
   chip_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  chip_->setToolTip(tr("Show the device and how the tube is held"));
+  chip_->setToolTip(tr("Show the device and how the tool is held"));
   keepFitted(*start_, [this] {
     start_->setMinimumWidth(start_->fontMetrics().horizontalAdvance(tr("Stopping…")) + 2 * theme::kGrid);
   });
   start_->setFocusPolicy(Qt::TabFocus);
-  grip_->setAccessibleName(tr("How to hold the tube"));
+  grip_->setAccessibleName(tr("How to hold the tool"));
   grip_->setFocusPolicy(Qt::TabFocus);
   grip_->addItem(tr("Hold"));
   grip_->addItem(tr("Latch"));
   keepFitted(*grip_, [this] {
     grip_->setMinimumWidth(grip_->fontMetrics().horizontalAdvance(tr("Latch")) + 5 * theme::kGrid);
   });
-  grip_->setItemData(0, tr("Hold the tube while the button of the device, the mouse button or Space is down"),
+  grip_->setItemData(0, tr("Hold the tool while the button of the device, the mouse button or Space is down"),
                      Qt::ToolTipRole);
-  grip_->setItemData(1, tr("Press once to hold the tube, press again to release it. No need to squeeze"),
+  grip_->setItemData(1, tr("Press once to hold the tool, press again to release it. No need to squeeze"),
                      Qt::ToolTipRole);
   zone_->setWhole();
   zone_->setRoomFor(quantityText(kFarthestZoneMm, "mm", 0) + QLatin1Char(' '));
@@ -262,7 +262,7 @@ QString DeviceBar::stateText() const {
     case FeelController::State::kOpening: return tr("Starting the device…");
     case FeelController::State::kStopping: return tr("No force. The device is stopping…");
     case FeelController::State::kTripped: return tr("Tripped: no force.");
-    case FeelController::State::kRearming: return tr("Let go of the tube, then it arms again.");
+    case FeelController::State::kRearming: return tr("Let go of the tool, then it arms again.");
     case FeelController::State::kRunning: break;
   }
   QStringList parts{feel_.isReplay() ? tr("Replaying a recording") : tr("Running"), feel_.session().priorityText()};

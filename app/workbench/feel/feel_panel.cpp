@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QScrollArea>
 #include <QVBoxLayout>
-#include <numeric>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
@@ -25,57 +24,6 @@
 #include "core/haptics/servo/sample.h"
 
 namespace tactus::workbench {
-namespace {
-
-// Deeper than the upper sphincter the tip leaves the picture of head and neck.
-constexpr double kNeckEndMm = 215;
-
-}  // namespace
-
-anatomy::Posture drawnPosture(const fuzzy::Variable& neck_flexion, double value) {
-  using anatomy::Posture;
-  const auto word = strongestTerm(neck_flexion, value);
-  if (!word)
-    return value < std::midpoint(neck_flexion.min, neck_flexion.max) ? Posture::kUpright : Posture::kChinOnChest;
-  if (*word == 0) return Posture::kUpright;
-  return *word + 1 == neck_flexion.terms.size() ? Posture::kChinOnChest : Posture::kHalfFlexed;
-}
-
-TubePicture::TubePicture(QWidget* parent) : AnatomyView(parent) {
-  setAccessibleName(tr("The tube on its way, from the side"));
-  setFont(theme::smallFont());
-  showTip();
-}
-
-void TubePicture::setRegions(std::vector<DepthRegion> regions) {
-  regions_ = std::move(regions);
-  showTip();
-}
-
-void TubePicture::setTip(double depth_mm) {
-  depth_mm_ = depth_mm;
-  showTip();
-}
-
-QString TubePicture::regionText() const {
-  const auto region = depth_mm_ > 0 ? regionAt(regions_, depth_mm_) : std::nullopt;
-  return region ? regions_[*region].label : QString();
-}
-
-void TubePicture::setNeck(anatomy::Posture posture) {
-  setPosture(posture, placed_);
-  placed_ = true;
-}
-
-void TubePicture::showTip() {
-  setDepth(depth_mm_);
-  setFraming(depth_mm_ > kNeckEndMm ? anatomy::Framing::kWhole : anatomy::Framing::kHeadAndNeck);
-  const auto region = depth_mm_ > 0 ? regionAt(regions_, depth_mm_) : std::nullopt;
-  std::optional<anatomy::LitRange> lit;
-  if (region) lit = {regions_[*region].from_mm, regions_[*region].to_mm, regions_[*region].label};
-  light(lit);
-}
-
 namespace {
 
 constexpr int kSideBySide = 540;  // px: from this width on hand and patient stand next to each other
@@ -119,7 +67,6 @@ FeelPanel::FeelPanel(SceneController& scene, FeelController& feel, QWidget* pare
       follow_(new QCheckBox(tr("Plots follow"), this)),
       legend_(new QLabel(this)),
       trace_(new ForceTracePlot(this)),
-      tube_(new TubePicture(this)),
       solid_box_(new QCheckBox(tr("3-D view"), this)),
       solid_note_(new QLabel(this)),
       solid_(new anatomy::SolidView(this)),
@@ -156,7 +103,7 @@ void FeelPanel::build() {
   large_->setToolTip(tr("Show the hand, the force and the patient in the whole window"));
   large_->hide();
   split_->setToolTip(tr("Show what makes up the force: fuzzy force, friction and limits"));
-  follow_->setToolTip(tr("Move depth and speed of all plots with the tube in the hand"));
+  follow_->setToolTip(tr("Move depth and speed of all plots with the tool in the hand"));
   follow_->setChecked(feel_.followsHand());
   solid_box_->setToolTip(tr("Show the body from the side, from the front and turned (F4)"));
   setMuted(*solid_note_);
@@ -182,9 +129,8 @@ void FeelPanel::build() {
   picture_ = new QBoxLayout(QBoxLayout::TopToBottom);
   picture_->setSpacing(theme::kGrid);
   body_place_ = new QVBoxLayout;
-  for (QWidget* part :
-       {static_cast<QWidget*>(tube_), static_cast<QWidget*>(solid_), static_cast<QWidget*>(solid_note_)})
-    body_place_->addWidget(part);
+  body_place_->addWidget(solid_);
+  body_place_->addWidget(solid_note_);
   picture_->addLayout(body_place_, 3);
   foot_ = new QHBoxLayout;
   foot_->addWidget(procedure_, 1);
@@ -258,7 +204,7 @@ void FeelPanel::arrange() {
   if (open != open_) setOpen(open);
   if (low != low_) setLow(low);
   const int least_height = open ? kOpenPicture : low ? kLowestPicture : 0;
-  tube_->setMinimumHeight(least_height);
+  least_picture_ = least_height;
   if (body_ != nullptr) body_->setMinimumHeight(least_height);
   solid_->setMinimumHeight(least_height);
   const bool room = roomy || open || low;  // a drawer has room
@@ -305,7 +251,7 @@ void FeelPanel::connectAll() {
   connect(&feel_, &FeelController::stateChanged, this, &FeelPanel::showState);
   connect(&feel_, &FeelController::advanced, this, &FeelPanel::showFelt);
   connect(&feel_, &FeelController::failed, device_, &DeviceBar::showFailure);
-  connect(&feel_, &FeelController::poseChanged, this, &FeelPanel::showNeck);
+  connect(&feel_, &FeelController::poseChanged, this, &FeelPanel::showPose);
   connect(&feel_, &FeelController::placementEnded, this, [this] { placement_->setSummary(feel_.lastPlacement()); });
   connect(&scene_, &SceneController::modelChanged, this, &FeelPanel::adoptModel);
   connect(&scene_, &SceneController::procedureChanged, this, &FeelPanel::adoptProcedure);
@@ -317,38 +263,38 @@ void FeelPanel::showRegions() {
   const auto input = fuzzy::wayOf(model.inputs);
   const auto depth = input ? std::optional(model.inputs[*input]) : std::nullopt;
   // What counts as flexed follows from the terms.
-  showNeck();
+  showPose();
   if (depth == depth_) return;
   depth_ = depth;
   regions_ = depth ? depthRegions(*depth) : std::vector<DepthRegion>();
-  tube_->setRegions(regions_);
-  placement_->setProgress(feel_.strokes(), feel_.depthMm(), tube_->regionText());
+  showTip(feel_.depthMm());
+  placement_->setProgress(feel_.strokes(), feel_.depthMm(), regionText(feel_.depthMm()));
 }
 
-void FeelPanel::showNeck() {
+void FeelPanel::showPose() {
   const auto& inputs = scene_.model()->model.inputs;
-  const auto neck = posedInput(scene_.procedure().get(), scene_.model()->model);
-  tube_->setNeck(neck ? drawnPosture(inputs[*neck], scene_.value(*neck)) : anatomy::Posture::kUpright);
-  if (!neck) return;
-  const auto word = strongestTerm(inputs[*neck], scene_.value(*neck));
+  const auto posed = posedInput(scene_.procedure().get(), scene_.model()->model);
+  if (!posed) return;
+  const auto word = strongestTerm(inputs[*posed], scene_.value(*posed));
   const auto pose =
-      word ? study::ItemCondition{inputs[*neck].id, inputs[*neck].terms[*word].id} : study::ItemCondition();
-  if (body_ != nullptr) body_->setPose(pose);
+      word ? study::ItemCondition{inputs[*posed].id, inputs[*posed].terms[*word].id} : study::ItemCondition();
+  // The body moves as the force changes; at once the first time.
+  if (body_ != nullptr) body_->setPose(pose, std::exchange(posed_, true));
   solid_->setPose(pose);
 }
 
 void FeelPanel::showBody() {
   const auto about = scene_.procedure();
-  const bool drawn_here = about != nullptr && anatomy::isDrawnHere(*about);
-  if (body_ != nullptr && (drawn_here || about == nullptr || &body_->about() != about.get())) {
+  if (body_ != nullptr && (about == nullptr || &body_->about() != about.get())) {
     delete body_;
     body_ = nullptr;
+    posed_ = false;
   }
-  if (!drawn_here && about != nullptr && body_ == nullptr) {
+  if (about != nullptr && body_ == nullptr) {
     body_ = anatomy::makeBodyView(about, this);
     body_->setFont(theme::smallFont());
     body_->setAccessibleName(tr("The tool on its way, from the side"));
-    body_->setMinimumHeight(tube_->minimumHeight());
+    body_->setMinimumHeight(least_picture_);
     body_place_->insertWidget(0, body_);
   }
   showSolid();
@@ -366,12 +312,15 @@ void FeelPanel::showSolid() {
   solid_note_->setVisible(!missing.isEmpty());
   solid_->setAbout(about);
   solid_->setVisible(shown);
-  tube_->setVisible(!shown && about != nullptr && anatomy::isDrawnHere(*about));
   if (body_ != nullptr) body_->setVisible(!shown);
 }
 
+QString FeelPanel::regionText(double depth_mm) const {
+  const auto region = depth_mm > 0 ? regionAt(regions_, depth_mm) : std::nullopt;
+  return region ? regions_[*region].label : QString();
+}
+
 void FeelPanel::showTip(double depth_mm) {
-  tube_->setTip(depth_mm);
   const auto region = depth_mm > 0 ? regionAt(regions_, depth_mm) : std::nullopt;
   std::optional<anatomy::LitRange> lit;
   if (region) lit = {regions_[*region].from_mm, regions_[*region].to_mm, regions_[*region].label};
@@ -429,7 +378,7 @@ void FeelPanel::showFelt() {
   pad_->setReading(reading);
   showTip(depth_mm);
   procedure_->setDepth(depth_mm);
-  placement_->setProgress(feel_.strokes(), depth_mm, tube_->regionText());
+  placement_->setProgress(feel_.strokes(), depth_mm, regionText(depth_mm));
   device_->showProgress();
   trace_due_ = !trace_due_;
   if (!low_ && (trace_due_ || !feel_.isRunning())) trace_->setHistory(feel_.history());

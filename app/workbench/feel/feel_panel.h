@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/anatomy/anatomy.h"
-#include "app/workbench/anatomy/anatomy_view.h"
 #include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/feel/placement.h"
 #include "app/workbench/feel/procedure.h"
@@ -338,35 +336,6 @@ class DeviceBar : public QWidget {
   bool advises_ = false;  ///< the message asks the user to push
 };
 
-// The anatomy picture of the bench: the tube at its depth, and the region of the model in which its tip is lit. The
-// regions are those of the model's depth terms, not of anatomy.
-
-/// How the neck is drawn at `value` of its flexion: the first word upright, the last chin on chest, those between half
-/// flexed.
-anatomy::Posture drawnPosture(const fuzzy::Variable& neck_flexion, double value);
-
-class TubePicture : public anatomy::AnatomyView {
-  Q_OBJECT
-
- public:
-  explicit TubePicture(QWidget* parent = nullptr);
-
-  void setRegions(std::vector<DepthRegion> regions);
-  /// Depth of the tip, mm.
-  void setTip(double depth_mm);
-  /// The region of the tip; empty in front of the nose and outside all regions.
-  QString regionText() const;
-  /// Moves the head within one second, as the force changes; at once the first time.
-  void setNeck(anatomy::Posture posture);
-
- private:
-  void showTip();
-
-  std::vector<DepthRegion> regions_;
-  double depth_mm_ = 0;
-  bool placed_ = false;  ///< the neck has a posture
-};
-
 class DeviceBar;
 class DeviceSearch;
 class DrawerButton;
@@ -378,7 +347,6 @@ class ForceTracePlot;
 class PatientControls;
 class PlacementCard;
 class ProcedurePanel;
-class TubePicture;
 class SceneController;
 class TubePad;
 
@@ -421,10 +389,12 @@ class FeelPanel : public QWidget {
   void adoptModel();
   void adoptProcedure();
   void showRegions();
-  void showNeck();
+  void showPose();
   void showBody();
   void showSolid();
   void showTip(double depth_mm);
+  /// The region of the tip; empty before the way and outside all regions.
+  QString regionText(double depth_mm) const;
   void showState();
   void showFelt();
   void showForce();
@@ -452,8 +422,9 @@ class FeelPanel : public QWidget {
   bool armed_ = false;
   std::optional<int> recorded_s_;
   std::optional<haptics::DeviceInfo> traced_on_;  ///< the device of the trace
-  TubePicture* tube_;                             ///< of the default procedure
-  anatomy::BodyView* body_ = nullptr;             ///< of another procedure
+  anatomy::BodyView* body_ = nullptr;             ///< of the shown procedure; none for an unknown one
+  bool posed_ = false;                            ///< it has a pose
+  int least_picture_ = 0;                         ///< px, its least height
   QVBoxLayout* body_place_ = nullptr;
   QCheckBox* solid_box_;
   QLabel* solid_note_;  ///< why there is no 3-D view

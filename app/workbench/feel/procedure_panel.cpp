@@ -28,7 +28,7 @@ PlacementCard::PlacementCard(QWidget* parent)
   progress_->setFont(theme::headingFont());
   summary_->setFont(theme::smallFont());
   setInk(*summary_, theme::mutedInk());
-  next_->setToolTip(tr("Take the tube out and begin again"));
+  next_->setToolTip(tr("Take the tool out and begin again"));
   keepFitted(*next_, [this] {
     next_->setMinimumWidth(next_->fontMetrics().horizontalAdvance(next_->text()) + 3 * theme::kGrid);
   });

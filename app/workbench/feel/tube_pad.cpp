@@ -32,7 +32,7 @@ TubePad::TubePad(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setAccessibleName(tr("Hand on the tube"));
+  setAccessibleName(tr("Hand on the tool"));
 }
 
 void TubePad::setReading(const Reading& reading) {
@@ -67,7 +67,7 @@ double TubePad::positionAt(double x) const {
 QString TubePad::hint() const {
   if (!reading_.running && reading_.armed) return tr("Armed: the recording begins with Start.");
   if (!reading_.running) return tr("Start, hold the button, push right.");
-  if (reading_.replay) return tr("The recorded hand moves the tube.");
+  if (reading_.replay) return tr("The recorded hand moves the tool.");
   if (!reading_.live && reading_.latch) return tr("Press once, push the device away.");
   if (!reading_.live) return tr("Hold the device, push it away.");
   if (reading_.latch && reading_.held) return tr("Push right; click or Space lets go.");

@@ -5,9 +5,11 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <cmath>
+#include <optional>
 #include <qcustomplot.h>
 #include <utility>
 
+#include "app/workbench/model/shown_procedure.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/plot_style.h"
 
@@ -16,12 +18,21 @@ namespace {
 
 constexpr double kZoomPerNotch = 1.25;
 constexpr double kNotch = 120;         // of a wheel, eighths of a degree
-constexpr double kAirwayEndMm = 250;   // the larynx and the upper sphincter lie before it
 constexpr double kPanPerNotch = 0.15;  // of the range
 constexpr double kDragFrom = 3;        // px that tell a drag from a click
 
-bool hasAirway(const fuzzy::Variable& input) {
-  return input.unit == "mm" && input.min <= 0 && input.max > kAirwayEndMm;
+/// Where the part of the way ends that most questions are about, as the picture of the procedure has it.
+std::optional<double> nearEndMm(const fuzzy::Variable& input) {
+  const ProcedurePtr& about = shownProcedure();
+  if (about == nullptr || about->pictures.empty() || about->wayInput().id != input.id) return std::nullopt;
+  const procedure::Picture& picture = about->pictures.front();
+  if (!picture.near) return std::nullopt;
+  std::size_t end = 0;
+  while (end < picture.way.size() && procedure::holds(*picture.near, picture.way[end])) ++end;
+  if (end == 0 || end == picture.way.size()) return std::nullopt;
+  constexpr double kStepMm = 10;
+  const double end_mm = std::ceil(picture.way_mm[end] / kStepMm) * kStepMm;
+  return end_mm > input.min && end_mm < input.max ? std::optional(end_mm) : std::nullopt;
 }
 
 }  // namespace
@@ -128,10 +139,12 @@ void AxisZoom::openMenu(const QPoint& global, QPointF place) {
   menu->addAction(tr("Zoom in"), this, [this, place] { zoom(place, 1 / (kZoomPerNotch * kZoomPerNotch)); });
   menu->addAction(tr("Zoom out"), this, [this, place] { zoom(place, kZoomPerNotch * kZoomPerNotch); });
   for (const Axis& axis : axes_) {
-    if (!hasAirway(axis.input)) continue;
-    menu->addAction(tr("Show the airway, 0 to 250 mm"), this, [this, input = axis.input] {
-      ranges_.show(input, {0, kAirwayEndMm});
-    });
+    const auto near_end_mm = nearEndMm(axis.input);
+    if (!near_end_mm) continue;
+    menu->addAction(tr("Show the near part, to %1 mm").arg(*near_end_mm), this,
+                    [this, input = axis.input, end = *near_end_mm] {
+                      ranges_.show(input, {input.min, end});
+                    });
   }
   menu->addSeparator();
   menu->addAction(tr("Show all"), this, &AxisZoom::showAll);

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/fuzzy/membership.h"
@@ -55,6 +56,49 @@ TEST(NasogastricTube, EverySetOfRegionsCoversTheDepth) {
   EXPECT_EQ(fuzzy::findTerm(a2, "oropharynx"), nullptr);
   EXPECT_EQ(fuzzy::findTerm(a2, "laryngopharynx")->points, (std::vector<double>{105, 125, 185, 215}));
   EXPECT_FALSE(support::findDepthTerms("seven_regions"));
+}
+
+struct Landmark {
+  double depth_mm, x, y;
+};
+
+double lengthTo(const Picture& picture, double depth_mm) {
+  double length = 0;
+  Point before = picture.way.front();
+  for (double mm = 0.25; mm <= depth_mm; mm += 0.25) {
+    const Point at = placeAt(picture, mm);
+    length += std::hypot(at.x - before.x, at.y - before.y);
+    before = at;
+  }
+  return length;
+}
+
+// Measured along the tube of the drawing by another program, given to 0.1 mm; coordinates are mm.
+TEST(NasogastricTube, TheDepthIsTheLengthOfTheDrawnWay) {
+  const Picture& upright = support::defaultProcedure().pictures.front();
+  ASSERT_EQ(upright.pose, (study::ItemCondition{"neck_flexion", "small"}));
+  for (const Landmark& mark :
+       {Landmark{0, 0, 0}, Landmark{20, 16.3, -7.8}, Landmark{64, 60, -2.3}, Landmark{70, 65.9, -1.5},
+        Landmark{94, 85.6, 10}, Landmark{115, 90.1, 30.4}, Landmark{120, 90.1, 35.4}, Landmark{150, 90.5, 65.4},
+        Landmark{175, 94.6, 90}, Landmark{200, 102, 113.9}, Landmark{290, 127.5, 200}, Landmark{365, 132.4, 274.6},
+        Landmark{415, 116, 321.5}, Landmark{440, 105.4, 343.9}, Landmark{470, 96.7, 372.5}}) {
+    const Point at = placeAt(upright, mark.depth_mm);
+    EXPECT_LT(std::hypot(at.x - mark.x, at.y - mark.y), 0.25) << mark.depth_mm;
+    EXPECT_NEAR(lengthTo(upright, mark.depth_mm), mark.depth_mm, 0.2) << mark.depth_mm;
+  }
+  EXPECT_NEAR(upright.way_mm.back(), 514, 0.5);
+  EXPECT_EQ(upright.approach.front().x, -70);  // the hand
+}
+
+// Soft palate, tip of the epiglottis, cardia: drawn lengths with the neck flexed by 33 and 66 degrees, to 1 mm.
+TEST(NasogastricTube, ALandmarkKeepsItsDepthAndTheDrawnWayToItGetsShorter) {
+  const auto& pictures = support::defaultProcedure().pictures;
+  ASSERT_EQ(pictures.size(), 3U);
+  const struct { double depth_mm, half_mm, chest_mm; } table[] = {{118, 117, 115}, {141, 138, 135}, {436, 427, 419}};
+  for (const auto& mark : table) {
+    EXPECT_NEAR(lengthTo(pictures[1], mark.depth_mm), mark.half_mm, 1.5) << mark.depth_mm;
+    EXPECT_NEAR(lengthTo(pictures[2], mark.depth_mm), mark.chest_mm, 1.5) << mark.depth_mm;
+  }
 }
 
 // Fig. 10 of the paper, as its text reads: (a) faster more, (b) the neck not flexed more, (c) less lubrication more.

@@ -114,6 +114,37 @@ TEST(Picture, AnOutlineThatIsNoneIsRefused) {
             "p.svg: data-across of the path 'way': found '1', wanted 2 numbers, one for each node of the path");
 }
 
+TEST(Picture, TheWayMayEndBeforeTheUniverse) {
+  const auto read = readPicture(svg(R"(<path id="way" data-mm="0 50" d="M0 0H10"/>)" + kRegion), "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(placeAt(*read, 25).x, 5);
+  EXPECT_EQ(placeAt(*read, 60).x, 10);
+}
+
+TEST(Picture, TheToolMayHaveAnApproachAndTheQuestionsANearPart) {
+  const std::string way = R"(<path id="way" d="M10 10H90"/>)" + kRegion;
+  const auto plain = readPicture(svg(way), "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(plain) << plain.error().message();
+  EXPECT_TRUE(plain->approach.empty());
+  EXPECT_FALSE(plain->near);
+  const std::string near = R"(<svg viewBox="0 0 100 50" data-near="5 5 40 30">)";
+  const auto read =
+      readPicture(near + R"(<path id="approach" d="M0 0L10 10"/>)" + way + "</svg>", "p.svg", 0, 60, {"a"});
+  ASSERT_TRUE(read) << read.error().message();
+  EXPECT_EQ(read->approach.size(), 2U);
+  ASSERT_TRUE(read->near);
+  EXPECT_EQ(read->near->left, 5);
+  EXPECT_EQ(read->near->width, 40);
+  EXPECT_EQ(refusal(R"(<path id="approach" d="M0 0L30 10"/>)" + way),
+            "p.svg: path 'approach': found a line that ends at 30 10, wanted one that ends where the way begins, 10 "
+            "10");
+  EXPECT_EQ(readPicture(R"(<svg viewBox="0 0 100 50" data-near="5 5 0 30">)" + way + "</svg>", "p.svg", 0, 60, {"a"})
+                .error()
+                .message(),
+            "p.svg: data-near: found '5 5 0 30', wanted four numbers: left, top, width, height of a part of the "
+            "picture");
+}
+
 TEST(Picture, WhatIsMissingIsNamed) {
   EXPECT_EQ(refusal(kRegion), "p.svg: path 'way': found no element with this id, wanted a path");
   EXPECT_EQ(refusal(R"(<path id="way" d="M0 0L1 1"/>)"),
@@ -124,10 +155,9 @@ TEST(Picture, WhatIsMissingIsNamed) {
   EXPECT_EQ(refusal(R"(<path id="way" d="M0 0A5 5 0 0 1 9 9"/>)" + kRegion),
             "p.svg: path 'way': found 'M0 0A5 5 0 0 1 9 9', wanted one line of moves, lines and curves (M, L, H, V, C, "
             "S, Q, T, Z), no arcs");
-  EXPECT_EQ(
-      refusal(R"(<path id="way" data-mm="0 61" d="M0 0L1 1"/>)" + kRegion),
-      "p.svg: data-mm of the path 'way': found '0 61', wanted 2 rising numbers from 0 to 60, one for each node of "
-      "the path");
+  EXPECT_EQ(refusal(R"(<path id="way" data-mm="0 61" d="M0 0L1 1"/>)" + kRegion),
+            "p.svg: data-mm of the path 'way': found '0 61', wanted 2 rising numbers from 0 to at most 60, one for "
+            "each node of the path");
   EXPECT_EQ(readPicture("<html/>", "p.svg", 0, 60, {}).error().message(),
             "p.svg: found no element svg, wanted an SVG picture");
   EXPECT_FALSE(readPicture("", "p.svg", 0, 60, {}));

@@ -94,7 +94,7 @@ TEST_F(FeelPanelTest, TheBodyInThreeDimensionsTakesThePlaceOfThePicture) {
   models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   QCoreApplication::processEvents();
   auto* const solid = panel.findChild<anatomy::SolidView*>();
-  auto* const flat = panel.findChild<TubePicture*>();
+  auto* const flat = panel.findChild<anatomy::BodyView*>();
   EXPECT_FALSE(solid->isVisible());  // off at first
   EXPECT_TRUE(flat->isVisible());
   QSignalSpy changes(&panel, &FeelPanel::solidChanged);

@@ -14,21 +14,7 @@
 namespace tactus::workbench {
 namespace {
 
-using anatomy::Posture;
-
 constexpr std::size_t kNeck = 1;
-
-// Small 0 0 15 35, Medium 15 35 55 75, Large 55 75 90 90: facts/domain.md, as printed in the paper.
-TEST(TubePicture, DrawsTheNeckByTheWordOfItsFlexion) {
-  const fuzzy::Variable neck = support::ngtVariables().inputs[kNeck];
-  ASSERT_EQ(neck.id, "neck_flexion");
-  EXPECT_EQ(drawnPosture(neck, 0), Posture::kUpright);
-  EXPECT_EQ(drawnPosture(neck, 20), Posture::kUpright);     // 0.75 against 0.25
-  EXPECT_EQ(drawnPosture(neck, 45), Posture::kHalfFlexed);  // 0 · 1 · 0
-  EXPECT_EQ(drawnPosture(neck, 60), Posture::kHalfFlexed);  // 0 · 0.75 · 0.25
-  EXPECT_EQ(drawnPosture(neck, 70), Posture::kChinOnChest);
-  EXPECT_EQ(drawnPosture(neck, 90), Posture::kChinOnChest);
-}
 
 using TubePictureTest = FeelTest;
 
@@ -41,7 +27,6 @@ TEST_F(TubePictureTest, TheHeadIsUpAtTheStartAsTheFirstStepSays) {
   // What is felt is what the picture shows.
   feel.start(QStringLiteral("virtual"));
   EXPECT_EQ(scene.value(kNeck), 7.5);  // the middle of what is fully small: 0 to 15
-  EXPECT_EQ(drawnPosture(scene.model()->model.inputs[kNeck], scene.value(kNeck)), Posture::kUpright);
   // A neck that the user flexed stays flexed in the next run.
   feel.setPosed(true);
   feel.stop();
@@ -85,17 +70,17 @@ TEST(HeadAtFirst, IsInThePictureAsInTheStripAndUpInTheFeelLayout) {
   bench.models.open(folder.write(support::s4FiveRegions(), QStringLiteral("ngt.tactus.json")));
   bench.window.enter(Stage::kTune);
   tests::settle(bench.window);
-  const auto* picture = bench.views.feel->findChild<TubePicture*>();
+  const auto* picture = bench.views.feel->findChild<anatomy::BodyView*>();
   EXPECT_EQ(bench.scene.value(kNeck), 60);
-  EXPECT_EQ(picture->posture(), Posture::kHalfFlexed);
+  EXPECT_EQ(picture->pose().term, "medium");
 
   bench.window.enterLayout(feelLayout());
   tests::settle(bench.window);
   EXPECT_EQ(bench.scene.value(kNeck), 7.5);
-  EXPECT_EQ(picture->posture(), Posture::kUpright);
+  EXPECT_EQ(picture->pose().term, "small");
   // A neck that the user flexed stays so.
   bench.scene.setValue(kNeck, 90);
-  EXPECT_EQ(picture->posture(), Posture::kChinOnChest);
+  EXPECT_EQ(picture->pose().term, "large");
   bench.window.leaveLayout();
   bench.window.enterLayout(feelLayout());
   EXPECT_EQ(bench.scene.value(kNeck), 90);

@@ -24,6 +24,7 @@
 #include "core/procedure/procedure.h"
 #include "core/store/study_records.h"
 
+#include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
 
 namespace tactus::workbench {
@@ -111,7 +112,16 @@ TEST_F(DepthLabTest, ADraggedBoundaryMovesTheTerms) {
 
 // facts/participant.md 1.4: the landmarks of the drawing, mm, at their depths.
 TEST_F(DepthLabTest, TheExampleHasItsDepthsWithinAMillimeter) {
-  const ExampleImage example = exampleImage();
+  const auto drawn = exampleImage(*procedure::defaultProcedure());
+  ASSERT_TRUE(drawn);
+  const ExampleImage& example = *drawn;
+  // Of any procedure with a picture whose way is as long as it says.
+  EXPECT_TRUE(exampleImage(*procedure::builtIn("male-urethral-catheter")));
+  auto bent = *procedure::defaultProcedure();
+  bent.pictures.front().way_mm[bent.pictures.front().way_mm.size() / 2] += 20;
+  EXPECT_FALSE(exampleImage(bent));
+  bent.pictures.clear();
+  EXPECT_FALSE(exampleImage(bent));
   const auto way = elicitation::TubePath::through(example.path, example.mm_per_px);
   ASSERT_TRUE(way);
   EXPECT_NEAR(example.mm_per_px, 0.33, 0.001);
@@ -313,6 +323,40 @@ TEST_F(DepthLabTest, TheModelTakesTheMeasuredDepthsOnlyOnRequest) {
   settle();
 }
 
+// The study of the demo has answers, so a change of its depths has a price.
+TEST(DepthPrice, TheNextMeasurementHasItsPriceBesideTheTermsOfBefore) {
+  QTemporaryDir folder;
+  StudyConnection study;
+  LabData data(study);
+  SettingsPrice price(data);
+  DepthLab lab(data, [] { return QStringLiteral("tester"); });
+  LabScreen screen(data);
+  auto* const view = new DepthLabView(lab, price);
+  screen.addLab(QStringLiteral("Depth"), view, &lab);
+  screen.resize(1200, 700);
+  screen.show();
+  study.open(tests::demoStudyIn(folder));
+  data.hold(lab);
+  ASSERT_TRUE(comesTrue([&] { return data.study() != nullptr; }));
+  view->showExample();
+  lab.setDepthsFrom(elicitation::DepthsFrom::kMeasured);
+  price.setSeen(true);
+  QTest::qWait(SettingsPrice::kTogetherMs + 100);  // what follows sooner is one change with this one
+  const std::vector<fuzzy::Term> before = lab.terms().terms;
+  auto wanted = lab.measurement();
+  wanted.scale = 0.93;
+  lab.show(wanted);
+  lab.commit(QStringLiteral("scale"));
+  ASSERT_TRUE(comesTrue([&] { return price.sentence().contains(QStringLiteral("at most")); }))
+      << price.sentence().toStdString();
+  EXPECT_TRUE(price.sentence().contains(QStringLiteral("measured depths"))) << price.sentence().toStdString();
+  // The form asks about five regions, of which the esophagus reaches the end; the others are as they were measured.
+  const auto former = price.formerTerms(lab.depth().id);
+  ASSERT_EQ(former.size(), 5U);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(former[i], before[i]) << before[i].id;
+  ASSERT_TRUE(comesTrue([&] { return !study.isBusy(); }));
+}
+
 // 0.38696 * 52.5 = 20.3154, plus 30.37 or 36.37 cm; the target is 47 to 54 cm with the template's sphincter at 44 cm.
 TEST_F(DepthLabTest, ATypedLengthGivesThreeFormulasAndIsStored) {
   auto* const page = view->findChild<LengthPage*>();
@@ -355,8 +399,11 @@ TEST_F(DepthLabTest, MeasuresTheWayOfAnotherProcedure) {
       return label->isVisible() && label->text().startsWith(QStringLiteral("Prostate |"));
     });
   }));
-  for (const QPushButton* button : view->findChildren<QPushButton*>())
-    EXPECT_FALSE(button->isVisible() && button->text().contains(QStringLiteral("example")));
+  // Its picture is an example too.
+  const auto buttons = view->findChildren<QPushButton*>();
+  EXPECT_TRUE(std::any_of(buttons.begin(), buttons.end(), [](const QPushButton* button) {
+    return button->isVisible() && button->text().remove(QLatin1Char('&')).contains(QStringLiteral("example"));
+  }));
   auto wanted = lab.measurement();
   wanted.boundaries[0].depth_mm += 2;
   lab.show(wanted);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "app/workbench/anatomy/anatomy_view.h"
+#include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/features/features.h"
 #include "app/workbench/feel/feel_panel.h"
@@ -127,7 +127,7 @@ TEST_F(SearchTest, TheFeelLayoutIsForFeelingAloneAndLeadsBack) {
   for (const Panel* panel : bench.window.panels().panels()) {
     EXPECT_EQ(panel->isVisible(), panel == bench.panels.feel) << panel->objectName().toStdString();
   }
-  const auto* picture = bench.views.feel->findChild<anatomy::AnatomyView*>();
+  const auto* picture = bench.views.feel->findChild<anatomy::BodyView*>();
   ASSERT_NE(picture, nullptr);
   EXPECT_GE(picture->height(), 320);
   // All of it is on the screen.

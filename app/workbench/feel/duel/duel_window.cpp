@@ -353,7 +353,7 @@ QString DuelWindow::instruction() const {
   switch (duel_.state()) {
     case State::kStarting: return tr("The device starts…");
     case State::kLetGo: return tr("%1: let go, and take the hand back.").arg(which);
-    case State::kPush: return tr("%1: hold the tube and push to the end, with the line.").arg(which);
+    case State::kPush: return tr("%1: hold the tool and push to the end, with the line.").arg(which);
     case State::kRest: return tr("Rest your hand. Go on when you like.");
     case State::kInterrupted: return tr("The device has stopped. Nothing is lost.");
     case State::kQuestion: break;

@@ -30,7 +30,7 @@ constexpr int kNamePad = 10;   // px beside a name, on both sides together
 DepthCanvas::DepthCanvas(DepthLab& lab, QWidget* parent) : QWidget(parent), lab_(lab) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setAccessibleName(tr("Image with the way of the tube"));
+  setAccessibleName(tr("Image with the way of the tool"));
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   connect(&lab_, &DepthLab::measurementChanged, this, [this] { update(); });
 }
@@ -223,10 +223,8 @@ void DepthCanvas::paintEvent(QPaintEvent* /*event*/) {
   if (image_.isNull()) {
     painter.setPen(theme::mutedInk());
     painter.drawText(rect().adjusted(40, 0, -40, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                     lab_.isOfPaper() ? tr("Load a sagittal image, or look at the example. Then click along the way of "
-                                           "the tube, from the nostril to the stomach.")
-                                      : tr("Load a sagittal image. Then click along the way, from the entry to the "
-                                           "end."));
+                     tr("Load a sagittal image, or look at the example if there is one. Then click along the way, "
+                        "from the entry to the end."));
     return;
   }
   painter.drawImage(QRectF(origin_, QSizeF(image_.width() * zoom_, image_.height() * zoom_)), image_);

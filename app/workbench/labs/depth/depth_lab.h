@@ -38,9 +38,9 @@ class DepthLab : public UndoSource {
   const fuzzy::Variable& terms() const { return terms_; }
   const QString& problem() const { return problem_; }
   bool isOpen() const { return data_.connection().isOpen(); }
-  /// Whether the study is about nasogastric tubes, for which the program has a drawing in millimeters and the formulas
-  /// of the bedside.
-  bool isOfPaper() const { return data_.connection().procedure() == procedure::defaultProcedure(); }
+  const session::ProcedurePtr& about() const { return data_.connection().procedure(); }
+  /// Whether the study is about nasogastric tubes, for which there are formulas of the bedside.
+  bool isOfPaper() const { return about() == procedure::defaultProcedure(); }
   /// Which depths the study's model has. `setDepthsFrom` is a setting of the labs, not of the measurement.
   elicitation::DepthsFrom depthsFrom() const { return data_.settings().depths; }
   void setDepthsFrom(elicitation::DepthsFrom from);
@@ -53,7 +53,7 @@ class DepthLab : public UndoSource {
   void commit(const QString& what);
   /// Takes another image; the way and the boundaries begin anew. `mm_per_px`: its scale where it is known.
   void setImage(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px = std::nullopt);
-  /// The program's own anatomy drawing, with the tube's way in it.
+  /// The picture of the procedure, with the way in it.
   void setExample(double mm_per_px, std::vector<elicitation::ImagePoint> path);
 
   bool canUndo() const override { return done_ > 0; }

@@ -7,18 +7,18 @@
 #include <QImageReader>
 #include <QInputDialog>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStandardItemModel>
 #include <QStringList>
+#include <QSvgRenderer>
 #include <QTabWidget>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "app/workbench/anatomy/anatomy.h"
-#include "app/workbench/anatomy/anatomy_drawing.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/file_dialog.h"
 #include "app/workbench/base/theme.h"
@@ -154,8 +154,9 @@ namespace {
 
 constexpr int kMostPixels = 40'000;  // of a side: beyond that no screen helps
 constexpr int kMostMegabytes = 512;  // decoded: the paper's image needs 25
-constexpr double kDrawingHeightMm = 620;
-constexpr double kClickMm = 15;  // between two points of the example's way
+constexpr int kMostExamplePixels = 4000;
+constexpr double kScaleMm = 5;   // a picture whose way is off by more is no measure
+constexpr double kClickMm = 12;  // between two points of the example's way
 
 // Of either order of bytes.
 bool isTiff(const QByteArray& bytes) {
@@ -201,20 +202,52 @@ QString imagePatterns() {
   return patterns.join(QLatin1Char(' '));
 }
 
-ExampleImage exampleImage() {
-  using namespace anatomy;
-  const int height = static_cast<int>(std::lround(kDrawingHeightMm / elicitation::kVisibleHumanMmPerPx));
-  const QSize size(height * 2 / 3, height);
-  const QRectF frame = frameOf(Framing::kWhole, Posture::kUpright, size);
-  AnatomyDrawing drawing;
-  ExampleImage out{
-      drawing.pixmap(Posture::kUpright, Framing::kWhole, size, 1).toImage(), frame.width() / size.width(), {}};
-  const TubeWay way(0);
-  const int clicks = static_cast<int>(std::ceil(way.endMm() / kClickMm));
+namespace {
+
+// Pixels of the example for a unit of the picture, whose way must be as long as it says.
+std::optional<double> exampleScale(const procedure::Procedure& about) {
+  if (about.pictures.empty()) return std::nullopt;
+  const procedure::Picture& picture = about.pictures.front();
+  const auto& mm = picture.way_mm;
+  double drawn = 0;
+  std::vector<double> lengths;
+  for (std::size_t i = 0; i < picture.way.size(); ++i) {
+    const procedure::Point& at = picture.way[i];
+    const procedure::Point& before = picture.way[i == 0 ? 0 : i - 1];
+    lengths.push_back(drawn += std::hypot(at.x - before.x, at.y - before.y));
+  }
+  const double mm_per_unit = (mm.back() - mm.front()) / drawn;
+  for (std::size_t i = 0; i < mm.size(); ++i) {
+    if (std::abs(mm.front() + mm_per_unit * lengths[i] - mm[i]) > kScaleMm) return std::nullopt;
+  }
+  const double scale = mm_per_unit / elicitation::kVisibleHumanMmPerPx;
+  return scale * std::max(picture.width, picture.height) < kMostExamplePixels ? std::optional(scale) : std::nullopt;
+}
+
+}  // namespace
+
+bool hasExample(const procedure::Procedure& about) { return exampleScale(about).has_value(); }
+
+std::optional<ExampleImage> exampleImage(const procedure::Procedure& about) {
+  const auto scale = exampleScale(about);
+  if (!scale) return std::nullopt;
+  const procedure::Picture& picture = about.pictures.front();
+  const auto& mm = picture.way_mm;
+  const double px_per_unit = *scale;
+  const QSize size(static_cast<int>(std::lround(picture.width * px_per_unit)),
+                   static_cast<int>(std::lround(picture.height * px_per_unit)));
+  ExampleImage out{QImage(size, QImage::Format_ARGB32_Premultiplied), elicitation::kVisibleHumanMmPerPx, {}};
+  out.image.fill(Qt::transparent);
+  QPainter painter(&out.image);
+  const std::string& svg = about.files.at(picture.file);
+  QSvgRenderer(QByteArray(svg.data(), static_cast<qsizetype>(svg.size()))).render(&painter);
+  const double way_mm = mm.back() - mm.front();
+  const int clicks = static_cast<int>(std::ceil(way_mm / kClickMm));
   for (int i = 0; i <= clicks; ++i) {
-    const QPointF place = (way.placeAt(way.endMm() * i / clicks) - frame.topLeft()) / out.mm_per_px;
+    const procedure::Point at = procedure::placeAt(picture, mm.front() + way_mm * i / clicks);
     // As a click is: a whole pixel.
-    out.path.push_back({std::round(place.x()), std::round(place.y())});
+    out.path.push_back(
+        {std::round((at.x - picture.left) * px_per_unit), std::round((at.y - picture.top) * px_per_unit)});
   }
   return out;
 }
@@ -356,9 +389,10 @@ void DepthLabView::take(const QByteArray& bytes, const QString& name, std::optio
 }
 
 void DepthLabView::showExample() {
-  ExampleImage example = exampleImage();
+  auto example = exampleImage(*lab_.about());
+  if (!example) return;
   takeBackError(*this);
-  lab_.setExample(example.mm_per_px, std::move(example.path));
+  lab_.setExample(example->mm_per_px, std::move(example->path));
 }
 
 void DepthLabView::askLength(const elicitation::ImagePoint& one, const elicitation::ImagePoint& other) {
@@ -381,7 +415,8 @@ void DepthLabView::askLength(const elicitation::ImagePoint& one, const elicitati
 
 void DepthLabView::followImage() {
   if (lab_.measurement().example) {
-    canvas_->setImage(exampleImage().image);
+    const auto example = exampleImage(*lab_.about());
+    canvas_->setImage(example ? example->image : QImage());
     return;
   }
   if (lab_.image().isEmpty()) {

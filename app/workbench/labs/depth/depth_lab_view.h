@@ -78,13 +78,15 @@ base::Result<QImage> readImage(const QByteArray& bytes, const QString& name);
 /// The name patterns of the images that can be read, for a file dialog.
 QString imagePatterns();
 
-/// The program's own anatomy drawing without the tube, and the way of the tube in it.
+/// The first picture of a procedure, and the way in it.
 struct ExampleImage {
   QImage image;
   double mm_per_px;
   std::vector<elicitation::ImagePoint> path;
 };
-ExampleImage exampleImage();
+/// Nothing if the procedure has no picture, or one whose way is not true to scale.
+std::optional<ExampleImage> exampleImage(const procedure::Procedure& about);
+bool hasExample(const procedure::Procedure& about);
 
 class DepthLabView : public LabView {
   Q_OBJECT

@@ -11,6 +11,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"
+#include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/frame/lab_card.h"
 
 namespace tactus::workbench {
@@ -141,7 +142,7 @@ void DepthSettingsPanel::fillBoundaries() {
             [this, k, row] { setBoundary(k, lab_.measurement().boundaries[k].depth_mm, row.overlap->exact()); });
     rows_.push_back(row);
   }
-  example_->setVisible(lab_.isOfPaper());
+  example_->setVisible(hasExample(*lab_.about()));
   refreshState();
 }
 

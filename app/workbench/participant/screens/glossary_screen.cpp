@@ -86,25 +86,32 @@ void GlossaryPage::addWay(const Phrase& word) {
   addColumn(word, view, true);
 }
 
-void GlossaryPage::addInset(const Phrase& word, anatomy::Inset inset) {
-  addColumn(word, new anatomy::InsetView(inset, this), true);
+void GlossaryPage::addOtherViews(bool of_regions) {
+  const procedure::Procedure& about = *look_.about();
+  for (const procedure::OtherView& view : about.other_views) {
+    if (view.of_regions != of_regions) continue;
+    const std::string& svg = about.files.at(view.file);
+    addColumn(phrase(QString::fromStdString(view.word)),
+              new anatomy::InsetView(QByteArray(svg.data(), static_cast<qsizetype>(svg.size())), this), true);
+  }
 }
 
 GlossaryScreen::GlossaryScreen(const Look& look, QWidget* parent)
     : ScreenFrame(look, parent), pages_(new QStackedWidget(this)) {
   const procedure::Procedure& about = *look.about();
-  // The drawings of the program show it from other sides too.
-  const bool drawn = anatomy::isDrawnHere(about);
+  // The picture says from where it is, where others stand beside it.
+  const bool has_others = std::any_of(about.other_views.begin(), about.other_views.end(),
+                                      [](const procedure::OtherView& view) { return !view.of_regions; });
   GlossaryPage* start = addPage(phrase(QStringLiteral("q.instructions")), TextRole::kBody);
-  start->addWay(drawn ? phrase(QStringLiteral("glo.from_side")) : Phrase{});
-  if (drawn) start->addInset(phrase(QStringLiteral("glo.from_front")), anatomy::Inset::kFront);
+  start->addWay(has_others ? phrase(QStringLiteral("glo.from_side")) : Phrase{});
+  start->addOtherViews(false);
   GlossaryPage* force = addPage(phrase(QStringLiteral("glo.force")));
   for (const Answer& word : questionWords(look)) {
     if (!word.apart) force->addPicture(word.word, word.picture);
   }
   GlossaryPage* way = addPage(phrase(QStringLiteral("glo.way")));
   way->addRegions();
-  if (drawn) way->addInset(phrase(QStringLiteral("glo.from_behind")), anatomy::Inset::kBehind);
+  way->addOtherViews(true);
   for (std::size_t i = 0; i < about.inputs.size(); ++i) {
     if (i != about.way()) addWords(about.inputs[i]);
   }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "app/workbench/anatomy/body_view.h"
-#include "app/workbench/anatomy/inset_view.h"
 #include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
@@ -28,7 +27,8 @@ class GlossaryPage : public QWidget {
   void addRegions();
   /// The whole way, with the tool at its end.
   void addWay(const Phrase& word);
-  void addInset(const Phrase& word, anatomy::Inset inset);
+  /// The other views of the body that the pack has, beside the regions or beside the whole way.
+  void addOtherViews(bool of_regions);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
