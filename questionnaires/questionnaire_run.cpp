@@ -15,14 +15,24 @@ std::string_view name(ItemOrder order) noexcept {
     case ItemOrder::kFixed: return "fixed";
     case ItemOrder::kShuffled: return "shuffled";
     case ItemOrder::kWithinBlocks: return "within_blocks";
+    case ItemOrder::kLeastKnown: return "least_known";
+    case ItemOrder::kLeastKnownInBlocks: return "least_known_in_blocks";
   }
   return "";
 }
 
+namespace {
+
+bool followsAnswers(ItemOrder order) {
+  return order == ItemOrder::kLeastKnown || order == ItemOrder::kLeastKnownInBlocks;
+}
+
+}  // namespace
+
 std::vector<std::size_t> itemOrder(std::span<const Question> questions, ItemOrder order, std::uint64_t seed) {
   std::vector<std::size_t> places(questions.size());
   std::iota(places.begin(), places.end(), std::size_t{0});
-  if (order == ItemOrder::kFixed) return places;
+  if (order == ItemOrder::kFixed || followsAnswers(order)) return places;
   base::Random random(seed);
   std::size_t first = 0;
   while (first < places.size()) {
@@ -46,7 +56,38 @@ using base::Result;
 using Status = study::Answer::Status;
 
 QuestionnaireRun::QuestionnaireRun(Questionnaire form, ItemOrder order, std::uint64_t seed)
-    : form_(std::move(form)), order_(itemOrder(form_.questions, order, seed)), records_(form_.questions.size()) {}
+    : form_(std::move(form)),
+      item_order_(order),
+      order_(itemOrder(form_.questions, order, seed)),
+      decided_(followsAnswers(order) ? 0 : order_.size()),
+      reasons_(order_.size()),
+      records_(form_.questions.size()) {}
+
+void QuestionnaireRun::chooseBy(ChooseNext choose) {
+  choose_ = std::move(choose);
+  decide();
+}
+
+// The question after the last reply, once it is to be shown.
+void QuestionnaireRun::decide() {
+  if (!choose_ || decided_ > furthest_ || decided_ == order_.size()) return;
+  const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(decided_);
+  std::vector<std::size_t> open(begin, order_.end());
+  if (item_order_ == ItemOrder::kLeastKnownInBlocks) {
+    const int block = form_.questions[open.front()].block;
+    std::erase_if(open, [&](std::size_t question) { return form_.questions[question].block != block; });
+  }
+  std::vector<std::string> values(form_.questions.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const study::AnswerRecord* const last = lastOf(i);
+    if (last != nullptr && last->status == Status::kAnswered) values[i] = last->value;
+  }
+  const Chosen chosen = choose_(values, open);
+  const auto at = std::find(begin, order_.end(), chosen.question);
+  TACTUS_CHECK(at != order_.end());
+  std::rotate(begin, at, at + 1);
+  reasons_[decided_++] = chosen.reason;
+}
 
 const study::AnswerRecord* QuestionnaireRun::lastOf(std::size_t place) const {
   return records_[place].empty() ? nullptr : &records_[place].back();
@@ -60,7 +101,7 @@ bool QuestionnaireRun::needsReply(std::size_t place) const {
 std::optional<Page> QuestionnaireRun::page() const {
   if (isAtEnd()) return std::nullopt;
   const std::size_t place = order_[at_];
-  return Page{&form_.questions[place], at_ + 1, order_.size(), lastOf(place)};
+  return Page{&form_.questions[place], at_ + 1, order_.size(), lastOf(place), reasons_[at_]};
 }
 
 Result<void> QuestionnaireRun::checkValue(Status status, const std::string& value) const {
@@ -121,9 +162,15 @@ Result<void> QuestionnaireRun::add(const study::AnswerRecord& record) {
   }
   records_[place].push_back(record);
 
-  const auto shown = static_cast<std::size_t>(std::find(order_.begin(), order_.end(), place) - order_.begin());
+  const auto found = std::find(order_.begin(), order_.end(), place);
+  auto shown = static_cast<std::size_t>(found - order_.begin());
+  if (shown >= decided_) {  // a stored record, of the question that was asked next
+    std::rotate(order_.begin() + static_cast<std::ptrdiff_t>(decided_), found, found + 1);
+    shown = decided_++;
+  }
   furthest_ = std::max(furthest_, shown + 1);
   at_ = record.status == Status::kCleared ? shown : furthest_;
+  decide();
   return {};
 }
 

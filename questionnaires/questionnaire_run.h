@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,14 +21,27 @@ enum class ItemOrder {
   kFixed,         ///< as in the form
   kShuffled,      ///< random, from a seed
   kWithinBlocks,  ///< random within each block of the form (Question::block), from a seed; the blocks as in the form
+  kLeastKnown,    ///< next what the answers so far tell least about (QuestionnaireRun::chooseBy)
+  kLeastKnownInBlocks,  ///< the same within each block; the blocks as in the form
 };
+inline constexpr ItemOrder kItemOrders[] = {ItemOrder::kFixed, ItemOrder::kShuffled, ItemOrder::kWithinBlocks,
+                                            ItemOrder::kLeastKnown, ItemOrder::kLeastKnownInBlocks};
 
-/// `fixed`, `shuffled`, `within_blocks`.
+/// `fixed`, `shuffled`, `within_blocks`, `least_known`, `least_known_in_blocks`.
 std::string_view name(ItemOrder order) noexcept;
 
-/// The indices of `questions` in display order. Of those that are drawn every order is equally likely (Fisher and
-/// Yates), and the same seed gives the same order on every machine.
+/// The indices of `questions` in display order, as far as it does not follow from answers: then as in the form. Of
+/// those that are drawn every order is equally likely (Fisher and Yates), and the same seed gives the same order on
+/// every machine.
 std::vector<std::size_t> itemOrder(std::span<const Question> questions, ItemOrder order, std::uint64_t seed);
+
+/// Why a question is asked now: of what is unknown of the force, its answer removes the most.
+struct Reason {
+  double share = 0;      ///< of the variance of the force that its answer would remove, [0, 1]
+  double unknown_n = 0;  ///< standard deviation of the force before it, N
+
+  bool operator==(const Reason&) const = default;
+};
 
 /// The content of a screen.
 struct Page {
@@ -35,6 +49,7 @@ struct Page {
   std::size_t position = 0;                          ///< from 1, in the order shown
   std::size_t count = 0;                             ///< questions of the form
   const study::AnswerRecord* last_answer = nullptr;  ///< the last answer to this question; null if there is none
+  std::optional<Reason> reason = {};                 ///< of an order that follows from the answers
 };
 
 /// The progress of a participant. The five numbers sum to the number of questions.
@@ -63,6 +78,17 @@ struct Reply {
 class QuestionnaireRun {
  public:
   QuestionnaireRun(Questionnaire form, ItemOrder order, std::uint64_t seed);
+
+  /// The question to ask next, one of `open`: indices into the questions of the form. `values`: of each question the
+  /// value of its answer; empty without one.
+  struct Chosen {
+    std::size_t question = 0;
+    Reason reason;
+  };
+  using ChooseNext = std::function<Chosen(const std::vector<std::string>& values, std::span<const std::size_t> open)>;
+  /// From here on `choose` decides, if the order is one that follows from the answers. To be given after the stored
+  /// records were added: their order is the one in which the questions were asked.
+  void chooseBy(ChooseNext choose);
 
   /// The current page; nothing after the last one.
   std::optional<Page> page() const;
@@ -110,7 +136,13 @@ class QuestionnaireRun {
   base::Result<void> checkValue(study::Answer::Status status, const std::string& value) const;
 
   Questionnaire form_;
+  void decide();
+
+  ItemOrder item_order_;
+  ChooseNext choose_;
   std::vector<std::size_t> order_;                         ///< indices into form_.questions in display order
+  std::size_t decided_ = 0;                                ///< so many of `order_` stay
+  std::vector<std::optional<Reason>> reasons_;             ///< of each place of `order_`
   std::vector<std::vector<study::AnswerRecord>> records_;  ///< per question of the form
   std::size_t at_ = 0;                                     ///< index into order_
   std::size_t furthest_ = 0;                               ///< index after the last page with a reply

@@ -1,7 +1,6 @@
 #include "app/session/session.h"
 
 #include <algorithm>
-#include <chrono>
 #include <utility>
 
 #include "app/session/judged_forces.h"
@@ -55,14 +54,7 @@ std::vector<Note> notesOf(const study::RecordId& record, const std::optional<Ans
 
 }  // namespace
 
-SessionTools systemTools() {
-  const auto now = [] {
-    using namespace std::chrono;
-    return study::Moment{duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count(),
-                         duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count()};
-  };
-  return {now, study::RecordIds()};
-}
+SessionTools systemTools() { return {study::momentNow, study::RecordIds()}; }
 
 Session::Session(std::unique_ptr<SessionState> state) : state_(std::move(state)) {}
 Session::Session(Session&&) noexcept = default;
@@ -256,8 +248,11 @@ Result<void> Session::reply(const questionnaires::Reply& reply, double response_
   record.response_s = response_s;
   auto after = *state_->form;
   if (auto ok = after.add(record); !ok) return ok;
+  auto notes = notesOf(record.entry.id, input, responseMark(response_s));
+  const auto reason = state_->form->page()->reason;
+  if (reason && !supersedes) notes.push_back(questionChosen(record.entry.id, *reason));
   return state_->store(
-      record, [&] { state_->form = std::move(after); }, notesOf(record.entry.id, input, responseMark(response_s)));
+      record, [&] { state_->form = std::move(after); }, notes);
 }
 
 void Session::back() {

@@ -145,6 +145,12 @@ Note answerInput(const study::RecordId& record, const AnswerInput& input) {
   return note(kAnswerInput, json);
 }
 
+Note questionChosen(const study::RecordId& record, const questionnaires::Reason& reason) {
+  auto json = object();
+  json.key("record").value(toText(record)).key("share").value(reason.share).key("unknown_n").value(reason.unknown_n);
+  return note("question_chosen", json);
+}
+
 Note wouldStop(const study::RecordId& judgement, bool would_stop) {
   auto json = object();
   json.key("record").value(toText(judgement)).key("stop").value(would_stop);

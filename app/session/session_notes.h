@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/study/record_id.h"
 #include "core/study/session_records.h"
+#include "questionnaires/questionnaire_run.h"
 
 namespace tactus::session {
 
@@ -76,6 +77,9 @@ struct AnswerInput {
 base::Result<void> validate(const AnswerInput& input);
 /// `record`: the judgement or the answer.
 Note answerInput(const study::RecordId& record, const AnswerInput& input);
+
+/// Why the question of an answer was asked then, in an order that follows from the answers.
+Note questionChosen(const study::RecordId& record, const questionnaires::Reason& reason);
 
 /// Whether the participant would stop at the force of a judgement (procedure::Procedure::stop_question).
 /// `judgement`: the record of the judgement.

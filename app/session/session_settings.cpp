@@ -44,7 +44,7 @@ template <>
 constexpr std::array kAll<SpeedSettings::Order> = {SpeedSettings::Order::kAsGiven, SpeedSettings::Order::kShuffled,
                                                    SpeedSettings::Order::kLatinSquare};
 template <>
-constexpr std::array kAll<ItemOrder> = {ItemOrder::kFixed, ItemOrder::kShuffled, ItemOrder::kWithinBlocks};
+constexpr auto kAll<ItemOrder> = std::to_array(questionnaires::kItemOrders);
 template <>
 constexpr std::array kAll<VirtualStrokes> = {VirtualStrokes::kPractice, VirtualStrokes::kAccepted};
 template <>

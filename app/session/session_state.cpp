@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "app/session/session_notes.h"
@@ -11,6 +12,7 @@
 #include "core/base/json/json_members.h"
 #include "core/store/entries.h"
 #include "core/store/sessions.h"
+#include "elicitation/rules/question_value.h"
 #include "experiments/force_series.h"
 #include "questionnaires/questionnaire.h"
 
@@ -231,6 +233,37 @@ Result<void> SessionRecords::makeProtocols(const store::StudyFile& file) {
   return {};
 }
 
+namespace {
+
+/// Asks next what tells most about the force; null for an order that does not follow from the answers, and for a form
+/// without rules.
+questionnaires::QuestionnaireRun::ChooseNext leastKnown(const SessionSettings& settings) {
+  using questionnaires::ItemOrder;
+  if (settings.item_order != ItemOrder::kLeastKnown && settings.item_order != ItemOrder::kLeastKnownInBlocks) return {};
+  const procedure::Procedure& about = settings.about();
+  const study::Form* const form = about.form(settings.form);
+  if (form == nullptr) return {};
+  auto belief = elicitation::AnswerBelief::make(about, *form);
+  if (!belief) return {};
+  std::vector<std::string> terms;
+  for (const fuzzy::Term& term : about.output.terms) terms.push_back(term.id);
+  return
+      [belief = *std::move(belief), terms](const std::vector<std::string>& values, std::span<const std::size_t> open) {
+        std::vector<std::optional<std::size_t>> words(values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          const auto term = std::find(terms.begin(), terms.end(), values[i]);
+          if (term != terms.end()) words[i] = static_cast<std::size_t>(term - terms.begin());
+        }
+        const elicitation::ForceKnown known = belief.known(words);
+        const auto best = *std::max_element(open.begin(), open.end(), [&](std::size_t one, std::size_t other) {
+          return known.shares[one] < known.shares[other];
+        });
+        return questionnaires::QuestionnaireRun::Chosen{best, {known.shares[best], known.sd_n}};
+      };
+}
+
+}  // namespace
+
 Result<void> SessionRecords::makeForm(const store::StudyFile& file, std::uint64_t seed,
                                       const store::Selection& history) {
   TACTUS_TRY(auto worded, questionnaires::questionnaire(settings.about(), settings.form, record.language));
@@ -239,6 +272,7 @@ Result<void> SessionRecords::makeForm(const store::StudyFile& file, std::uint64_
   for (const auto& answer : answers) {
     if (auto ok = form->add(answer); !ok) return ok;
   }
+  if (auto choose = leastKnown(settings)) form->chooseBy(std::move(choose));
   return {};
 }
 

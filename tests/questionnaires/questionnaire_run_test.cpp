@@ -1,8 +1,10 @@
 #include "questionnaires/questionnaire_run.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
+#include <span>
 
 #include "core/base/random.h"
 
@@ -245,6 +247,61 @@ TEST(QuestionnaireRun, GoesOnFromStoredRecords) {
       for (int number = 1; number <= 4; ++number) EXPECT_EQ(again.history(number), desk.run.history(number));
     }
   }
+}
+
+/// The last open question, and the first one after an answer `b`.
+QuestionnaireRun::Chosen byTheAnswers(const std::vector<std::string>& values, std::span<const std::size_t> open) {
+  const bool said_b = std::find(values.begin(), values.end(), "b") != values.end();
+  return {said_b ? open.front() : open.back(), {0.25, static_cast<double>(open.size())}};
+}
+
+TEST(QuestionnaireRun, TheNextQuestionFollowsFromTheAnswers) {
+  Desk desk(ItemOrder::kLeastKnown);
+  desk.run.chooseBy(byTheAnswers);
+  EXPECT_EQ(desk.shown(), 4);
+  EXPECT_EQ(desk.run.page()->reason, (Reason{0.25, 4}));
+  ASSERT_TRUE(desk.say("b"));
+  EXPECT_EQ(desk.shown(), 1);
+  EXPECT_EQ(desk.run.page()->position, 2U);
+  // A correction does not move what was asked; the rest follows from the new answer.
+  desk.run.back();
+  EXPECT_EQ(desk.shown(), 4);
+  ASSERT_TRUE(desk.say("a"));
+  EXPECT_EQ(desk.shown(), 1);
+  ASSERT_TRUE(desk.say("a"));
+  EXPECT_EQ(desk.shown(), 3);
+  // The stored records say in which order the questions were asked, whatever would be chosen now.
+  auto again = desk.restored();
+  again.chooseBy([](const std::vector<std::string>& /*values*/, std::span<const std::size_t> open) {
+    return QuestionnaireRun::Chosen{open.front(), {}};
+  });
+  EXPECT_EQ(again.page()->question->number, 2);
+  EXPECT_EQ(again.page()->position, 3U);
+  EXPECT_TRUE(again.goTo(4));
+  EXPECT_EQ(again.page()->position, 1U);
+  ASSERT_TRUE(desk.say("a"));
+  ASSERT_TRUE(desk.say("a"));
+  EXPECT_TRUE(desk.run.isComplete());
+  EXPECT_TRUE(desk.run.isAtEnd());
+}
+
+TEST(QuestionnaireRun, InBlocksTheNextQuestionIsOfTheSameBlock) {
+  auto form = questionnaire(support::defaultProcedure(), "ngt-force-v1", "en");
+  ASSERT_TRUE(form);
+  QuestionnaireRun run(*form, ItemOrder::kLeastKnownInBlocks, 1);
+  run.chooseBy(byTheAnswers);
+  study::RecordIds ids(1);
+  int block = 1;
+  while (const auto page = run.page()) {
+    EXPECT_EQ(page->question->block, static_cast<int>((page->position - 1) / 5) + 1);
+    EXPECT_GE(page->question->block, block);
+    block = page->question->block;
+    auto record = run.draft({Status::kAnswered, form->choices.front().value});
+    ASSERT_TRUE(record);
+    record->entry.id = ids.next();
+    ASSERT_TRUE(run.add(*record));
+  }
+  EXPECT_TRUE(run.isComplete());
 }
 
 TEST(QuestionnaireRun, StandsAtTheSamePageAfterARestart) {

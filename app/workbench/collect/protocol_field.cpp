@@ -31,7 +31,7 @@ QString partName(const QString& part) {
   const auto place = publishedOrder().indexOf(part);
   return place == 0   ? PartList::tr("Speed: insertions at a named speed")
          : place == 1 ? PartList::tr("Forces: a word for each force that is felt")
-                      : PartList::tr("Questions: the force in 45 situations");
+                      : PartList::tr("Questions: the force in each situation");
 }
 
 }  // namespace

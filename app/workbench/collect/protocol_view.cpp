@@ -138,7 +138,9 @@ void ProtocolView::addQuestions() {
                       {},
                       {{QStringLiteral("fixed"), tr("as in the form")},
                        {QStringLiteral("within_blocks"), tr("drawn within each block of five")},
-                       {QStringLiteral("shuffled"), tr("drawn for each participant")}}});
+                       {QStringLiteral("shuffled"), tr("drawn for each participant")},
+                       {QStringLiteral("least_known"), tr("next what is least known of the force")},
+                       {QStringLiteral("least_known_in_blocks"), tr("the same within each block")}}});
 }
 
 void ProtocolView::addLanguages() {

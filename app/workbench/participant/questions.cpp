@@ -148,6 +148,7 @@ QuestionState questionState(const procedure::Procedure& procedure, const study::
   QuestionState out;
   out.item = page.item;
   out.position = static_cast<int>(page.position);
+  out.unknown_n = page.unknown_n;
   out.count = static_cast<int>(page.count);
   out.conditions = std::move(situation.conditions);
   out.region = situation.region;

@@ -54,6 +54,15 @@ QString forceText(const ForceState& state, const experiments::ForcePlan& plan) {
   return {};
 }
 
+QString questionText(const QuestionState& question) {
+  if (!question.unknown_n)
+    return NurseViewText::tr("Question %1, the form's item %2").arg(question.position).arg(question.item);
+  return NurseViewText::tr("Question %1, the form's item %2; the force is known to ± %3 N")
+      .arg(question.position)
+      .arg(question.item)
+      .arg(*question.unknown_n, 0, 'f', 2);
+}
+
 QString nowText(const ParticipantState& state, const experiments::ForcePlan* force) {
   switch (state.screen) {
     case Screen::kSpeed:
@@ -65,8 +74,7 @@ QString nowText(const ParticipantState& state, const experiments::ForcePlan* for
       if (!state.feels_force) return state.speed.level;
       [[fallthrough]];
     case Screen::kForce: return force != nullptr && !force->finished ? forceText(state.force, *force) : QString();
-    case Screen::kQuestion:
-      return NurseViewText::tr("Question %1, the form's item %2").arg(state.question.position).arg(state.question.item);
+    case Screen::kQuestion: return questionText(state.question);
     case Screen::kOwnModel:
       return state.own.count > 0 ? NurseViewText::tr("Region %1 of %2").arg(state.own.number).arg(state.own.count)
                                  : QString();

@@ -1,4 +1,7 @@
 // What a session keeps of one answer, and what it does with a correction.
+#include <algorithm>
+#include <set>
+
 #include "tests/app/session/session_fixture.h"
 
 namespace tactus::session {
@@ -101,6 +104,36 @@ TEST_F(SessionTest, WhereSheWouldStopIsStoredBesideTheWord) {
     if (line && *line) ++notes;
   }
   EXPECT_EQ(notes, 2);
+}
+
+TEST_F(SessionTest, TheLeastKnownQuestionIsNextAndItsReasonIsStored) {
+  auto with = start();
+  with.settings.blocks = {Block::kForm};
+  with.settings.item_order = questionnaires::ItemOrder::kLeastKnown;
+  begin(with);
+  ASSERT_TRUE(session_->tell({}));
+  std::set<int> asked;
+  double before_n = 1;
+  for (int count = 0; count < 6; ++count) {
+    const auto page = session_->form()->page();
+    ASSERT_TRUE(page && page->reason);
+    EXPECT_TRUE(asked.insert(page->question->number).second);
+    EXPECT_GT(page->reason->share, 0);
+    EXPECT_LT(page->reason->unknown_n, before_n + 0.01) << "answers as expected do not make the force less known";
+    before_n = page->reason->unknown_n;
+    ASSERT_TRUE(session_->reply({study::Answer::Status::kAnswered, "medium"}, 2));
+    const auto events = store::events(*file_);
+    const auto chosen = std::find_if(events->rbegin(), events->rend(),
+                                     [](const auto& event) { return event.kind == "question_chosen"; });
+    ASSERT_NE(chosen, events->rend());
+    EXPECT_NE(chosen->detail.find(toText(store::answers(*file_)->back().entry.id)), std::string::npos);
+    EXPECT_NE(chosen->detail.find("unknown_n"), std::string::npos);
+  }
+  EXPECT_NE(asked, (std::set<int>{1, 2, 3, 4, 5, 6}));
+  const std::string shown_before = shown();
+  ASSERT_NO_FATAL_FAILURE(restart());
+  EXPECT_EQ(shown(), shown_before);
+  EXPECT_EQ(store::answers(*file_)->back().position, 6);
 }
 
 TEST_F(SessionTest, FrictionOfTheDeviceCountsAtTheScale) {

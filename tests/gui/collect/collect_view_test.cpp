@@ -184,10 +184,10 @@ TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) 
     }
     return static_cast<QToolButton*>(nullptr);
   };
-  ASSERT_NE(arrow("Move earlier: Questions: the force in 45 situations"), nullptr);
+  ASSERT_NE(arrow("Move earlier: Questions: the force in each situation"), nullptr);
   EXPECT_FALSE(arrow("Move earlier: Speed: insertions at a named speed")->isEnabled());
-  EXPECT_FALSE(arrow("Move later: Questions: the force in 45 situations")->isEnabled());
-  arrow("Move earlier: Questions: the force in 45 situations")->setFocus();
+  EXPECT_FALSE(arrow("Move later: Questions: the force in each situation")->isEnabled());
+  arrow("Move earlier: Questions: the force in each situation")->setFocus();
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,form,force"));
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
@@ -195,7 +195,7 @@ TEST_F(CollectViewTest, ThePartsOfTheProtocolAreLeftOutAndMovedWithTheKeyboard) 
   // It cannot come earlier; Space leaves it out, and again puts it where the published experiment has it.
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force"));
-  QTest::mouseClick(button<QCheckBox>(*bench.views.collect, "Questions: the force in 45 situations"), Qt::LeftButton);
+  QTest::mouseClick(button<QCheckBox>(*bench.views.collect, "Questions: the force in each situation"), Qt::LeftButton);
   EXPECT_EQ(protocol.value("blocks"), QStringLiteral("speed,force,form"));
 }
 

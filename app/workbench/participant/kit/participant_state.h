@@ -123,6 +123,7 @@ struct QuestionState {
   QString region;                                ///< term id of the place; may be empty
   QString chosen;                                ///< a term id, `cant_tell`; empty: none
   bool from_review = false;                      ///< it is changed from the review and leads back to it
+  std::optional<double> unknown_n = {};          ///< ItemPage::unknown_n; the participant does not see it
 };
 
 struct ReviewAnswer {

@@ -28,6 +28,7 @@ void addForm(const questionnaires::QuestionnaireRun& run, const SessionSnapshot*
   out.form = before != nullptr ? before->form : std::make_shared<const questionnaires::Questionnaire>(run.form());
   if (const auto page = run.page()) {
     out.page = ItemPage{page->question->number, page->position, page->count, replyOf(page->last_answer)};
+    if (page->reason) out.page->unknown_n = page->reason->unknown_n;
   }
   for (const questionnaires::Question& question : out.form->questions) {
     const auto history = run.history(question.number);

@@ -71,6 +71,7 @@ struct ItemPage {
   std::size_t position = 0;  ///< from 1, in the order shown
   std::size_t count = 0;
   std::optional<questionnaires::Reply> reply;  ///< the last one
+  std::optional<double> unknown_n = {};        ///< what is unknown of the force, N, where the order follows from it
 };
 
 struct SessionSnapshot {
