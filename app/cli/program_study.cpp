@@ -14,9 +14,10 @@ void addFile(CLI::App& command, std::string& file) {
   command.add_option("FILE", file, "Study file")->required()->check(notEmpty());
 }
 
-}  // namespace
-
-namespace {
+CLI::Validator whole(int low, int high) {
+  return numberThat("a whole number from " + std::to_string(low) + " to " + std::to_string(high),
+                    [low, high](double x) { return x >= low && x <= high && x == std::floor(x); });
+}
 
 void addPackCommands(CLI::App& app, Chosen& chosen) {
   CLI::App& pack = *app.add_subcommand("pack", "Procedures as data: make, check, show, preview");
@@ -134,8 +135,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
         addBuildOptions(command, o, "bands");
         command
             .add_option("--at", o.at,
-                        "INPUT=VALUE of the curve along the depth; default: lubrication=1, neck_flexion=60, "
-                        "speed=50")
+                        "INPUT=VALUE of the curve along the way; default: the usual values of the procedure")
             ->type_name("INPUT=VALUE")
             ->expected(1)
             ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -157,10 +157,6 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
         command.add_option("--precision", o.precision_n, "Error that is wanted, N, root mean square")
             ->check(numberThat("a number above 0", [](double x) { return x > 0; }));
         command.add_option("--region", o.region, "Region, such as laryngopharynx; default: all")->check(notEmpty());
-        const auto whole = [](int low, int high) {
-          return numberThat("a whole number from " + std::to_string(low) + " to " + std::to_string(high),
-                            [low, high](double x) { return x >= low && x <= high && x == std::floor(x); });
-        };
         command.add_option("--most-nurses", o.most_nurses, "Largest number of nurses")
             ->check(whole(2, planning::kMostNurses));
         command
@@ -187,6 +183,21 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
         command.add_option("--seed", o.seed, "Seed, a whole number")->check(wholeNumberUpTo(session::kLargestSeed));
         addForceTermsFrom(command, o);
         command.add_option("--out", o.out, "CSV file for the designs; no default")->check(notEmpty());
+        addJson(command, o.json);
+      });
+  addCommand(
+      study, chosen, "trial", "Simulated studies with a known truth: how often it lies in the stated band", studyTrial,
+      [](CLI::App& command, StudyTrialOptions& o) {
+        command
+            .add_option("--pack", o.pack,
+                        "What the studies are about: a folder with a pack, or a procedure that `tactus pack "
+                        "show` lists; default: the first of these")
+            ->check(notEmpty());
+        command.add_option("--nurses", o.nurses, "Nurses of each study")->check(whole(2, planning::kMostNurses));
+        command.add_option("--strokes", o.strokes, "Strokes at each speed")->check(whole(1, 100));
+        command.add_option("--studies", o.studies, "Number of studies")->check(whole(2, planning::kMostStudies));
+        command.add_option("--seed", o.seed, "Seed, a whole number")->check(wholeNumberUpTo(session::kLargestSeed));
+        addForceTermsFrom(command, o);
         addJson(command, o.json);
       });
   addCommand(study, chosen, "form", "The questionnaire as a web page, for a survey system or on paper", studyForm,
@@ -265,25 +276,24 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
                        ->check(notEmpty());
                command.add_flag("--remove", o.remove, "Take the key away")->excludes(from);
              });
-  addCommand(
-      study, chosen, "seal", "Put a reference curve under seal before the elicitation", studySeal,
-      [](CLI::App& command, StudySealOptions& o) {
-        addFile(command, o.file);
-        command.add_option("REFERENCE", o.reference, "CSV file with the columns depth_mm and force_n")
-            ->required()
-            ->check(notEmpty());
-        command.add_option("--note", o.note, "Where the curve comes from; everyone can read it");
-        command
-            .add_option("--passphrase-file", o.passphrase_file,
-                        "File whose first line is the passphrase; else it is asked for")
-            ->check(notEmpty());
-        command.add_option("--at", o.at, "INPUT=VALUE of the curve; default: lubrication=1, neck_flexion=60, speed=50")
-            ->type_name("INPUT=VALUE")
-            ->expected(1)
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-        command.add_flag("--late", o.late, "Also after the elicitation began; the seal is marked as late");
-        addJson(command, o.json);
-      });
+  addCommand(study, chosen, "seal", "Put a reference curve under seal before the elicitation", studySeal,
+             [](CLI::App& command, StudySealOptions& o) {
+               addFile(command, o.file);
+               command.add_option("REFERENCE", o.reference, "CSV file with the columns depth_mm and force_n")
+                   ->required()
+                   ->check(notEmpty());
+               command.add_option("--note", o.note, "Where the curve comes from; everyone can read it");
+               command
+                   .add_option("--passphrase-file", o.passphrase_file,
+                               "File whose first line is the passphrase; else it is asked for")
+                   ->check(notEmpty());
+               command.add_option("--at", o.at, "INPUT=VALUE of the curve; default: the usual values of the procedure")
+                   ->type_name("INPUT=VALUE")
+                   ->expected(1)
+                   ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+               command.add_flag("--late", o.late, "Also after the elicitation began; the seal is marked as late");
+               addJson(command, o.json);
+             });
   addCommand(study, chosen, "open", "Open the sealed reference curve after the sign-off", studyOpen,
              [](CLI::App& command, StudyOpenOptions& o) {
                addFile(command, o.file);

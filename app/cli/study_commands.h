@@ -174,6 +174,18 @@ struct StudyPlanOptions {
 /// design.
 base::Result<Output> studyPlan(const StudyPlanOptions& options);
 
+struct StudyTrialOptions {
+  std::string pack;  ///< procedure; empty: the default procedure
+  int nurses = 4;
+  int strokes = 4;  ///< at each speed
+  std::size_t studies = 500;
+  std::uint64_t seed = 1;
+  elicitation::ForceTermsFrom force_terms = elicitation::ForceTermsFrom::kVote;
+  bool json = false;
+};
+/// How often a truth that only the simulation knows lies in the stated band (app/planning/band_trial.h).
+base::Result<Output> studyTrial(const StudyTrialOptions& options);
+
 // Procedures as data (docs/procedure-packs.md).
 
 /// The procedure `pack`: one that the program carries, or a pack in a folder or a zip file.

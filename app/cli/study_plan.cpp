@@ -10,6 +10,7 @@
 #include "app/cli/study_build.h"
 #include "app/cli/study_commands.h"
 #include "app/cli/terminal.h"
+#include "app/planning/band_trial.h"
 #include "app/planning/planned_study.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
@@ -28,7 +29,8 @@ using planning::Design;
 using planning::kSimulatedNurses;
 using planning::PlannedStudy;
 
-struct Planned : PlannedStudy {
+struct Planned {
+  PlannedStudy study;
   std::vector<std::string> warnings;
 };
 
@@ -51,24 +53,23 @@ Result<Planned> planFrom(const StudyPlanOptions& options) {
   Planned out;
   if (options.study.empty()) {
     TACTUS_TRY(const auto about, options.pack.empty() ? procedure::defaultProcedure() : packNamed(options.pack));
-    static_cast<PlannedStudy&>(out) = planning::planBefore(about, settingsFrom(options));
+    out.study = planning::planBefore(about, settingsFrom(options));
   } else {
     BuildOptions build;
     build.study = options.study;
     build.force_terms = options.force_terms;
     build.replicates = 0;
     TACTUS_TRY(const auto made, buildStudy(build));
-    TACTUS_TRY(static_cast<PlannedStudy&>(out),
-               planning::planDuring(made.tables.study, made.built, made.settings, settingsFrom(options)));
+    TACTUS_TRY(out.study, planning::planDuring(made.tables.study, made.built, made.settings, settingsFrom(options)));
     out.warnings = made.warnings();
   }
   const InterruptSignals interrupt;
-  if (auto ok = planning::simulate(out, [&](double) { return !interrupt.raised(); }); !ok)
+  if (auto ok = planning::simulate(out.study, [&](double) { return !interrupt.raised(); }); !ok)
     return tl::unexpected(ok.error());
   return out;
 }
 
-std::string textOf(const Planned& planned) {
+std::string textOf(const PlannedStudy& planned) {
   const auto& settings = planned.settings;
   std::string out = wrapped(kSimulatedNurses, "", 0);
   out += wrapped("Error of the averaged force " +
@@ -92,7 +93,7 @@ std::string textOf(const Planned& planned) {
   return out;
 }
 
-std::string jsonOf(const StudyPlanOptions& options, const Planned& planned) {
+std::string jsonOf(const StudyPlanOptions& options, const PlannedStudy& planned) {
   const auto& settings = planned.settings;
   JsonWriter json;
   json.beginObject().key("simulated").value(true).key("note").value(kSimulatedNurses);
@@ -145,7 +146,7 @@ std::string jsonOf(const StudyPlanOptions& options, const Planned& planned) {
   return json.text();
 }
 
-std::string csvOf(const Planned& planned) {
+std::string csvOf(const PlannedStudy& planned) {
   base::CsvWriter csv{"nurses", "questions",   "strokes",     "hours",  "error_n",  "low_n",
                       "high_n", "simulated_n", "p95_n",       "bias_n", "silent",   "refused",
                       "region", "studies",     "force_terms", "seed",   "simulated"};
@@ -167,12 +168,59 @@ std::string csvOf(const Planned& planned) {
 
 }  // namespace
 
+Result<Output> studyTrial(const StudyTrialOptions& options) {
+  TACTUS_TRY(const auto about, options.pack.empty() ? procedure::defaultProcedure() : packNamed(options.pack));
+  const planning::Questions questions = planning::questionsOf(about);
+  planning::TrialSettings settings;
+  settings.design = {options.nurses, static_cast<int>(questions.items.size()), options.strokes};
+  settings.plan.studies = options.studies;
+  settings.plan.seed = options.seed;
+  settings.plan.force_terms = options.force_terms;
+  const InterruptSignals interrupt;
+  TACTUS_TRY(const auto trial, planning::tryBands(questions, planning::sourceOf(planning::defaultFamily(questions)),
+                                                  settings, [&](double) { return !interrupt.raised(); }));
+  std::vector<planning::RegionTrial> rows = trial.regions;
+  rows.push_back(trial.all);
+  if (options.json) {
+    JsonWriter json;
+    json.beginObject().key("simulated").value(true).key("note").value(kSimulatedNurses);
+    json.key("procedure").value(about->id).key("nurses").value(options.nurses).key("strokes").value(options.strokes);
+    json.key("studies").value(trial.studies).key("refused").value(trial.refused);
+    json.key("seed").value(static_cast<std::size_t>(options.seed)).key("force_terms").value(name(options.force_terms));
+    json.key("stated").value(settings.coverage).key("regions").beginArray();
+    for (const auto& row : rows) {
+      json.beginObject(JsonWriter::Layout::kInline).key("region").value(row.region).key("covered").value(row.covered);
+      json.key("low").value(row.low).key("high").value(row.high).key("error_n").value(row.error_n);
+      json.key("error_jnd").value(row.error_jnd).key("half_width_n").value(row.half_width_n).endObject();
+    }
+    return Output{json.endArray().endObject().text(), {}};
+  }
+  std::string out = wrapped(kSimulatedNurses, "", 0);
+  out += wrapped(std::to_string(trial.studies) + " simulated studies of " +
+                     planning::designText(questions, settings.design) + ", force words by " +
+                     std::string(name(options.force_terms)) + ", seed " + std::to_string(options.seed) +
+                     ". The truth is the mean force of 1000 such nurses, each with her own words; the band is that for "
+                     "other nurses, which states 95 %.",
+                 "", 0);
+  out += "\nregion            truth in band  95 % of that   error N  in JND  half width N\n";
+  for (const auto& row : rows) {
+    std::string region = row.region.empty() ? "all" : row.region;
+    region.resize(std::max<std::size_t>(region.size(), 16), ' ');
+    out += region + rightAligned(formatFixed(100 * row.covered, 1) + " %", 15) + "  " + formatFixed(100 * row.low, 1) +
+           " to " + formatFixed(100 * row.high, 1) + rightAligned(formatFixed(row.error_n, 3), 10) +
+           rightAligned(formatFixed(row.error_jnd, 1), 8) + rightAligned(formatFixed(row.half_width_n, 3), 14) + "\n";
+  }
+  if (trial.refused > 0)
+    out += wrapped("Of " + formatFixed(100 * trial.refused, 1) + " % of the studies no model could be built.", "", 0);
+  return Output{std::move(out), {}};
+}
+
 Result<Output> studyPlan(const StudyPlanOptions& options) {
   if (auto ok = requireOutput(options.out, {options.study}); !ok) return tl::unexpected(ok.error());
   TACTUS_TRY(const auto planned, planFrom(options));
-  Output said{options.json ? jsonOf(options, planned) : textOf(planned), planned.warnings};
+  Output said{options.json ? jsonOf(options, planned.study) : textOf(planned.study), planned.warnings};
   if (options.out.empty()) return said;
-  return written(options.out, csvOf(planned), std::move(said), options.json);
+  return written(options.out, csvOf(planned.study), std::move(said), options.json);
 }
 
 }  // namespace tactus::cli

@@ -163,6 +163,10 @@ TrueNurse NurseFamily::draw(base::Random& random) const {
   return out;
 }
 
+NurseSource sourceOf(NurseFamily family) {
+  return [family = std::move(family)](base::Random& random) { return family.draw(random); };
+}
+
 NurseFamily defaultFamily(const Questions& questions) {
   NurseFamily out;
   std::vector<std::vector<double>> thresholds;

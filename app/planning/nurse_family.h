@@ -73,6 +73,9 @@ struct NurseFamily {
   TrueNurse draw(base::Random& random) const;
 };
 
+/// Draws the nurses of `family`.
+NurseSource sourceOf(NurseFamily family);
+
 /// The family around the nurses of the paper. Thresholds: the four voters into whom the votes of Table 2 are split.
 /// Speeds: Table 1. Words: the mean of the simulated answers of the demo study; that nurses differ by .8 words in all
 /// (.5 together, .4 in a region, .45 by question) is a choice of this project.

@@ -77,8 +77,7 @@ Result<PlannedStudy> planDuring(const study::Study& study, const elicitation::Bu
 }
 
 Result<void> simulate(PlannedStudy& planned, const std::function<bool(double share)>& go_on) {
-  const auto draw = [&family = planned.family](base::Random& random) { return family.draw(random); };
-  TACTUS_TRY(planned.plan, planStudy(planned.questions, draw, planned.settings, go_on));
+  TACTUS_TRY(planned.plan, planStudy(planned.questions, sourceOf(planned.family), planned.settings, go_on));
   return {};
 }
 

@@ -37,11 +37,17 @@ std::array<double, kSamples> strokeShape() {
   return out;
 }
 
-Result<void> addRamps(std::span<const double> strokes_mm_s, std::size_t levels, NurseData& out) {
+std::array<double, kSamples> samplesOf(double stroke_mm_s) {
   static const auto kShape = strokeShape();
+  auto out = kShape;
+  for (double& one : out) one *= stroke_mm_s;
+  return out;
+}
+
+Result<void> addRamps(std::size_t levels, NurseData& out) {
   std::vector<double> samples;
-  for (const double stroke : strokes_mm_s) {
-    for (const double share : kShape) samples.push_back(stroke * share);
+  for (const double stroke : out.strokes_mm_s) {
+    for (const double speed : samplesOf(stroke)) samples.push_back(speed);
   }
   elicitation::FcmSettings fcm;
   fcm.clusters = levels;
@@ -80,14 +86,43 @@ Result<NurseData> dataOf(const Questions& questions, const TrueNurse& nurse, con
   const std::size_t words = nurse.threshold_n.size() + 1;
   for (const double level : nurse.level)
     out.words.push_back(wordAt(level + noise.answer_words * random.normal(), words));
-  std::vector<double> speeds;
   for (const double speed : nurse.speed_mm_s) {
     for (int stroke = 0; stroke < strokes; ++stroke)
-      speeds.push_back(speed * std::exp(noise.stroke_log * random.normal()));
+      out.strokes_mm_s.push_back(speed * std::exp(noise.stroke_log * random.normal()));
   }
-  if (speeds.empty()) return out;
-  if (auto ok = addRamps(speeds, nurse.speed_mm_s.size(), out); !ok) return tl::unexpected(ok.error());
+  if (out.strokes_mm_s.empty()) return out;
+  if (auto ok = addRamps(nurse.speed_mm_s.size(), out); !ok) return tl::unexpected(ok.error());
   return out;
+}
+
+void addTo(study::Study& study, const study::Form& form, const std::string& code, const NurseData& data) {
+  study::Participant person;
+  person.code = code;
+  person.simulated = true;
+  study.participants.push_back(person);
+  study.judgements.insert(study.judgements.end(), data.judged.begin(), data.judged.end());
+  std::size_t word = 0;
+  for (const auto& item : form.items) {
+    if (study::isWayOut(item)) continue;
+    study.answers.push_back(
+        {code, form.id, item.number, form.answers[data.words[word++]].term, study::Answer::Status::kAnswered});
+  }
+  const fuzzy::Variable* const rate = procedure::of(study).rateInput();
+  if (rate == nullptr || data.strokes_mm_s.empty()) return;
+  const std::size_t each = data.strokes_mm_s.size() / rate->terms.size();
+  for (std::size_t i = 0; i < data.strokes_mm_s.size(); ++i) {
+    study::SpeedSample sample;
+    sample.participant = code;
+    sample.level = rate->terms[i / each].id;
+    sample.stroke = static_cast<int>(i % each) + 1;
+    constexpr double kTickS = 0.05;
+    for (const double speed : samplesOf(data.strokes_mm_s[i])) {
+      sample.speed_mm_s = speed;
+      study.speeds.push_back(sample);
+      sample.time_s += kTickS;
+      sample.depth_mm += speed * kTickS;
+    }
+  }
 }
 
 Result<NurseData> trueDataOf(const Questions& questions, const TrueNurse& nurse) {

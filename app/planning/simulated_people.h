@@ -20,6 +20,7 @@ namespace tactus::planning {
 struct NurseData {
   std::vector<study::ForceJudgement> judged;
   std::vector<std::size_t> words;        ///< one per question
+  std::vector<double> strokes_mm_s;      ///< mean speeds, stroke after stroke at each word of the rate
   std::vector<elicitation::Ramp> ramps;  ///< of her clustered strokes
   double largest_centre_mm_s = 0;
 };
@@ -29,6 +30,10 @@ base::Result<NurseData> dataOf(const Questions& questions, const TrueNurse& nurs
                                int strokes, const std::string& code, base::Random& random);
 /// The same without any noise: she herself.
 base::Result<NurseData> trueDataOf(const Questions& questions, const TrueNurse& nurse);
+
+/// Adds her to `study` as a simulated participant with all that she gave, so that it can be built as any other. `form`:
+/// the one of the questions. Strokes are moved with the shape of the published ones.
+void addTo(study::Study& study, const study::Form& form, const std::string& code, const NurseData& data);
 
 /// The force terms of the judgements of `people`, as buildModel makes them.
 base::Result<fuzzy::Variable> outputOf(const Questions& questions, std::span<const NurseData> people,

@@ -73,9 +73,9 @@ base::Result<ForceBands> ForceBands::of(const study::Study& study, const BuiltMo
       experts.push_back(own.fired ? std::optional(own.force_n) : std::nullopt);
     }
   }
-  const auto range = analysis::reachableRange(built.model, compiled);
-  out.lowest_n_ = range.fired > 0 ? range.min_n : built.model.output.min;
-  out.highest_n_ = range.fired > 0 ? range.max_n : built.model.output.max;
+  // Not what this model can reach: others say other words of other forces.
+  out.lowest_n_ = built.model.output.min;
+  out.highest_n_ = built.model.output.max;
   if (out.settings_.words) {
     if (auto ok = out.prepareWords(study, built); !ok) return tl::unexpected(ok.error());
   }

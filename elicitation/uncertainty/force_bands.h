@@ -132,7 +132,7 @@ struct DrawnForce {
 
 struct BandPoint {
   std::optional<double> force_n;  ///< the averaged force; nothing where no rule fires
-  double half_width_n = 0;        ///< before the band is cut at the reachable range; of "words" half the range
+  double half_width_n = 0;        ///< before the band is cut at the ends of the force; of "words" half the range
   double low_n = 0;
   double high_n = 0;
   double abstains = 0;  ///< share of what the band is made of (draws, experts, participants) without a force there

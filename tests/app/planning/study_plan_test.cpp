@@ -20,25 +20,6 @@ namespace {
 
 using elicitation::ForceTermsFrom;
 
-NurseSource sourceOf(const NurseFamily& family) {
-  return [family](base::Random& random) { return family.draw(random); };
-}
-
-/// A participant with these judgements and answers.
-void addTo(study::Study& study, const study::Form& form, const std::string& code, const NurseData& data) {
-  study::Participant person;
-  person.code = code;
-  person.simulated = true;
-  study.participants.push_back(person);
-  study.judgements.insert(study.judgements.end(), data.judged.begin(), data.judged.end());
-  std::size_t word = 0;
-  for (const auto& item : form.items) {
-    if (study::isWayOut(item)) continue;
-    study.answers.push_back(
-        {code, form.id, item.number, form.answers[data.words[word++]].term, study::Answer::Status::kAnswered});
-  }
-}
-
 PlanSettings smallPlan() {
   PlanSettings settings;
   settings.studies = 60;
@@ -177,7 +158,6 @@ TEST(StudyPlan, ItsModelIsThatOfTheBuild) {
     for (std::size_t e = 0; e < ours.experts.size(); ++e)
       EXPECT_EQ(ours.experts[e].rules, built->model.experts[e].rules);
     for (std::size_t i = 0; i < ours.inputs.size(); ++i) {
-      if (fuzzy::roleOf(ours.inputs[i]) == fuzzy::Role::kRate) continue;  // this study has no strokes
       EXPECT_EQ(ours.inputs[i].terms, built->model.inputs[i].terms);
     }
   }

@@ -1,0 +1,33 @@
+// What all runs of simulated studies share: a seed for each study, threads, the forces of a model, and the truth.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "app/planning/nurse_family.h"
+#include "app/planning/study_plan.h"
+#include "core/base/error.h"
+#include "core/fuzzy/force_model.h"
+
+namespace tactus::planning {
+
+/// A seed of its own for each number (Steele, Lea, Flood 2014).
+std::uint64_t seedOf(std::uint64_t seed, std::uint64_t number);
+
+/// Runs `work` for 0 to count - 1 on `threads` threads; the caller's thread asks `go_on` with the share that is done.
+/// False: canceled.
+bool inParallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
+                const std::function<bool(double)>& go_on);
+
+/// The forces of a model at the points; false if it cannot be compiled. `silent`: counts those where no rule fires.
+bool forcesOf(const fuzzy::ForceModel& model, const std::vector<std::vector<double>>& points, std::vector<double>& out,
+              int& silent);
+
+/// The truth at the points: the mean force of the true models of `settings.population` nurses, each with her own words.
+base::Result<std::vector<double>> truthOf(const Questions& questions, const NurseSource& source,
+                                          const PlanSettings& settings, const std::vector<std::vector<double>>& points,
+                                          const std::function<bool(double)>& go_on);
+
+}  // namespace tactus::planning
