@@ -15,6 +15,7 @@
 #include "app/report/svg_plot.h"
 #include "core/analysis/force_difference.h"
 #include "core/base/text.h"
+#include "core/contracts/contract_check.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/rules/rule_lint.h"
@@ -278,6 +279,29 @@ void addSlopes(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compi
   }
 }
 
+/// What the model promises, and whether that holds in the whole input space.
+std::vector<Markup> promiseTexts(const fuzzy::ForceModel& model, const fuzzy::CompiledModel& compiled) {
+  std::vector<Markup> items;
+  for (const fuzzy::Contract& contract : model.contracts) {
+    const auto result = contracts::checkContract(model, compiled, contract);
+    std::string text = contracts::sentenceOf(model, contract) + ": ";
+    switch (result.verdict) {
+      case contracts::Verdict::kProved: text += "proved at every place of the inputs."; break;
+      case contracts::Verdict::kViolated: {
+        const auto& at = result.counterexample.front().inputs;
+        text += "NOT kept" + (result.excess_n > 0 ? ", by " + newtons(model, result.excess_n) : std::string()) +
+                " at " + placeText(model, at) + ".";
+        break;
+      }
+      case contracts::Verdict::kOpen:
+        text += result.bound_n ? "not proved; exceeded by at most " + newtons(model, *result.bound_n) + "."
+                               : "not proved. " + result.reason;
+    }
+    items.emplace_back(std::move(text));
+  }
+  return items;
+}
+
 /// All digits of a parameter, without an exponent.
 std::string inFull(double value) {
   char text[400];
@@ -325,6 +349,10 @@ std::string bundleReport(const Bundle& bundle, const fuzzy::CompiledModel& compi
                        ", once in a stroke. Only the tube has it: all forces here are without it.");
   page.list(items);
   page.table(rendererTable(model));
+  if (const auto promises = promiseTexts(model, compiled); !promises.empty()) {
+    page.section("Promises");
+    page.list(promises);
+  }
 
   if (const auto living = living::sectionOf(model, compiled, isSimulated(model),
                                             {bundle.model_sha256, model.created_utc, manifest.generator})) {

@@ -17,7 +17,6 @@
 #include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/files/unfinished.h"
 #include "core/base/text.h"
 
 namespace tactus::bundle {
@@ -126,22 +125,10 @@ base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std:
 }
 
 base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::string_view generator) {
-  TACTUS_TRY(const auto files, unzipped(path));
-  std::error_code ignored;
-  const fs::path place = fs::temp_directory_path(ignored) / "tactus-verify";
-  const base::Unfinished folder = base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding);
-  if (!folder.descriptor.isOpen())
-    return base::fail(base::ErrorCode::kIo, place.string(), "no place to unpack", "a folder for temporary files");
-  base::Result<void> written;
-  for (const auto& [name, bytes] : files) {
-    const std::string file = folder.path + "/" + name;
-    if (written) written = base::makeFolder(fs::path(file).parent_path().string());
-    if (written) written = base::writeFileAtomically(file, bytes);
-  }
-  auto bundle = written ? verifyFolder(folder.path, generator) : tl::unexpected(written.error());
-  fs::remove_all(folder.path, ignored);
+  TACTUS_TRY(const auto folder, UnzippedFolder::of(path));
+  auto bundle = verifyFolder(folder.path(), generator);
   // Its user knows the zip file alone.
-  const auto rename = [&](std::string& text) { text = base::replaced(std::move(text), {{folder.path, path}}); };
+  const auto rename = [&](std::string& text) { text = base::replaced(std::move(text), {{folder.path(), path}}); };
   if (!bundle) {
     base::Error error = bundle.error();
     rename(error.file);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <system_error>
 #include <zip.h>
 
 #include "core/base/files/file.h"
@@ -158,6 +159,32 @@ base::Result<PackedFiles> unzipped(const std::string& path) {
   }
   dropCommonFolder(files);
   return files;
+}
+
+base::Result<UnzippedFolder> UnzippedFolder::of(const std::string& path) {
+  namespace fs = std::filesystem;
+  TACTUS_TRY(const auto files, unzipped(path));
+  std::error_code ignored;
+  const fs::path place = fs::temp_directory_path(ignored) / "tactus-unzipped";
+  UnzippedFolder out(base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding));
+  if (!out.folder_.descriptor.isOpen())
+    return base::fail(base::ErrorCode::kIo, place.string(), "no place to unpack", "a folder for temporary files");
+  for (const auto& [name, bytes] : files) {
+    const std::string file = out.path() + "/" + name;
+    if (auto ok = base::makeFolder(fs::path(file).parent_path().string()); !ok)
+      return tl::unexpected(std::move(ok).error());
+    if (auto ok = base::writeFileAtomically(file, bytes); !ok) return tl::unexpected(std::move(ok).error());
+  }
+  return out;
+}
+
+UnzippedFolder::UnzippedFolder(UnzippedFolder&& other) noexcept : folder_(std::move(other.folder_)) {
+  other.folder_.path.clear();
+}
+
+UnzippedFolder::~UnzippedFolder() {
+  std::error_code ignored;
+  if (!folder_.path.empty()) std::filesystem::remove_all(folder_.path, ignored);
 }
 
 }  // namespace tactus::bundle

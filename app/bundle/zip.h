@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/base/files/unfinished.h"
 
 namespace tactus::bundle {
 
@@ -22,5 +23,22 @@ base::Result<std::string> zipped(const PackedFiles& files, const std::string& fo
 /// The files of the zip file `path`, without the one folder that may hold them all. Refused: what is no zip file, a
 /// path that leads out of its folder, a link, more than 10,000 files or 1 GiB.
 base::Result<PackedFiles> unzipped(const std::string& path);
+
+/// The files of a zip file in a folder of their own, beside the other temporary files; it goes with this object.
+class UnzippedFolder {
+ public:
+  /// Returns the errors of `unzipped`, and those of writing.
+  static base::Result<UnzippedFolder> of(const std::string& path);
+  UnzippedFolder(UnzippedFolder&& other) noexcept;
+  UnzippedFolder& operator=(UnzippedFolder&&) = delete;
+  ~UnzippedFolder();
+
+  const std::string& path() const noexcept { return folder_.path; }
+
+ private:
+  explicit UnzippedFolder(base::Unfinished folder) : folder_(std::move(folder)) {}
+
+  base::Unfinished folder_;
+};
 
 }  // namespace tactus::bundle

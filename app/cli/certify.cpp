@@ -22,7 +22,7 @@ using certify::Answers;
 using certify::Certificate;
 using certify::Percentiles;
 
-/// The questions of a model file, of a bundle's folder, or of its manifest.
+/// The questions of a model file, of a bundle as a folder or a zip file, or of its manifest.
 base::Result<certify::Questions> questionsFrom(const CertifyOptions& options, std::vector<std::string>& warnings) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -30,8 +30,14 @@ base::Result<certify::Questions> questionsFrom(const CertifyOptions& options, st
   const fs::path path(options.model);
   if (path.filename() == model_io::kManifestName)
     return certify::questionsOfBundle(path.has_parent_path() ? path.parent_path().string() : ".");
-  if (bundle::isZipName(options.model))
-    return base::fail(base::ErrorCode::kValue, options.model, "a zip file", "the folder that it holds, unpacked");
+  if (bundle::isZipName(options.model)) {
+    TACTUS_TRY(const auto folder, bundle::UnzippedFolder::of(options.model));
+    auto questions = certify::questionsOfBundle(folder.path());
+    if (questions) return questions;
+    base::Error error = questions.error();
+    error.file = base::replaced(std::move(error.file), {{folder.path(), options.model}});
+    return tl::unexpected(std::move(error));
+  }
   TACTUS_TRY(const auto text, base::readFile(options.model, model_io::kMostModelFileBytes));
   TACTUS_TRY(auto read, model_io::parseModel(text, options.model));
   warnings = read.warnings;

@@ -8,6 +8,7 @@
 
 #include "app/bundle/bundle.h"
 #include "app/bundle/report_parts.h"
+#include "core/contracts/contract_check.h"
 #include "elicitation/model/model_builder.h"
 
 #include "tests/support/chromium.h"
@@ -44,6 +45,24 @@ std::string readableOf(const std::string& page) {
       out.erase(at, out.find(end, at) + end.size() - at);
   }
   return out;
+}
+
+TEST(BundleReport, SaysWhichPromisesAreKept) {
+  fuzzy::ForceModel model = support::inventedExperts();
+  for (const char* const sentence : {"the force is never above 5 N", "the force is never above 0.3 N"}) {
+    auto contract = contracts::parseContract(model, sentence);
+    ASSERT_TRUE(contract) << contract.error().message();
+    contract->id = "c" + std::to_string(model.contracts.size());
+    model.contracts.push_back(*contract);
+  }
+  // A bundle of such a model is refused; its report could not hide it.
+  Bundle bundle = bundleOfFour();
+  bundle.model = model;
+  const std::string text = readableOf(reportOf(bundle));
+  EXPECT_NE(text.find("Promises"), std::string::npos);
+  EXPECT_NE(text.find("the force is never above 5 N: proved at every place of the inputs."), std::string::npos);
+  EXPECT_NE(text.find("the force is never above 0.3 N: NOT kept, by "), std::string::npos);
+  EXPECT_EQ(readableOf(reportOf(bundleOfFour())).find("Promises"), std::string::npos);
 }
 
 TEST(BundleReport, SaysWhatASimulatorTeamMustKnow) {

@@ -69,6 +69,13 @@ TEST_F(CertifyCommand, ABundleIsAskedWithItsOwnChecks) {
     ASSERT_EQ(run.status, 0) << run.err;
     EXPECT_EQ(Json::parse(run.out)["model_sha256"], base::sha256(readText(bundle + "/model.tactus.json")));
   }
+  const std::string zip = folder_.file("bundle.zip");
+  ASSERT_EQ(ProgramRun({"bundle", model_, "--out", zip, "--table-error", "0.2"}).status, 0);
+  const ProgramRun packed = certified(zip, {"--json"});
+  ASSERT_EQ(packed.status, 0) << packed.err;
+  EXPECT_EQ(Json::parse(packed.out)["points"]["right"], 50);
+  writeText(folder_.file("no.zip"), "no zip file");
+  EXPECT_NE(certified(folder_.file("no.zip"), {}).err.find("wanted a zip file"), std::string::npos);
   writeText(bundle + "/checks.csv", readText(bundle + "/checks.csv") + "\n");
   const ProgramRun damaged = certified(bundle, {});
   EXPECT_EQ(damaged.status, 1);
