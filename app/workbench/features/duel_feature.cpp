@@ -62,7 +62,7 @@ base::Result<DuelSetup> setupOf(Bench& bench) {
   if (!depth) {
     return base::fail(base::ErrorCode::kReference, DuelFeature::tr("the model").toStdString(),
                       DuelFeature::tr("no way of the tip").toStdString(),
-                      DuelFeature::tr("a model along the tube").toStdString());
+                      DuelFeature::tr("a model along the tool").toStdString());
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (!isMovedByHand(inputs[i])) out.conditions[inputs[i].id] = bench.scene.value(i);

@@ -226,13 +226,13 @@ std::vector<TourStep> HelpFeature::steps() {
        tr("Strokes become words for the speed, judgements words for the force, answers rules. Move a slider in the tab "
           "Speed: the line below the tabs says what it does to the force, and Ctrl+Z takes it back."),
        of_study(Stage::kBuild, bench_.views.labs)},
-      {tr("The force on the way of the tube"),
+      {tr("The force on the way of the tool"),
        tr("Each thin line is one nurse, the thick one is their mean. Click into the curves to go to a place; turn the "
           "wheel to come closer. A gap is a place for which no nurse gave a rule."),
        at(Stage::kUnderstand, panels.curves)},
       {tr("One place for everything"),
-       tr("Lubrication, neck, depth and speed: this is the situation that all panels speak of. Type a number, or click "
-          "into the curves."),
+       tr("One value of each input: this is the situation that all panels speak of. Type a number, or click into the "
+          "curves."),
        strip},
       {tr("Why this force"),
        tr("A sentence says why; below it stands what each word pulls, what the force would be without each nurse, and "
@@ -251,7 +251,7 @@ std::vector<TourStep> HelpFeature::steps() {
        tr("Holes, contradictions and jumps of the force, largest first. Where a repair is plain, one click does it."),
        at(Stage::kTune, panels.findings)},
       {tr("Feel it"),
-       tr("Press Start (F9), hold Space and move the mouse over the pad: the tube resists as the model says. No device "
+       tr("Press Start (F9), hold Space and move the mouse over the pad: the tool resists as the model says. No device "
           "is needed. F12 or Esc takes the force away; F10 makes this the whole window."),
        at(Stage::kTune, panels.feel)},
       {tr("Hand it to a simulator"),

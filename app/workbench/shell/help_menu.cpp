@@ -92,7 +92,7 @@ ShortcutSheet::ShortcutSheet(const QMenuBar& menus, QWidget* parent) : QDialog(p
                        {tr("Next vertex"), tr("up, down")},
                        {tr("Take a drag back"), tr("Esc")}}};
   sections << Section{tr("While a model is felt"),
-                      {{tr("Hold the tube"), tr("Space")},
+                      {{tr("Hold the tool"), tr("Space")},
                        {tr("Move the hand"), tr("left, right; with Shift farther")},
                        {tr("No force, at once"), tr("F12, or Esc outside a drag")}}};
   sections << Section{tr("Panels"),

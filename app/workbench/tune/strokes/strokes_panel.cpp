@@ -301,7 +301,7 @@ StrokesPanel::StrokesPanel(StrokesController& strokes)
   setMuted(*empty_);
   replay_->setFocusPolicy(Qt::TabFocus);
   replay_->setToolTip(
-      tr("Let the recorded hand of the chosen stroke move the tube through the present model, by calculation"));
+      tr("Let the recorded hand of the chosen stroke move the tool through the present model, by calculation"));
   legend_->setFullText(tr("dashed: before · line: now · shaded: felt, more than one just-noticeable difference (JND)"),
                        tr("dashed: before · line: now · shaded: felt"));
   scroll_->setWidget(traces_);
