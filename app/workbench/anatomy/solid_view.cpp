@@ -138,7 +138,7 @@ class SolidView::Scene {
     QPixmap drawing;   ///< without the tool
     // The body alone, which takes the longest to draw.
     std::optional<Canvas> body = {};
-    std::vector<ContourLine> contour = {};
+    QImage contour = {};
 
     void forget() {
       drawing = {};
@@ -239,6 +239,27 @@ class SolidView::Scene {
     return {at.x, at.y};
   }
 
+  static void drawLines(QPainter& painter, const std::vector<ContourLine>& pieces, QColor color, double width) {
+    QList<QLineF> whole;
+    for (const ContourLine& piece : pieces) {
+      if (piece.seen >= 1) {
+        whole << QLineF(piece.x1, piece.y1, piece.x2, piece.y2);
+        continue;
+      }
+      QColor faded = color;
+      faded.setAlphaF(static_cast<float>(piece.seen));
+      painter.setPen(QPen(faded, width, Qt::SolidLine, Qt::FlatCap));
+      painter.drawLine(QPointF(piece.x1, piece.y1), QPointF(piece.x2, piece.y2));
+    }
+    painter.setPen(QPen(color, width, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLines(whole);
+  }
+
+  static QImage imageOf(const Canvas& canvas) {
+    return {reinterpret_cast<const uchar*>(canvas.pixels.data()), canvas.width, canvas.height,
+            QImage::Format_ARGB32_Premultiplied};
+  }
+
   QPixmap drawn(Pane& pane, double ratio, const std::optional<LitRange>& range) const {
     const QSize size = (pane.place.size() * ratio).toSize();
     QPixmap out(size);
@@ -247,34 +268,30 @@ class SolidView::Scene {
     const Projection to_canvas = projection(pane, QPointF(size.width(), size.height()) / 2, ratio);
     if (!pane.body) {
       pane.body.emplace(size.width(), size.height());
-      pane.contour = drawSolid(*pane.body, body_, to_canvas, kSkin);
+      const auto pieces = drawSolid(*pane.body, body_, to_canvas, kSkin);
+      pane.contour = QImage(size, QImage::Format_ARGB32_Premultiplied);
+      pane.contour.fill(Qt::transparent);
+      QPainter painter(&pane.contour);
+      painter.setRenderHint(QPainter::Antialiasing);
+      drawLines(painter, pieces, kLine, kLinePx * ratio);
     }
     Canvas canvas = *pane.body;
-    QPainter painter(&out);
-    painter.setRenderHint(QPainter::Antialiasing);
     struct Lines {
       std::vector<ContourLine> pieces;
       QColor color;
-      double width;
     };
-    std::vector<Lines> lines = {{pane.contour, kLine, kLinePx}};
+    std::vector<Lines> lines;
     for (const Part& part : parts_) {
       const auto own = rangeOf(about_, part.region);
       const bool shines = range && own && own->middleMm() >= range->from_mm && own->middleMm() < range->to_mm;
-      lines.push_back({drawSolid(canvas, part.solid, to_canvas, shines ? litColors() : kRegion),
-                       shines ? kLitEdge : kRegionLine, kRegionLinePx});
+      lines.push_back(
+          {drawSolid(canvas, part.solid, to_canvas, shines ? litColors() : kRegion), shines ? kLitEdge : kRegionLine});
     }
-    painter.drawImage(0, 0,
-                      QImage(reinterpret_cast<const uchar*>(canvas.pixels.data()), canvas.width, canvas.height,
-                             QImage::Format_ARGB32_Premultiplied));
-    for (const Lines& of : lines) {
-      for (const ContourLine& piece : of.pieces) {
-        QColor color = of.color;
-        color.setAlphaF(static_cast<float>(piece.seen));
-        painter.setPen(QPen(color, of.width * ratio, Qt::SolidLine, piece.seen < 1 ? Qt::FlatCap : Qt::RoundCap));
-        painter.drawLine(QPointF(piece.x1, piece.y1), QPointF(piece.x2, piece.y2));
-      }
-    }
+    QPainter painter(&out);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.drawImage(0, 0, imageOf(canvas));
+    painter.drawImage(0, 0, pane.contour);
+    for (const Lines& of : lines) drawLines(painter, of.pieces, of.color, kRegionLinePx * ratio);
     painter.end();
     out.setDevicePixelRatio(ratio);
     return out;
