@@ -27,6 +27,7 @@ constexpr double kTopShare = 0.3;      // of the height
 constexpr double kTipPx = 5;           // radius
 constexpr double kStripShare = 0.25;   // of a picture: wider than any passage
 constexpr int kTurnMs = 1000;          // from one pose to another
+constexpr double kCostOfPx = 2;  // of the line to a plate, in pixels that the plate hides, of which one in 9 counts
 
 QByteArray bytesOf(const std::string& text) { return {text.data(), static_cast<qsizetype>(text.size())}; }
 
@@ -285,7 +286,7 @@ void PictureView::drawLit(QPainter& painter) const {
   }
 }
 
-// Where a plate hides the least of the picture.
+// Where a plate hides little of the picture, and is near its place.
 PictureView::NamePlace PictureView::placeOfName(const QPointF& at) {
   QFont bold = font();
   bold.setBold(true);
@@ -295,15 +296,19 @@ PictureView::NamePlace PictureView::placeOfName(const QPointF& at) {
   const QImage picture = drawing({shown_, near_}).toImage();
   const QImage lit = lit_drawing_.toImage();
   const double ratio = devicePixelRatioF();
+  const QPointF tip = depth_mm_ ? tool(*depth_mm_).back() : at;
   const auto hidden = [&](const QRectF& box) {
     constexpr int kStepPx = 3;
     constexpr int kLitWeight = 1000;
-    int count = box.contains(at) ? kLitWeight : 0;
-    for (int y = static_cast<int>(box.top()); y < box.bottom(); y += kStepPx) {
-      for (int x = static_cast<int>(box.left()); x < box.right(); x += kStepPx) {
+    constexpr int kApartPx = 8;  // from what is lit, and from the tip
+    const QRectF around = box.adjusted(-kApartPx, -kApartPx, kApartPx, kApartPx);
+    int count = 0;
+    for (const QPointF& point : {at, tip}) count += around.contains(point) ? kLitWeight : 0;
+    for (int y = static_cast<int>(around.top()); y < around.bottom(); y += kStepPx) {
+      for (int x = static_cast<int>(around.left()); x < around.right(); x += kStepPx) {
         const int drawn_x = mirrored_ ? width() - 1 - x : x;
         const QPoint pixel(static_cast<int>(drawn_x * ratio), static_cast<int>(y * ratio));
-        if (picture.valid(pixel) && qAlpha(picture.pixel(pixel)) > 0) ++count;
+        if (box.contains(x, y) && picture.valid(pixel) && qAlpha(picture.pixel(pixel)) > 0) ++count;
         if (lit.valid(pixel) && qAlpha(lit.pixel(pixel)) > 0) count += kLitWeight;
       }
     }
@@ -320,9 +325,11 @@ PictureView::NamePlace PictureView::placeOfName(const QPointF& at) {
       const double y = top + (bottom - top) * i / kHeights;
       // At the top of the one side stand the small pictures of the question.
       if (on_left != mirrored_ && y < kTopShare * height()) continue;
-      const int count = hidden(QRectF(QPointF(x, y), size));
-      if (least >= 0 && count >= least) continue;
-      least = count;
+      const double inner = on_left ? x + size.width() : x;
+      const double away = std::hypot(at.x() - inner, at.y() - y - size.height() / 2);
+      const int cost = hidden(QRectF(QPointF(x, y), size)) + static_cast<int>(kCostOfPx * away);
+      if (least >= 0 && cost >= least) continue;
+      least = cost;
       best = {on_left, y};
     }
   }
