@@ -4,6 +4,6 @@
 namespace tactus::tests {
 
 /// In ms: a busy machine with a sanitizer may need so long. Only a test that fails waits to the end.
-inline constexpr int kPatience = 60'000;
+inline constexpr int kPatience = 180'000;
 
 }  // namespace tactus::tests
