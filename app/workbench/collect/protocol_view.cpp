@@ -131,16 +131,17 @@ void ProtocolView::addForces() {
 
 void ProtocolView::addQuestions() {
   QVBoxLayout* const section = addSection(tr("Questions"));
-  putField(*section, {"item_order",
-                      tr("Order of the questions"),
-                      Kind::kWord,
-                      {},
-                      {},
-                      {{QStringLiteral("fixed"), tr("as in the form")},
-                       {QStringLiteral("within_blocks"), tr("drawn within each block of five")},
-                       {QStringLiteral("shuffled"), tr("drawn for each participant")},
-                       {QStringLiteral("least_known"), tr("next what is least known of the force")},
-                       {QStringLiteral("least_known_in_blocks"), tr("the same within each block")}}});
+  putField(*section,
+           {"item_order",
+            tr("Order of the questions"),
+            Kind::kWord,
+            {},
+            tr("The last two follow from what each participant has answered so far. All questions are asked."),
+            {{QStringLiteral("fixed"), tr("as in the form")},
+             {QStringLiteral("within_blocks"), tr("drawn within each block of five")},
+             {QStringLiteral("shuffled"), tr("drawn for each participant")},
+             {QStringLiteral("least_known"), tr("next what is least known of the force")},
+             {QStringLiteral("least_known_in_blocks"), tr("the same within each block")}}});
 }
 
 void ProtocolView::addLanguages() {
