@@ -127,14 +127,8 @@ base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std:
 base::Result<model_io::BundleCheck> verifyZip(const std::string& path, std::string_view generator) {
   TACTUS_TRY(const auto folder, UnzippedFolder::of(path));
   auto bundle = verifyFolder(folder.path(), generator);
-  // Its user knows the zip file alone.
-  const auto rename = [&](std::string& text) { text = base::replaced(std::move(text), {{folder.path(), path}}); };
-  if (!bundle) {
-    base::Error error = bundle.error();
-    rename(error.file);
-    return tl::unexpected(std::move(error));
-  }
-  for (FileCheck& check : bundle->files) rename(check.wrong);
+  if (!bundle) return tl::unexpected(folder.named(bundle.error()));
+  for (FileCheck& check : bundle->files) check.wrong = folder.named(std::move(check.wrong));
   return bundle;
 }
 

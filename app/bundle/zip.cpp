@@ -166,7 +166,7 @@ base::Result<UnzippedFolder> UnzippedFolder::of(const std::string& path) {
   TACTUS_TRY(const auto files, unzipped(path));
   std::error_code ignored;
   const fs::path place = fs::temp_directory_path(ignored) / "tactus-unzipped";
-  UnzippedFolder out(base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding));
+  UnzippedFolder out(path, base::makeUnfinishedFolder(place.string(), base::kUnfinishedEnding));
   if (!out.folder_.descriptor.isOpen())
     return base::fail(base::ErrorCode::kIo, place.string(), "no place to unpack", "a folder for temporary files");
   for (const auto& [name, bytes] : files) {
@@ -178,7 +178,17 @@ base::Result<UnzippedFolder> UnzippedFolder::of(const std::string& path) {
   return out;
 }
 
-UnzippedFolder::UnzippedFolder(UnzippedFolder&& other) noexcept : folder_(std::move(other.folder_)) {
+std::string UnzippedFolder::named(std::string text) const {
+  return base::replaced(std::move(text), {{folder_.path, zip_}});
+}
+
+base::Error UnzippedFolder::named(base::Error error) const {
+  error.file = named(std::move(error.file));
+  return error;
+}
+
+UnzippedFolder::UnzippedFolder(UnzippedFolder&& other) noexcept
+    : zip_(std::move(other.zip_)), folder_(std::move(other.folder_)) {
   other.folder_.path.clear();
 }
 

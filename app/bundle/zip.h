@@ -34,10 +34,15 @@ class UnzippedFolder {
   ~UnzippedFolder();
 
   const std::string& path() const noexcept { return folder_.path; }
+  /// `text` with the path of the zip file in the place of this folder's, which its user does not know.
+  std::string named(std::string text) const;
+  /// The same for the file of an error.
+  base::Error named(base::Error error) const;
 
  private:
-  explicit UnzippedFolder(base::Unfinished folder) : folder_(std::move(folder)) {}
+  UnzippedFolder(std::string zip, base::Unfinished folder) : zip_(std::move(zip)), folder_(std::move(folder)) {}
 
+  std::string zip_;
   base::Unfinished folder_;
 };
 

@@ -33,10 +33,8 @@ base::Result<certify::Questions> questionsFrom(const CertifyOptions& options, st
   if (bundle::isZipName(options.model)) {
     TACTUS_TRY(const auto folder, bundle::UnzippedFolder::of(options.model));
     auto questions = certify::questionsOfBundle(folder.path());
-    if (questions) return questions;
-    base::Error error = questions.error();
-    error.file = base::replaced(std::move(error.file), {{folder.path(), options.model}});
-    return tl::unexpected(std::move(error));
+    if (!questions) return tl::unexpected(folder.named(questions.error()));
+    return questions;
   }
   TACTUS_TRY(const auto text, base::readFile(options.model, model_io::kMostModelFileBytes));
   TACTUS_TRY(auto read, model_io::parseModel(text, options.model));

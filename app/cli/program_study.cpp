@@ -14,6 +14,15 @@ void addFile(CLI::App& command, std::string& file) {
   command.add_option("FILE", file, "Study file")->required()->check(notEmpty());
 }
 
+/// What the studies that a command simulates are about.
+CLI::Option* addSimulatedPack(CLI::App& command, std::string& pack) {
+  return command
+      .add_option("--pack", pack,
+                  "What a study to come is about: a folder with a pack, or a procedure that `tactus pack show` lists; "
+                  "default: the first of these")
+      ->check(notEmpty());
+}
+
 CLI::Validator whole(int low, int high) {
   return numberThat("a whole number from " + std::to_string(low) + " to " + std::to_string(high),
                     [low, high](double x) { return x >= low && x <= high && x == std::floor(x); });
@@ -148,12 +157,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
         auto* const running =
             command.add_option("STUDY", o.study, "A running study, as a file or a folder; default: a study to come")
                 ->check(notEmpty());
-        command
-            .add_option("--pack", o.pack,
-                        "What a study to come is about: a folder with a pack, or a procedure that `tactus pack show` "
-                        "lists; default: the first of these")
-            ->check(notEmpty())
-            ->excludes(running);
+        addSimulatedPack(command, o.pack)->excludes(running);
         command.add_option("--precision", o.precision_n, "Error that is wanted, N, root mean square")
             ->check(numberThat("a number above 0", [](double x) { return x > 0; }));
         command.add_option("--region", o.region, "Region, such as laryngopharynx; default: all")->check(notEmpty());
@@ -188,11 +192,7 @@ void addStudyCommands(CLI::App& app, Chosen& chosen) {
   addCommand(
       study, chosen, "trial", "Simulated studies with a known truth: how often it lies in the stated band", studyTrial,
       [](CLI::App& command, StudyTrialOptions& o) {
-        command
-            .add_option("--pack", o.pack,
-                        "What the studies are about: a folder with a pack, or a procedure that `tactus pack "
-                        "show` lists; default: the first of these")
-            ->check(notEmpty());
+        addSimulatedPack(command, o.pack);
         command.add_option("--nurses", o.nurses, "Nurses of each study")->check(whole(2, planning::kMostNurses));
         command.add_option("--strokes", o.strokes, "Strokes at each speed")->check(whole(1, 100));
         command.add_option("--studies", o.studies, "Number of studies")->check(whole(2, planning::kMostStudies));

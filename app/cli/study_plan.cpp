@@ -49,10 +49,15 @@ planning::PlanSettings settingsFrom(const StudyPlanOptions& options) {
   return out;
 }
 
+Result<session::ProcedurePtr> procedureNamed(const std::string& pack) {
+  if (pack.empty()) return procedure::defaultProcedure();
+  return packNamed(pack);
+}
+
 Result<Planned> planFrom(const StudyPlanOptions& options) {
   Planned out;
   if (options.study.empty()) {
-    TACTUS_TRY(const auto about, options.pack.empty() ? procedure::defaultProcedure() : packNamed(options.pack));
+    TACTUS_TRY(const auto about, procedureNamed(options.pack));
     out.study = planning::planBefore(about, settingsFrom(options));
   } else {
     BuildOptions build;
@@ -169,7 +174,7 @@ std::string csvOf(const PlannedStudy& planned) {
 }  // namespace
 
 Result<Output> studyTrial(const StudyTrialOptions& options) {
-  TACTUS_TRY(const auto about, options.pack.empty() ? procedure::defaultProcedure() : packNamed(options.pack));
+  TACTUS_TRY(const auto about, procedureNamed(options.pack));
   const planning::Questions questions = planning::questionsOf(about);
   planning::TrialSettings settings;
   settings.design = {options.nurses, static_cast<int>(questions.items.size()), options.strokes};

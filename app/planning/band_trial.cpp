@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "app/planning/simulated_people.h"
 #include "app/planning/simulated_studies.h"
 #include "core/base/statistics.h"
 #include "elicitation/force/noticeable_force.h"
@@ -28,19 +27,14 @@ struct Statement {
 std::vector<Statement> statementsOf(const Questions& questions, const NurseSource& source,
                                     const TrialSettings& settings, std::size_t number,
                                     const std::vector<std::vector<double>>& points, const std::vector<double>& truth) {
-  base::Random random(seedOf(settings.plan.seed, 2 * number + 1));
   const study::Form& form = questions.about->forms.front();
   study::Study study;
   study.name = "trial";
   study.procedure = questions.about;
-  for (int who = 0; who < settings.design.nurses; ++who) {
-    const std::string code = "N" + std::to_string(who + 1);
-    const auto nurse = source(random);
-    base::Random noise(random.next());
-    const auto data = dataOf(questions, nurse, settings.plan.noise, settings.design.strokes, code, noise);
-    if (!data) return {};
-    addTo(study, form, code, *data);
-  }
+  const auto people =
+      peopleOf(questions, source, settings.plan, number, settings.design.nurses, settings.design.strokes);
+  if (people.empty()) return {};
+  for (std::size_t who = 0; who < people.size(); ++who) addTo(study, form, "N" + std::to_string(who + 1), people[who]);
   elicitation::BuildSettings build;
   build.force_terms = settings.plan.force_terms;
   const auto built = elicitation::buildModel(study, {&form, 1}, build);

@@ -1,5 +1,5 @@
 // The stated bands on trial: simulated studies whose truth only the simulation knows, built and banded like any study,
-// and how often the truth lies in the band (docs/evidence.md).
+// and how often the truth lies in the band (docs/uncertainty.md).
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ struct RegionTrial {
   double high = 0;
   double error_n = 0;       ///< root mean square of the averaged force less the truth
   double error_jnd = 0;     ///< the same over the just-noticeable difference at the truth
-  double half_width_n = 0;  ///< mean of the band's half width, before it is cut at the reachable range
+  double half_width_n = 0;  ///< mean of the band's half width, before it is cut at the ends of the force
 };
 
 struct BandTrial {

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <thread>
 
-#include "app/planning/simulated_people.h"
 #include "core/fuzzy/compiled_model.h"
 
 namespace tactus::planning {
@@ -41,6 +40,20 @@ bool inParallel(std::size_t count, unsigned threads, const std::function<void(st
   }
   for (auto& one : team) one.join();
   return !stop;
+}
+
+std::vector<NurseData> peopleOf(const Questions& questions, const NurseSource& source, const PlanSettings& settings,
+                                std::uint64_t number, int nurses, int strokes) {
+  base::Random random(seedOf(settings.seed, 2 * number + 1));
+  std::vector<NurseData> out;
+  for (int who = 0; who < nurses; ++who) {
+    const auto nurse = source(random);
+    base::Random noise(random.next());  // the numbers of strokes do not move the next nurse
+    auto data = dataOf(questions, nurse, settings.noise, strokes, "N" + std::to_string(who + 1), noise);
+    if (!data) return {};
+    out.push_back(std::move(*data));
+  }
+  return out;
 }
 
 bool forcesOf(const fuzzy::ForceModel& model, const std::vector<std::vector<double>>& points, std::vector<double>& out,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/planning/nurse_family.h"
+#include "app/planning/simulated_people.h"
 #include "app/planning/study_plan.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
@@ -20,6 +21,11 @@ std::uint64_t seedOf(std::uint64_t seed, std::uint64_t number);
 /// False: canceled.
 bool inParallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
                 const std::function<bool(double)>& go_on);
+
+/// The participants of study `number`, N1, N2 and so on: the same nurses whatever the number of strokes, and the first
+/// ones whatever the number of nurses. Empty if the strokes of one cannot be clustered.
+std::vector<NurseData> peopleOf(const Questions& questions, const NurseSource& source, const PlanSettings& settings,
+                                std::uint64_t number, int nurses, int strokes);
 
 /// The forces of a model at the points; false if it cannot be compiled. `silent`: counts those where no rule fires.
 bool forcesOf(const fuzzy::ForceModel& model, const std::vector<std::vector<double>>& points, std::vector<double>& out,

@@ -219,15 +219,8 @@ Result<StudyPlan> planStudy(const Questions& questions, const NurseSource& sourc
   const auto study = [&](std::size_t number) {
     std::size_t at = 0;
     for (const int strokes : by_strokes) {
-      base::Random random(seedOf(settings.seed, 2 * number + 1));
-      std::vector<NurseData> people;
-      for (int who = 0; who < settings.most_nurses; ++who) {
-        const auto nurse = source(random);
-        base::Random noise(random.next());  // the numbers of strokes do not move the next nurse
-        auto data = dataOf(questions, nurse, settings.noise, strokes, "N" + std::to_string(who + 1), noise);
-        if (!data) return;
-        people.push_back(std::move(*data));
-      }
+      const auto people = peopleOf(questions, source, settings, number, settings.most_nurses, strokes);
+      if (people.empty()) return;
       std::vector<Result<fuzzy::Variable>> outputs;
       for (int nurses = settings.least_nurses; nurses <= settings.most_nurses; ++nurses)
         outputs.push_back(outputOf(questions, {people.data(), static_cast<std::size_t>(nurses)}, settings.force_terms));

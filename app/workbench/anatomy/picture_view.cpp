@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "app/workbench/anatomy/pack_view.h"
+#include "app/workbench/anatomy/solid.h"
 
 namespace tactus::workbench::anatomy {
 namespace {
@@ -28,8 +29,6 @@ constexpr double kTipPx = 5;           // radius
 constexpr double kStripShare = 0.25;   // of a picture: wider than any passage
 constexpr int kTurnMs = 1000;          // from one pose to another
 constexpr double kCostOfPx = 2;  // of the line to a plate, in pixels that the plate hides, of which one in 9 counts
-
-QByteArray bytesOf(const std::string& text) { return {text.data(), static_cast<qsizetype>(text.size())}; }
 
 class PictureView final : public PackView {
  public:
@@ -119,12 +118,8 @@ QPointF placeIn(const procedure::Picture& picture, double depth_mm) {
 }
 
 std::vector<QPointF> between(const procedure::Picture& picture, double from_mm, double to_mm) {
-  std::vector<QPointF> out = {placeIn(picture, from_mm)};
-  for (std::size_t i = 0; i < picture.way.size(); ++i) {
-    const double mm = picture.way_mm[i];
-    if (mm > from_mm && mm < to_mm) out.emplace_back(picture.way[i].x, picture.way[i].y);
-  }
-  out.push_back(placeIn(picture, to_mm));
+  std::vector<QPointF> out;
+  for (const Spot& spot : wayBetween(picture, from_mm, to_mm)) out.emplace_back(spot.x, spot.y);
   return out;
 }
 
@@ -133,7 +128,7 @@ QRectF PictureView::nearBox(std::size_t index) const {
   const procedure::Picture& picture = about().pictures[index];
   if (picture.near) return {picture.near->left, picture.near->top, picture.near->width, picture.near->height};
   if (const auto kept = near_boxes_.find(index); kept != near_boxes_.end()) return kept->second;
-  const QSvgRenderer renderer(bytesOf(about().files.at(picture.file)));
+  const QSvgRenderer renderer(QByteArray::fromStdString(about().files.at(picture.file)));
   QRectF box(placeIn(picture, picture.way_mm.front()), QSizeF(1, 1));
   for (const auto& [id, outline] : picture.regions)
     box |= renderer.boundsOnElement(QStringLiteral("region_") + QString::fromStdString(id));
@@ -235,7 +230,7 @@ const QPixmap& PictureView::drawing(const Shot& shot) {
     const procedure::Picture& of = about().pictures[shot.picture];
     const QRectF frame = frameOf(shot);
     out = drawn(frame, viewBoxOf(of), [&](QPainter& onto) {
-      QSvgRenderer renderer(bytesOf(about().files.at(of.file)));
+      QSvgRenderer renderer(QByteArray::fromStdString(about().files.at(of.file)));
       renderer.setViewBox(frame);
       renderer.render(&onto, frame);
     });

@@ -123,8 +123,7 @@ TEST(PictureView, MirrorsThePicture) {
 
 TEST(InsetView, ShowsTheStomachOnThePatientsLeft) {
   constexpr QColor kStomach(0xE8, 0xA5, 0x96);
-  const std::string& svg = ngt().files.at("pictures/front.svg");
-  InsetView view(QByteArray(svg.data(), static_cast<qsizetype>(svg.size())));
+  InsetView view(QByteArray::fromStdString(ngt().files.at("pictures/front.svg")));
   view.resize(560, 392);  // twice as wide as the drawing: it stays in the middle
   const QImage picture = view.grab().toImage();
   // The drawing is seen from the front, so the patient's left is on the right; 1 px is 1 mm, the middle is x = 0.

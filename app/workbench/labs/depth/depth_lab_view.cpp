@@ -239,8 +239,7 @@ std::optional<ExampleImage> exampleImage(const procedure::Procedure& about) {
   ExampleImage out{QImage(size, QImage::Format_ARGB32_Premultiplied), elicitation::kVisibleHumanMmPerPx, {}};
   out.image.fill(Qt::transparent);
   QPainter painter(&out.image);
-  const std::string& svg = about.files.at(picture.file);
-  QSvgRenderer(QByteArray(svg.data(), static_cast<qsizetype>(svg.size()))).render(&painter);
+  QSvgRenderer(QByteArray::fromStdString(picture.svg)).render(&painter);
   const double way_mm = mm.back() - mm.front();
   const int clicks = static_cast<int>(std::ceil(way_mm / kClickMm));
   for (int i = 0; i <= clicks; ++i) {

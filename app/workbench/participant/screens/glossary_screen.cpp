@@ -90,9 +90,8 @@ void GlossaryPage::addOtherViews(bool of_regions) {
   const procedure::Procedure& about = *look_.about();
   for (const procedure::OtherView& view : about.other_views) {
     if (view.of_regions != of_regions) continue;
-    const std::string& svg = about.files.at(view.file);
     addColumn(phrase(QString::fromStdString(view.word)),
-              new anatomy::InsetView(QByteArray(svg.data(), static_cast<qsizetype>(svg.size())), this), true);
+              new anatomy::InsetView(QByteArray::fromStdString(about.files.at(view.file)), this), true);
   }
 }
 
