@@ -6,7 +6,7 @@
 # Headers that take seconds are compiled once for all rooms (TACTUS_PCH).
 function(tactus_room_headers name)
   cmake_parse_arguments(ARG "" "" "LINK;HEADERS" ${ARGN})
-  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp" "// Carries the precompiled headers.\n")
+  file(CONFIGURE OUTPUT "${name}.cpp" CONTENT "// Carries the precompiled headers.\n")
   add_library(${name} STATIC "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
   set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   target_link_libraries(${name} PRIVATE tactus_common ${ARG_LINK})

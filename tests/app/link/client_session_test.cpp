@@ -18,7 +18,7 @@ const std::string kSessionToken = "0123456789abcdef0123456789abcdef";
 const std::string kHello =
     R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":["model","state"]})";
 
-class SessionTest : public testing::Test {
+class ClientSessionTest : public testing::Test {
  protected:
   static ServedModel served(std::uint64_t serial) {
     const auto model = support::s4FiveRegions();
@@ -67,7 +67,7 @@ class SessionTest : public testing::Test {
   ClientSession session_;
 };
 
-TEST_F(SessionTest, AHelloIsAnsweredAndTheModelFollows) {
+TEST_F(ClientSessionTest, AHelloIsAnsweredAndTheModelFollows) {
   const auto lines = say(kHello + '\n');
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], R"({"hello":"tactus-link","version":1,"program":"tactus test"})");
@@ -75,7 +75,7 @@ TEST_F(SessionTest, AHelloIsAnsweredAndTheModelFollows) {
   EXPECT_EQ(session_.phase(), Phase::kGreeted);
 }
 
-TEST_F(SessionTest, AHelloMayComeByteByByteAndKeysOfLaterVersionsAreIgnored) {
+TEST_F(ClientSessionTest, AHelloMayComeByteByByteAndKeysOfLaterVersionsAreIgnored) {
   const std::string hello = R"({ "later" : [1,{"x":2}], "name":"Sim\u0007", )" + kHello.substr(1) + "\r\n";
   std::vector<std::string> lines;
   for (const char c : hello) {
@@ -86,7 +86,7 @@ TEST_F(SessionTest, AHelloMayComeByteByByteAndKeysOfLaterVersionsAreIgnored) {
   EXPECT_TRUE(session_.hello().token.empty()) << "a secret is not kept longer than needed";
 }
 
-TEST_F(SessionTest, WhatIsWantedIsSent) {
+TEST_F(ClientSessionTest, WhatIsWantedIsSent) {
   std::string hello = R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":[]})";
   EXPECT_EQ(say(hello + '\n').size(), 1U);
   EXPECT_FALSE(session_.isDue(0));
@@ -95,7 +95,7 @@ TEST_F(SessionTest, WhatIsWantedIsSent) {
   EXPECT_EQ(say(hello + '\n').size(), 2U) << "without want: the model";
 }
 
-TEST_F(SessionTest, AWrongHelloIsOneSentenceAndTheEnd) {
+TEST_F(ClientSessionTest, AWrongHelloIsOneSentenceAndTheEnd) {
   const auto with = [](const std::string& members) { return R"({"hello":"tactus-link",)" + members + "}"; };
   const std::string token = R"("token":")" + kSessionToken + '"';
   EXPECT_EQ(refusal(with(R"("version":1,"token":"0123456789abcdef0123456789abcdee")")),
@@ -120,7 +120,7 @@ TEST_F(SessionTest, AWrongHelloIsOneSentenceAndTheEnd) {
   EXPECT_NE(refusal(kHello).find("try again"), std::string::npos);
 }
 
-TEST_F(SessionTest, HostileLinesAreOneSentenceAndTheEnd) {
+TEST_F(ClientSessionTest, HostileLinesAreOneSentenceAndTheEnd) {
   const auto after_hello = [this](std::string_view bytes) {
     session_ = {};
     say(kHello + '\n');
@@ -151,7 +151,7 @@ TEST_F(SessionTest, HostileLinesAreOneSentenceAndTheEnd) {
   EXPECT_NE(after_hello(std::string("{\"a\0\":1}\n", 9)).find("zero byte"), std::string::npos);
 }
 
-TEST_F(SessionTest, ALineHasAtMostOneMiB) {
+TEST_F(ClientSessionTest, ALineHasAtMostOneMiB) {
   say(kHello + '\n');
   std::string ask = R"({"ask":{"id":1,"inputs":[1,45,130,50]}})";
   ask.append(LineBuffer::kLongestLine - ask.size(), ' ');
@@ -163,7 +163,7 @@ TEST_F(SessionTest, ALineHasAtMostOneMiB) {
   EXPECT_NE(errorOf(say(ask + ' ')).find("line 3 of the client: found more than 1048576 bytes"), std::string::npos);
 }
 
-TEST_F(SessionTest, AnswersAreThoseOfTheModelInOrder) {
+TEST_F(ClientSessionTest, AnswersAreThoseOfTheModelInOrder) {
   say(kHello + '\n');
   const auto lines = say(R"({"ask":{"id":7,"inputs":[1,45,30,30]}}
 {"ask":{"id":"b","inputs":[0.3,45,80,170]}}
@@ -185,7 +185,7 @@ TEST_F(SessionTest, AnswersAreThoseOfTheModelInOrder) {
 const std::string kFelt = R"({"felt":{"time_s":1.5,"depth_mm":120,"speed_mm_s":-3,"force_n":0.4,"held":true,)"
                           R"("conditions":{"lubrication":0.5}}})";
 
-TEST_F(SessionTest, TheNewestPlaceOfASimulatorCounts) {
+TEST_F(ClientSessionTest, TheNewestPlaceOfASimulatorCounts) {
   say(kHello + '\n');
   EXPECT_FALSE(session_.takeFelt());
   std::string flood;
@@ -201,7 +201,7 @@ TEST_F(SessionTest, TheNewestPlaceOfASimulatorCounts) {
   EXPECT_TRUE(session_.wantsInput());
 }
 
-TEST_F(SessionTest, NonsenseAboutAPlaceIsOneSentenceAndTheEnd) {
+TEST_F(ClientSessionTest, NonsenseAboutAPlaceIsOneSentenceAndTheEnd) {
   const auto after_hello = [this](const std::string& from, const std::string& to) {
     session_ = {};
     say(kHello + '\n');
@@ -229,7 +229,7 @@ TEST_F(SessionTest, NonsenseAboutAPlaceIsOneSentenceAndTheEnd) {
       has(after_hello("felt", "fell"), "found the member 'fell', wanted a line with the member 'ask' or 'felt'"));
 }
 
-TEST_F(SessionTest, PlacesOfOthersGoToThoseWhoWantThem) {
+TEST_F(ClientSessionTest, PlacesOfOthersGoToThoseWhoWantThem) {
   say(kHello + '\n');
   const auto line = std::make_shared<const std::string>(feltLine({1, 2, 3, 4, {{"speed", 3}}}, "Phantom \"2\""));
   EXPECT_EQ(*line, R"({"felt":{"time_s":1,"depth_mm":2,"speed_mm_s":3,"force_n":4,"conditions":{"speed":3},)"
@@ -246,7 +246,7 @@ TEST_F(SessionTest, PlacesOfOthersGoToThoseWhoWantThem) {
   EXPECT_EQ(lines[0] + '\n', *line);
 }
 
-TEST_F(SessionTest, AFloodOfQuestionsIsReadNoFasterThanItsAnswersAreTaken) {
+TEST_F(ClientSessionTest, AFloodOfQuestionsIsReadNoFasterThanItsAnswersAreTaken) {
   say(kHello + '\n');
   std::string flood;
   for (int i = 0; i < 20'000; ++i)
@@ -266,7 +266,7 @@ TEST_F(SessionTest, AFloodOfQuestionsIsReadNoFasterThanItsAnswersAreTaken) {
   EXPECT_TRUE(session_.wantsInput());
 }
 
-TEST_F(SessionTest, ASlowClientGetsTheNewestAndTheLineThatWasBegun) {
+TEST_F(ClientSessionTest, ASlowClientGetsTheNewestAndTheLineThatWasBegun) {
   session_.receive(kHello + '\n');
   session_.work(1, {model_, kSessionToken, "tactus test", true});
   session_.sent(session_.output().size());
@@ -289,7 +289,7 @@ TEST_F(SessionTest, ASlowClientGetsTheNewestAndTheLineThatWasBegun) {
   EXPECT_EQ(lines[2], "{\"state\":49}");
 }
 
-TEST_F(SessionTest, StatesComeAtTheWantedRate) {
+TEST_F(ClientSessionTest, StatesComeAtTheWantedRate) {
   const auto due = [this](const std::string& rate) {
     session_ = {};
     say(R"({"hello":"tactus-link","version":1,"token":")" + kSessionToken + R"(","want":["state"])" + rate + "}\n");

@@ -19,7 +19,7 @@
 
 namespace tactus::workbench {
 
-inline const editing::VertexPlace kNearShoulder{{"depth", ""}, "near", 2};
+using tests::kNearShoulder;
 
 class StudyModelsTest : public testing::Test {
  protected:

@@ -17,18 +17,17 @@
 #include "core/haptics/haply/web_socket.h"
 #include "core/haptics/servo/servo_clock.h"
 
+#include "tests/support/comes_true.h"
+
 namespace tactus::haptics {
 
-/// Whether `condition` came true before a deadline that only a broken program misses. `step`: once per millisecond.
+/// Whether `condition` came true. `step`: once per millisecond.
 template <typename Condition, typename Step>
 bool comesTrue(Condition condition, Step step) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
+  return support::comesTrue(condition, [&] {
     step();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  return true;
+  });
 }
 
 /// The same while a servo would ask for `force_n`.

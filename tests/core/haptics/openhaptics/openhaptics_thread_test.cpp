@@ -4,20 +4,12 @@
 #include <thread>
 
 #include "tests/core/haptics/openhaptics/loaded_stand_in.h"
+#include "tests/support/comes_true.h"
 
 namespace tactus::haptics {
 namespace {
 
-/// Waits for a condition; a machine that is busy only makes it slower.
-template <class Condition>
-bool comesTrue(Condition condition) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::yield();
-  }
-  return true;
-}
+using support::comesTrue;
 
 class Counting : public Ticked {
  public:

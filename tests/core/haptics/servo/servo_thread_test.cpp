@@ -12,21 +12,13 @@
 #include "core/haptics/servo/servo.h"
 
 #include "tests/core/haptics/scripted_device.h"
+#include "tests/support/comes_true.h"
 #include "tests/support/ngt_model.h"
 
 namespace tactus::haptics {
 namespace {
 
-/// Whether `condition` came true before a deadline that only a broken program misses.
-template <typename Condition>
-bool comesTrue(Condition condition) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) return false;
-    std::this_thread::yield();
-  }
-  return true;
-}
+using support::comesTrue;
 
 /// Locked memory would hold for the rest of the test program.
 ServoThreadSettings settings() {
