@@ -191,6 +191,8 @@ void addCurves(report::HtmlPage& page, const fuzzy::ForceModel& model, const fuz
   page.figure(figure);
 }
 
+constexpr double kRoundingN = 1e-9;  // experts who differ by less say the same
+
 report::Table regionTable(const fuzzy::ForceModel& model, const std::vector<RegionNumbers>& regions) {
   report::Table table;
   table.caption = "Regions along the depth, each from where its word is the truest, with the forces at all conditions.";
@@ -203,7 +205,9 @@ report::Table regionTable(const fuzzy::ForceModel& model, const std::vector<Regi
                           numberCell(formatFixed(region.to_mm, 0)),
                           numberCell(region.lowest_n ? shortly(*region.lowest_n) : "none"),
                           numberCell(region.highest_n ? shortly(*region.highest_n) : "none"),
-                          numberCell(model.experts.size() > 1 ? shortly(region.apart_n) : "")});
+                          numberCell(model.experts.size() < 2      ? std::string()
+                                     : region.apart_n > kRoundingN ? shortly(region.apart_n)
+                                                                   : std::string("0"))});
   }
   return table;
 }

@@ -10,8 +10,9 @@
 
 namespace tactus::living {
 
-/// With more experts a page is too large and too slow.
-inline constexpr std::size_t kMostExperts = 12;
+/// With more experts a page is too large and too slow. The curves of more than 12 are drawn as a range
+/// (page/panels.js).
+inline constexpr std::size_t kMostExperts = 60;
 
 /// One element of a page, written as XML. Its scripts come with a checksum and with about 2,000 points and their forces
 /// by the evaluator. When the page opens it checks both and says so; without scripts it says that it is only read.

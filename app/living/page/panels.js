@@ -1,4 +1,7 @@
 // Inputs and force, the curve, the balance and the map.
+/* Experts whose curves are drawn; of more of them the range is. */
+const MOST_LINES = 12;
+
 function inputRow(input, i) {
   const step = roundStep(input.max - input.min, 400);
   const slider = el('input', {
@@ -77,8 +80,14 @@ function forcePanel() {
   });
   return card(
       labelOf(FORCE_MODEL.output), '', el('div', {class: 'living-numbers'}, big, what_if), sentence,
-      FORCE_MODEL.experts.length > 1 ? el('ul', {class: 'living-experts', 'aria-label': 'Force of each expert'}, rows) :
-                                       null);
+      FORCE_MODEL.experts.length > 1 ?
+          el('ul', {
+            class: FORCE_MODEL.experts.length > MOST_LINES ? 'living-experts many' : 'living-experts',
+            'aria-label': 'Force of each expert',
+            tabindex: FORCE_MODEL.experts.length > MOST_LINES && '0'
+          },
+             rows) :
+          null);
 }
 
 function curvePanel() {
@@ -91,12 +100,15 @@ function curvePanel() {
         }
       },
          FORCE_MODEL.inputs.map((input, i) => el('option', {value: i, selected: i === state.over}, labelOf(input))));
-  const many = FORCE_MODEL.experts.length > 1;
+  const many = FORCE_MODEL.experts.length > 1, lines = many && FORCE_MODEL.experts.length <= MOST_LINES;
   const key = el('p', {class: 'living-key'});
   panels.push(() => {
     const input = FORCE_MODEL.inputs[state.over], width = widthOf(holder), height = width < 500 ? 260 : 320;
-    const xs = positionsOf(FORCE_MODEL, state.over);
-    const own = FORCE_MODEL.experts.map((_, e) => curve(FORCE_MODEL, state.inputs, state.over, xs, e, engine));
+    /* Of many experts fewer places, so that the curve follows the hand. */
+    const all = positionsOf(FORCE_MODEL, state.over), every = many && !lines ? 2 : 1;
+    const thinned = (step) => all.filter((_, k) => k % step === 0 || k === all.length - 1);
+    const xs = thinned(every), own_xs = thinned(every * every);
+    const own = FORCE_MODEL.experts.map((_, e) => curve(FORCE_MODEL, state.inputs, state.over, own_xs, e, engine));
     const mean = curve(FORCE_MODEL, state.inputs, state.over, xs, null, engine);
     const place = axes(
         width, height, [input.min, input.max], [FORCE_MODEL.output.min, FORCE_MODEL.output.max], named(input),
@@ -114,17 +126,17 @@ function curvePanel() {
     }
     drawing.append(place.group);
     if (many) {
-      const low =
-          xs.map((_, k) => own.reduce((least, one) => (one[k] === null ? least : Math.min(least, one[k])), Infinity));
-      const high =
-          xs.map((_, k) => own.reduce((most, one) => (one[k] === null ? most : Math.max(most, one[k])), -Infinity));
-      for (let k = 0; k < xs.length;) {
+      const low = own_xs.map(
+          (_, k) => own.reduce((least, one) => (one[k] === null ? least : Math.min(least, one[k])), Infinity));
+      const high = own_xs.map(
+          (_, k) => own.reduce((most, one) => (one[k] === null ? most : Math.max(most, one[k])), -Infinity));
+      for (let k = 0; k < own_xs.length;) {
         let end = k;
-        while (end < xs.length && high[end] >= low[end]) ++end;
+        while (end < own_xs.length && high[end] >= low[end]) ++end;
         if (end > k) {
-          const points = xs.slice(k, end)
+          const points = own_xs.slice(k, end)
                              .map((x, j) => [x, high[k + j]])
-                             .concat(xs.slice(k, end).map((x, j) => [x, low[k + j]]).reverse());
+                             .concat(own_xs.slice(k, end).map((x, j) => [x, low[k + j]]).reverse());
           drawing.append(svg('polygon', {
             class: 'living-band',
             points: points.map(([x, force]) => place.x(x).toFixed(1) + ',' + place.y(force).toFixed(1)).join(' ')
@@ -132,9 +144,11 @@ function curvePanel() {
         }
         k = Math.max(end, k + 1);
       }
-      own.forEach(
-          (ys, e) =>
-              drawing.append(svg('path', {class: 'living-expert', d: path(xs, ys, place), stroke: content.colors[e]})));
+      if (lines) {
+        own.forEach(
+            (ys, e) => drawing.append(
+                svg('path', {class: 'living-expert', d: path(xs, ys, place), stroke: content.colors[e]})));
+      }
     }
     drawing.append(svg('path', {class: 'living-mean', d: path(xs, mean, place)}));
     if (state.what_if) {
@@ -166,11 +180,11 @@ function curvePanel() {
     holder.replaceChildren(drawing);
     key.replaceChildren(
         el('span', {}, el('i', {class: 'line mean'}), many ? 'average' : labelOf(FORCE_MODEL.experts[0])),
-        ...(many ? FORCE_MODEL.experts.map(
-                       (expert, e) =>
-                           el('span', {}, el('i', {class: 'line', style: 'border-color:' + content.colors[e]}),
-                              labelOf(expert))) :
-                   []),
+        ...(lines ? FORCE_MODEL.experts.map(
+                        (expert, e) =>
+                            el('span', {}, el('i', {class: 'line', style: 'border-color:' + content.colors[e]}),
+                               labelOf(expert))) :
+                    []),
         ...(many ? [el('span', {}, el('i', {class: 'area'}), 'between the experts')] : []),
         ...(state.what_if ? [el('span', {}, el('i', {class: 'line what-if'}), 'what if: not the model')] : []));
   });

@@ -107,7 +107,7 @@ function wordsPanel() {
               FORCE_MODEL.experts.filter((expert) => (v < FORCE_MODEL.inputs.length ? expert.inputs[v] : expert.output))
                   .map(labelOf);
     note.textContent =
-        (own.length > 0 ? own.join(', ') + (own.length > 1 ? ' have' : ' has') + ' own words here, which stay. ' : '') +
+        (own.length > 0 ? (own.length > MOST_LINES ? own.length + ' experts' : own.join(', ')) + (own.length > 1 ? ' have' : ' has') + ' own words here, which stay. ' : '') +
         (state.what_if ?
              'What if: not the model. At the present inputs ' + newtons(forceModel(state.inputs, state.what_if).force) +
                  ' instead of ' + newtons(forceModel(state.inputs).force) + '.' :

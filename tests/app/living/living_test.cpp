@@ -227,15 +227,23 @@ TEST(Living, IsSmallWellFormedAndAsksForNothing) {
   EXPECT_EQ(pageOf(support::inventedExperts()).find("are simulated"), std::string::npos);
 }
 
-TEST(Living, IsLeftOutForTooManyExperts) {
-  auto model = support::s4FiveRegions();
-  const auto section = [&] { return sectionOf(model, *fuzzy::compile(model), false).has_value(); };
-  EXPECT_TRUE(section());
-  while (model.experts.size() <= kMostExperts) {
-    model.experts.push_back(model.experts.front());
-    model.experts.back().id += std::to_string(model.experts.size());
+/// E1, E2, E3 and S4 again and again.
+fuzzy::ForceModel manyExperts(std::size_t count) {
+  auto model = support::inventedExperts();
+  for (std::size_t e = 0; model.experts.size() < count; ++e) {
+    model.experts.push_back(model.experts[e]);
+    model.experts.back().id += "_" + std::to_string(e);
+    model.experts.back().label = "Expert " + std::to_string(e);
   }
-  EXPECT_FALSE(section());
+  return model;
+}
+
+TEST(Living, IsLeftOutForTooManyExperts) {
+  const auto has_section = [](const fuzzy::ForceModel& model) {
+    return sectionOf(model, *fuzzy::compile(model), false).has_value();
+  };
+  EXPECT_TRUE(has_section(manyExperts(kMostExperts)));
+  EXPECT_FALSE(has_section(manyExperts(kMostExperts + 1)));
 }
 
 class LivingInChromium : public testing::Test {
@@ -273,6 +281,22 @@ TEST_F(LivingInChromium, IsGreenAsItWasWrittenAndRedAfterAnyChange) {
     EXPECT_NE(bad.find("living-state wrong"), std::string::npos) << bad;
     EXPECT_NE(bad.find("Do not trust this page"), std::string::npos) << bad;
   }
+}
+
+TEST_F(LivingInChromium, ShowsTheRangeOfManyExperts) {
+  const auto rendered = [this](std::size_t experts) {
+    const std::string file = folder_.file(std::to_string(experts) + ".html");
+    std::ofstream(file) << pageOf(manyExperts(experts));
+    return support::renderedPage(file);
+  };
+  const auto lines = [](const std::string& dom) { return support::countOf(dom, "class=\"living-expert\""); };
+  const std::string twelve = rendered(12);
+  EXPECT_EQ(lines(twelve), 12U);
+  const std::string all = rendered(kMostExperts);
+  EXPECT_EQ(lines(all), 0U);
+  EXPECT_EQ(support::countOf(all, "class=\"living-name\""), kMostExperts);
+  EXPECT_GE(support::countOf(all, "class=\"living-band\""), 1U);
+  EXPECT_NE(all.find("living-state right"), std::string::npos);
 }
 
 TEST_F(LivingInChromium, WithoutItsScriptsSaysThatItIsOnlyRead) {
