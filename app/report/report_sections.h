@@ -27,8 +27,6 @@ struct ReportContext {
   bool simulated(const std::string& participant) const;
   bool simulated() const;
   const procedure::Procedure& about() const { return in.built.about(); }
-  /// Whether the study is about the procedure of the paper, so that its figures can be compared.
-  bool ofPaper() const { return about().id == procedure::defaultProcedure()->id; }
 };
 
 /// Participants and experts that are drawn one by one; with more of them only some, or the range of all.
@@ -138,7 +136,9 @@ std::string regionCodes(const std::vector<Region>& regions);
 void markRegions(SvgPlot& plot, const std::vector<Region>& regions);
 /// A plot over the depth at the conditions of the curves, with its regions marked. `height`: px.
 SvgPlot depthPlot(const ReportContext& context, const std::string& title, double height, const PlotAxis& y);
-/// `tube lubrication 0.90, neck flexion angle 35 deg, …`: a point of the input space.
+/// `insertion speed 35 mm/s`: a value of one input.
+std::string valueText(const fuzzy::Variable& input, double value);
+/// `insertion depth 35 mm, insertion speed 35 mm/s, …`: a point of the input space.
 std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point);
 /// The same of all inputs but the way and those of `without`.
 std::string settingText(const ReportContext& context, const std::vector<double>& point,

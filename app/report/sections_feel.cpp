@@ -18,11 +18,12 @@ namespace {
 using simulation::TraceTick;
 
 struct FeltRun {
+  std::string setting;  ///< ` at <its conditions>, and how they change`; empty without conditions
   std::vector<TraceTick> ticks;
   simulation::RunSummary summary;
 };
 
-/// The scenario of the paper's procedure, in the way and under the usual conditions of `context`.
+/// A scenario of another procedure, in the way and under the usual conditions of `context`.
 void adapt(simulation::Scenario& scenario, const ReportContext& context) {
   constexpr double kStartShare = 0.25;   // of the way, where the one stroke begins
   constexpr double kPushedShare = 1.1;   // of the way, in all strokes of a placement
@@ -47,12 +48,39 @@ void adapt(simulation::Scenario& scenario, const ReportContext& context) {
   }
 }
 
+/// ` at tube lubrication 0.80, neck flexion angle 20 deg; after 4.5 s neck flexion angle 80 deg within 1 s`.
+std::string settingOf(const simulation::Scenario& scenario, const ReportContext& context) {
+  const auto& inputs = context.in.built.model.inputs;
+  const auto values = [&inputs](const haptics::Conditions& conditions) {
+    std::vector<std::string> parts;
+    for (const fuzzy::Variable& input : inputs) {
+      if (const auto value = conditions.find(input.id); value != conditions.end())
+        parts.push_back(valueText(input, value->second));
+    }
+    return base::joined(parts, ", ");
+  };
+  const std::string first = values(scenario.conditions);
+  std::string out = first.empty() ? first : " at " + first;
+  for (const simulation::ScenarioEvent& event : scenario.events) {
+    if (const std::string changed = values(event.conditions); !changed.empty())
+      out += "; after " + base::formatNumber(event.at_s) + " s " + changed + " within " +
+             base::formatNumber(event.fade_s) + " s";
+  }
+  return out;
+}
+
 std::optional<FeltRun> feel(std::string_view scenario_json, const ReportContext& context) {
   auto scenario = simulation::parseScenario(scenario_json);
   if (!scenario) return std::nullopt;
-  if (!context.ofPaper()) adapt(*scenario, context);
   const fuzzy::ForceModel& model = context.in.built.model;
+  const bool has_its_conditions =
+      std::all_of(scenario->conditions.begin(), scenario->conditions.end(), [&model](const auto& condition) {
+        return std::any_of(model.inputs.begin(), model.inputs.end(),
+                           [&condition](const fuzzy::Variable& input) { return input.id == condition.first; });
+      });
+  if (!has_its_conditions) adapt(*scenario, context);
   FeltRun run;
+  run.setting = settingOf(*scenario, context);
   const auto summary = simulation::runScenario(
       *scenario, model,
       [](const std::string& path) -> base::Result<fuzzy::ForceModel> {
@@ -150,12 +178,6 @@ std::string placementDepthPlot(const FeltRun& run, const ReportContext& context)
   return plot.svg();
 }
 
-/// The input that is the rate, if there is one.
-std::vector<std::size_t> rateInputs(const fuzzy::ForceModel& model) {
-  const auto rate = fuzzy::rateOf(model.inputs);
-  return rate ? std::vector<std::size_t>{*rate} : std::vector<std::size_t>{};
-}
-
 }  // namespace
 
 void addFeel(HtmlPage& page, const ReportContext& context) {
@@ -163,7 +185,6 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
   const auto stroke = feel(simulation::oneStrokeScenarioJson(), context);
   const auto placement = feel(simulation::placementScenarioJson(), context);
   if (!stroke || !placement) return;
-  const std::string usual = settingText(context, context.usual, rateInputs(model));
   const auto friction = model.renderer.value_or(fuzzy::RendererParameters{});
   page.section("What the hand feels");
   page.paragraph(
@@ -179,23 +200,17 @@ void addFeel(HtmlPage& page, const ReportContext& context) {
                   base::formatFixed(friction.damping_n_s_mm, 4) + " N s/mm the two differ little.",
        .panels = {{.svg = strokePlot(*stroke, friction)}}});
   const auto& felt = placement->summary;
-  page.figure(
-      {.caption = strong(context.demo != nullptr ? "Fig. 18, computed." : "A whole placement.") + " " +
-                  badges({Badge::kComputed, Badge::kSimulated}) + " A whole placement in " +
-                  std::to_string(felt.strokes) + " strokes" +
-                  (context.ofPaper() ? std::string(" at lubrication 0.8; after 4.5 s the neck is flexed from 20 "
-                                                   "to 80 deg within a second")
-                   : usual.empty()   ? std::string()
-                                     : " at " + usual) +
-                  ". The tube advanced " + base::formatFixed(felt.depth_mm, 0) + " mm of the " +
-                  base::formatFixed(felt.planned_mm, 0) +
-                  " mm that the hand wanted to push: the rest is the give of tube and hand before each slip. "
-                  "Largest resistance " +
-                  base::formatFixed(felt.largest_force_n, 2) + " N, mean while sliding " +
-                  base::formatFixed(felt.mean_sliding_n, 2) + " N. Of " + std::to_string(felt.ticks) + " ticks " +
-                  std::to_string(felt.scene.asked) + " needed the model.",
-       .panels = {{.heading = "(a) Resistance", .svg = placementForcePlot(*placement)},
-                  {.heading = "(b) Depth", .svg = placementDepthPlot(*placement, context)}}});
+  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 18, computed." : "A whole placement.") + " " +
+                          badges({Badge::kComputed, Badge::kSimulated}) + " A whole placement in " +
+                          std::to_string(felt.strokes) + " strokes" + placement->setting + ". The tube advanced " +
+                          base::formatFixed(felt.depth_mm, 0) + " mm of the " + base::formatFixed(felt.planned_mm, 0) +
+                          " mm that the hand wanted to push: the rest is the give of tube and hand before each slip. "
+                          "Largest resistance " +
+                          base::formatFixed(felt.largest_force_n, 2) + " N, mean while sliding " +
+                          base::formatFixed(felt.mean_sliding_n, 2) + " N. Of " + std::to_string(felt.ticks) +
+                          " ticks " + std::to_string(felt.scene.asked) + " needed the model.",
+               .panels = {{.heading = "(a) Resistance", .svg = placementForcePlot(*placement)},
+                          {.heading = "(b) Depth", .svg = placementDepthPlot(*placement, context)}}});
 }
 
 void addDuels(HtmlPage& page, const ReportContext& context) {

@@ -99,15 +99,8 @@ std::vector<Cell> weightRow(const elicitation::WeightedModel& one) {
 
 namespace {
 
-std::string valueText(const fuzzy::Variable& input, double value) {
-  const int decimals = input.max - input.min > 10 ? 0 : 2;
-  return base::lowered(input.label) + " " + base::formatFixed(value, decimals) +
-         (input.unit == "1" ? "" : " " + input.unit);
-}
-
 /// `more gel less force, more speed more`, as the procedure declares; empty if it declares none.
 std::string declaredText(const ReportContext& context) {
-  if (context.ofPaper()) return "better lubrication less force, a flexed neck less, more speed more";
   std::vector<std::string> parts;
   const procedure::Procedure& about = context.about();
   for (std::size_t i = 0; i < about.inputs.size(); ++i) {
@@ -120,6 +113,12 @@ std::string declaredText(const ReportContext& context) {
 }
 
 }  // namespace
+
+std::string valueText(const fuzzy::Variable& input, double value) {
+  const int decimals = input.max - input.min > 10 ? 0 : 2;
+  return base::lowered(input.label) + " " + base::formatFixed(value, decimals) +
+         (input.unit == "1" ? "" : " " + input.unit);
+}
 
 std::string settingText(const fuzzy::ForceModel& model, const std::vector<double>& point) {
   std::vector<std::string> parts;
@@ -139,7 +138,6 @@ std::string settingText(const ReportContext& context, const std::vector<double>&
 }
 
 std::string atUsual(const ReportContext& context) {
-  if (context.ofPaper()) return " at 50 mm/s, lubrication 1, neck flexion 60 deg";
   const std::string text = settingText(context, context.usual);
   return text.empty() ? text : " at " + text;
 }
@@ -160,8 +158,7 @@ void addFindings(HtmlPage& page, const ReportContext& context) {
       "force is the one at stake: how far the force jumps there, or how far two experts or two answers are apart; “≥” "
       "marks the largest one of many settings looked at." +
       (declared.empty() ? std::string()
-                        : " The declared directions (" + declared + ") follow the " +
-                              (context.ofPaper() ? "text of the paper" : "procedure") + " and are no law."));
+                        : " The declared directions (" + declared + ") follow the procedure and are no law."));
   Table table{.caption = strong("Findings.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
                          " By kind, the largest force first." +
                          (context.demo != nullptr ? " Rules of " + context.demo->published_expert +

@@ -21,38 +21,55 @@ constexpr std::array<Dash, 4> kDashes = {Dash::kSolid, Dash::kDashed, Dash::kDas
 struct Family {
   std::string heading;
   std::string setting;
-  std::vector<std::pair<std::string, std::vector<double>>> curves;
+  std::vector<std::pair<std::string, std::vector<double>>> curves = {};
 };
 
-/// Those of Fig. 10 of the paper.
-std::vector<Family> paperFamilies(const fuzzy::ForceModel& model) {
-  struct PaperFamily {
-    std::string heading;
-    std::string setting;
-    std::vector<std::pair<std::string, PaperSetting>> curves;
-  };
-  const std::vector<PaperFamily> families = {
-      {"(a) Lubrication",
-       "neck flexion 90 deg, 30 mm/s",
-       {{"0", {0, 90, 30}}, {"0.25", {0.25, 90, 30}}, {"0.5", {0.5, 90, 30}}, {"1", {1, 90, 30}}}},
-      {"(b) Neck flexion angle",
-       "lubrication 1, 30 mm/s",
-       {{"0 deg", {1, 0, 30}}, {"30 deg", {1, 30, 30}}, {"60 deg", {1, 60, 30}}, {"90 deg", {1, 90, 30}}}},
-      {"(c) Insertion speed",
-       "lubrication 1, neck flexion 90 deg",
-       {{"30 mm/s", {1, 90, 30}}, {"80 mm/s", {1, 90, 80}}, {"110 mm/s", {1, 90, 110}}, {"200 mm/s", {1, 90, 200}}}}};
+/// `Fig. 10a, Fig. 10b`: the published figures in which one input varies.
+std::string publishedNames(const ReportContext& context) {
+  std::vector<std::string> names;
+  for (const procedure::Figure& figure : context.about().figures) {
+    if (!figure.varied.empty()) names.push_back(procedure::textIn(figure.name, "en"));
+  }
+  return base::joined(names, ", ");
+}
+
+std::size_t indexOf(const fuzzy::ForceModel& model, const std::string& id) {
+  return static_cast<std::size_t>(
+      std::find_if(model.inputs.begin(), model.inputs.end(), [&id](const auto& input) { return input.id == id; }) -
+      model.inputs.begin());
+}
+
+/// What the figure sets, the others at their usual values.
+std::vector<double> pointOf(const ReportContext& context, const procedure::Figure& figure) {
+  std::vector<double> point = context.usual;
+  for (const auto& [id, value] : figure.at) point[indexOf(context.in.built.model, id)] = value;
+  return point;
+}
+
+/// The published figures in which one input varies.
+std::vector<Family> publishedFamilies(const ReportContext& context) {
+  const fuzzy::ForceModel& model = context.in.built.model;
   std::vector<Family> out;
-  for (const PaperFamily& family : families) {
-    out.push_back({family.heading, family.setting, {}});
-    for (const auto& [name, setting] : family.curves) out.back().curves.emplace_back(name, pointAt(model, setting));
+  char letter = 'a';
+  for (const procedure::Figure& figure : context.about().figures) {
+    if (figure.varied.empty()) continue;
+    const std::size_t varied = indexOf(model, figure.varied);
+    const fuzzy::Variable& input = model.inputs[varied];
+    std::vector<double> point = pointOf(context, figure);
+    Family& family =
+        out.emplace_back(std::string("(") + letter++ + ") " + input.label, settingText(context, point, {varied}));
+    for (const double value : figure.values) {
+      point[varied] = value;
+      family.curves.emplace_back(base::formatNumber(value) + (input.unit == "1" ? "" : " " + input.unit), point);
+    }
   }
   return out;
 }
 
-/// Each input but the way in the middle of each of its words, the others at their usual values.
-std::vector<Family> familiesOf(const ReportContext& context) {
+/// Where nothing is published: each input but the way in the middle of each of its words, the others at their usual
+/// values.
+std::vector<Family> ownFamilies(const ReportContext& context) {
   const fuzzy::ForceModel& model = context.in.built.model;
-  if (context.ofPaper()) return paperFamilies(model);
   std::vector<Family> out;
   char letter = 'a';
   for (std::size_t i = 0; i < model.inputs.size(); ++i) {
@@ -181,7 +198,9 @@ void addSurface(HtmlPage& page, const ReportContext& context) {
   constexpr double kDepthSteps = 120;
   constexpr int kSpeedSteps = 32;
   const fuzzy::Variable* const speed = &inputs[*rate];
-  std::vector<double> at = context.ofPaper() ? pointAt(context.in.built.model, {1, 45, 0}) : context.usual;
+  const auto& figures = context.about().figures;
+  const auto published = std::find_if(figures.begin(), figures.end(), [](const auto& one) { return !one.map.empty(); });
+  std::vector<double> at = published == figures.end() ? context.usual : pointOf(context, *published);
   const std::string others = settingText(context, at, {*rate});
   SurfaceGrid grid;
   const double step_mm = (context.curves->depthMax() - context.curves->depthMin()) / kDepthSteps;
@@ -193,49 +212,45 @@ void addSurface(HtmlPage& page, const ReportContext& context) {
       grid.z.push_back(context.curves->force(at, depth_mm, std::nullopt));
     }
   }
-  page.figure(
-      {.caption = strong(context.demo != nullptr ? "Fig. 9, recomputed." : "Force over depth and speed.") + " " +
-                  marks(context, {Badge::kComputed, Badge::kSimulated}) + " Averaged force over depth and speed" +
-                  (context.ofPaper() ? std::string(" at lubrication 1 and neck flexion 45 deg")
-                   : others.empty()  ? std::string()
-                                     : " at " + others) +
-                  "." +
-                  (context.demo != nullptr ? " Three of the four experts are simulated. The numbers behind the "
-                                             "paper's figure are not published."
-                                           : ""),
-       .panels = {
-           {.svg = surfacePlot({.title = "Averaged force over depth and speed",
-                                .description = context.ofPaper() ? "Lubrication 1, neck flexion 45 deg." : others,
-                                .width = 940,
-                                .height = 560,
-                                .x = depthAxis(context),
-                                .y = {.label = "Speed (mm/s)", .min = speed->min, .max = speed->max},
-                                .z = {.label = "Force (N)",
-                                      .min = context.in.built.model.output.min,
-                                      .max = context.in.built.model.output.max},
-                                .simulated = context.simulated()},
-                               grid)}}});
+  page.figure({.caption = strong(context.demo != nullptr ? "Fig. 9, recomputed." : "Force over depth and speed.") +
+                          " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                          " Averaged force over depth and speed" + (others.empty() ? std::string() : " at " + others) +
+                          "." +
+                          (context.demo != nullptr ? " Three of the four experts are simulated. The numbers behind the "
+                                                     "paper's figure are not published."
+                                                   : ""),
+               .panels = {{.svg = surfacePlot({.title = "Averaged force over depth and speed",
+                                               .description = others,
+                                               .width = 940,
+                                               .height = 560,
+                                               .x = depthAxis(context),
+                                               .y = {.label = "Speed (mm/s)", .min = speed->min, .max = speed->max},
+                                               .z = {.label = "Force (N)",
+                                                     .min = context.in.built.model.output.min,
+                                                     .max = context.in.built.model.output.max},
+                                               .simulated = context.simulated()},
+                                              grid)}}});
 }
 
 void addInfluences(HtmlPage& page, const ReportContext& context) {
-  const auto families = familiesOf(context);
+  auto families = publishedFamilies(context);
+  const bool published = !families.empty();
+  if (!published) families = ownFamilies(context);
   if (families.empty()) return;
-  page.section(context.ofPaper() ? "Influence of lubrication, neck flexion and speed"
-                                 : "Influence of " + listedInputs(context));
+  page.section("Influence of " + listedInputs(context));
   page.paragraph("Averaged force over depth, one input varied at a time. Regions: " + regionCodes(context.regions) +
                  ".");
-  Figure figure{.caption = context.demo != nullptr
-                               ? strong("Fig. 10, recomputed.") + " " +
-                                     marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                                     " The settings are the paper's; which values of the varied input its curves show "
-                                     "is not said in the text, nor are their numbers published. Three of the four "
-                                     "experts are simulated to follow the text."
-                               : strong("One input varied at a time.") + " " +
-                                     marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                                     (context.ofPaper() ? " At the settings of Fig. 10 of Choi et al."
-                                                        : " In the middle of each of its words, the others at "
-                                                          "their usual values."),
-                .panels = {}};
+  Figure figure{
+      .caption = context.demo != nullptr
+                     ? strong("Fig. 10, recomputed.") + " " + marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                           " The settings are the paper's; which values of the varied input its curves show "
+                           "is not said in the text, nor are their numbers published. Three of the four "
+                           "experts are simulated to follow the text."
+                     : strong("One input varied at a time.") + " " +
+                           marks(context, {Badge::kComputed, Badge::kSimulated}) +
+                           (published ? " At the settings of published figures: " + publishedNames(context) + "."
+                                      : " In the middle of each of its words, the others at their usual values."),
+      .panels = {}};
   for (const Family& family : families) {
     figure.panels.push_back(
         {.heading = family.heading + Markup::raw(" ") + muted(family.setting), .svg = familyPlot(context, family)});
@@ -245,8 +260,7 @@ void addInfluences(HtmlPage& page, const ReportContext& context) {
 
 SvgPlot depthPlot(const ReportContext& context, const std::string& title, double height, const PlotAxis& y) {
   SvgPlot plot({.title = title,
-                .description = context.ofPaper() ? "Lubrication 1, neck flexion 60 deg, speed 50 mm/s."
-                                                 : settingText(context, context.usual),
+                .description = settingText(context, context.usual),
                 .width = 940,
                 .height = height,
                 .x = depthAxis(context),

@@ -33,9 +33,8 @@ std::string_view whatOf(BandKind kind) {
   return "";
 }
 
-/// ` At the setting of <figure of the paper> (…).`, or at the usual values; empty for a model of the way alone.
-std::string settingOf(const ReportContext& context, const std::string& figure) {
-  if (context.ofPaper()) return " At the setting of " + figure + " (50 mm/s, lubrication 1, neck flexion 60 deg).";
+/// ` At the usual values (…).`; empty for a model of the way alone.
+std::string settingOf(const ReportContext& context) {
   const std::string text = settingText(context, context.usual);
   return text.empty() ? text : " At the usual values (" + text + ").";
 }
@@ -153,8 +152,7 @@ void addUncertainty(HtmlPage& page, const ReportContext& context) {
       "the same rules give if the words of the force were those of one participant? A few participants "
       "say little about others, and the band “others” says how little.");
   Figure figure{.caption = strong("Bands around the averaged force.") + " " +
-                           marks(context, {Badge::kComputed, Badge::kSimulated}) +
-                           settingOf(context, "Fig. 11 of Choi et al.") + " " +
+                           marks(context, {Badge::kComputed, Badge::kSimulated}) + settingOf(context) + " " +
                            (people <= elicitation::kMostEnumerated && people > 1
                                 ? "“Others” is enumerated over every draw of participants, each as a whole."
                                 : "“Others” draws participants, each as a whole, at random.") +
@@ -338,7 +336,7 @@ void addInfluence(HtmlPage& page, const ReportContext& context) {
   }
   addLeaveOneOut(page, context);
   page.figure({.caption = strong("The mean without each expert, over depth.") + " " +
-                          marks(context, {Badge::kComputed, Badge::kSimulated}) + settingOf(context, "Fig. 11") +
+                          marks(context, {Badge::kComputed, Badge::kSimulated}) + settingOf(context) +
                           " In the blue band a hand would not feel the change.",
                .panels = {{.svg = influencePlot(context)}}});
   addDistances(page, context);

@@ -143,7 +143,7 @@ void addMethod(HtmlPage& page, const ReportContext& context) {
     row("", "Scale of the image", base::formatNumber(measured.mm_per_px) + " mm per pixel");
     row("", "Anatomical scale", base::formatNumber(measured.scale));
   } else {
-    row("Depth terms", "Boundaries", context.ofPaper() ? "template of the program" : "those of the procedure");
+    row("Depth terms", "Boundaries", "those of the procedure");
   }
   if (!model.experts.empty()) {
     row("Experts", "Weights", std::string(name(settings.weights.policy)) + ": " + weightsOf(model));
@@ -159,11 +159,8 @@ void addMethod(HtmlPage& page, const ReportContext& context) {
 void addReferences(HtmlPage& page, const ReportContext& context) {
   page.section("References");
   std::vector<Markup> list = {
-      context.ofPaper()
-          ? "Choi, He, Chiang, Deng, Qin. A heuristic force model for haptic simulation of nasogastric tube insertion "
-            "using fuzzy logic. IEEE Transactions on Haptics. The procedure as a whole."
-          : "Choi, He, Chiang, Deng, Qin. A heuristic force model for haptic simulation … using fuzzy logic. IEEE "
-            "Transactions on Haptics. The method as a whole.",
+      "Choi, He, Chiang, Deng, Qin. A heuristic force model for haptic simulation … using fuzzy logic. IEEE "
+      "Transactions on Haptics. The method as a whole.",
       "Bezdek 1981. Pattern recognition with fuzzy objective function algorithms. Plenum. The clusters.",
       "Mamdani, Assilian 1975. An experiment in linguistic synthesis with a fuzzy logic controller. International "
       "Journal of Man-Machine Studies 7:1–13. The inference.",
@@ -190,9 +187,7 @@ void addReferences(HtmlPage& page, const ReportContext& context) {
   list.emplace_back(
       "Tastle, Wierman 2007. Consensus and dissention: a measure of ordinal dispersion. International "
       "Journal of Approximate Reasoning 45:531–545. Consensus of an item.");
-  if (!context.ofPaper()) {
-    for (const std::string& source : context.about().sources) list.emplace_back("Of the procedure: " + source);
-  }
+  for (const std::string& source : context.about().sources) list.emplace_back("Of the procedure: " + source);
   page.list(list);
 }
 

@@ -115,12 +115,9 @@ std::vector<std::pair<std::string, std::vector<fuzzy::Term>>> ownLists(const Rep
 /// Where the terms of a study come from, one sentence.
 std::string originOfTerms(const ReportContext& context) {
   const auto& inputs = context.in.built.model.inputs;
-  std::string text = context.ofPaper()
-                         ? "Terms of the four inputs and of the force. Lubrication, neck flexion and depth are "
-                           "defaults of this project"
-                         : "Terms of the " +
-                               (inputs.size() == 1 ? std::string("input") : std::to_string(inputs.size()) + " inputs") +
-                               " and of the force. Those of the way and of the conditions are the procedure’s";
+  std::string text = "Terms of the " +
+                     (inputs.size() == 1 ? std::string("input") : std::to_string(inputs.size()) + " inputs") +
+                     " and of the force. Those of the way and of the conditions are the procedure’s";
   if (fuzzy::rateOf(inputs)) {
     text += context.in.built.speeds.empty() ? "; the speed has its default terms too"
                                             : "; the speed comes from the participants’ strokes";

@@ -289,7 +289,7 @@ void addStudyOverview(HtmlPage& page, const ReportContext& context) {
        {counted(strokes, "stroke", "strokes"), counted(study.speeds.size(), "speed sample", "speed samples")},
        {counted(judgements, "judgement", "judgements"), counted(answers, "answer or rule", "answers and rules")},
        {range, "what the averaged model can give"}});
-  if (!context.ofPaper()) addProcedure(page, context);
+  addProcedure(page, context);
   const auto lacks = missing(context, given);
   if (lacks.empty()) return;
   page.subsection("What is missing");

@@ -153,14 +153,9 @@ namespace {
 
 /// What the page is, in one sentence.
 std::string subtitleOf(const ReportContext& context) {
-  if (!context.ofPaper()) {
-    return "From the participants’ judgements and answers to an averaged force model, by the method of Choi et al. "
-           "Procedure: " +
-           context.about().titleIn("en") + ".";
-  }
-  return "From the participants’ strokes, judgements and answers to an averaged force model of tube insertion, "
-         "after Choi et al., “A heuristic force model for haptic simulation of nasogastric tube insertion using "
-         "fuzzy logic”.";
+  return "From the participants’ judgements and answers to an averaged force model, by the method of Choi et al. "
+         "Procedure: " +
+         context.about().titleIn("en") + ".";
 }
 
 }  // namespace

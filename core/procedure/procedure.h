@@ -68,6 +68,16 @@ struct Landmark {
   std::string source;
 };
 
+/// A figure that somebody published of a model of this procedure, as settings of the inputs.
+struct Figure {
+  Texts name;                        ///< `Fig. 11`
+  Texts shows;                       ///< in a few words
+  std::map<std::string, double> at;  ///< value of each input that the figure sets, by its id
+  std::string varied;                ///< id of the input that differs from curve to curve; empty: none
+  std::vector<double> values;        ///< of that input, one for each curve
+  std::vector<std::string> map;      ///< ids of the two axes of a map or surface; empty: the figure has curves
+};
+
 /// A force that somebody else published of a like procedure, for comparison. No part of the model.
 struct PublishedForce {
   Texts label;         ///< what was measured
@@ -132,6 +142,11 @@ struct Procedure;
 /// The pictures and the other views that the manifest names, from the files of `procedure`.
 base::Result<void> readPictures(Procedure& procedure);
 
+/// The words of the participant's screens, from the file `path` of the pack `name` (empty: the pack has none) in
+/// `text`. Refused: words in other languages than the pack's, and a pack without those that its inputs and forms need.
+base::Result<void> readWords(Procedure& procedure, std::string_view text, const std::string& path,
+                             const std::string& name);
+
 /// The points of a path that `readPicture` took.
 std::vector<Point> pointsOf(std::string_view path);
 
@@ -157,6 +172,7 @@ struct Procedure {
   std::vector<Step> steps;
   std::vector<Landmark> landmarks;
   std::vector<PublishedForce> published;
+  std::vector<Figure> figures;
   std::string protocol;     ///< JSON of the settings of a session; empty: the usual ones
   double device_scale = 1;  ///< 1 : scale; a device gives the forces divided by it, where they are beyond its strength
   /// Beside the word of a force the participant says whether this is where she would stop (Tefik et al. 2024).

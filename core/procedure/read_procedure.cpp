@@ -188,6 +188,53 @@ std::vector<PublishedForce> readPublished(JsonMembers& json, const Procedure& pr
   return out;
 }
 
+const fuzzy::Variable* inputOf(const Procedure& procedure, std::string_view id) {
+  const auto found = std::find_if(procedure.inputs.begin(), procedure.inputs.end(),
+                                  [id](const fuzzy::Variable& input) { return input.id == id; });
+  return found == procedure.inputs.end() ? nullptr : &*found;
+}
+
+bool isWithin(const fuzzy::Variable& input, double value) { return value >= input.min && value <= input.max; }
+
+std::vector<Figure> readFigures(JsonMembers& json, const Procedure& procedure, Problem& error) {
+  std::vector<Figure> out;
+  for (const JsonValue value : json.elements("figures")) {
+    JsonMembers members(value, error);
+    Figure& figure = out.emplace_back();
+    figure.name = readTexts(members, "name");
+    figure.shows = readTexts(members, "shows");
+    const auto wanted = [&procedure](JsonMembers& at, std::string_view key, const std::string& id) {
+      const fuzzy::Variable* const input = inputOf(procedure, id);
+      if (input == nullptr) at.refuse(key, base::quoted(id), "an input of the procedure", ErrorCode::kReference);
+      return input;
+    };
+    const auto within = [](JsonMembers& at, std::string_view key, const fuzzy::Variable* input, double number) {
+      if (input == nullptr || isWithin(*input, number)) return;
+      at.refuse(key, base::formatNumber(number) + " for " + base::quoted(input->id),
+                base::formatNumber(input->min) + " to " + base::formatNumber(input->max));
+    };
+    members.numbers(required("at"), figure.at, base::kAnyNumber);
+    for (const auto& [id, number] : figure.at) within(members, "at", wanted(members, "at", id), number);
+    if (const auto vary = members.object("vary")) {
+      JsonMembers of(*vary, error);
+      of.text(required("input"), figure.varied);
+      of.numbers(required("values"), figure.values);
+      const fuzzy::Variable* const input = figure.varied.empty() ? nullptr : wanted(of, "input", figure.varied);
+      if (!error && figure.values.empty()) of.refuse("values", "no values", "one for each curve");
+      for (const double number : figure.values) within(of, "values", input, number);
+      of.refuseOthers();
+    }
+    if (members.has("map")) {
+      members.texts("map", figure.map);
+      for (const std::string& id : figure.map) wanted(members, "map", id);
+      if (!error && (figure.map.size() != 2 || figure.map[0] == figure.map[1]))
+        members.refuse("map", std::to_string(figure.map.size()) + " inputs", "two different inputs");
+    }
+    members.refuseOthers();
+  }
+  return out;
+}
+
 /// The events of a model of each set of terms; `checkVariables` looks at them.
 std::vector<fuzzy::TubeEvent> readEvents(JsonMembers& json, Problem& error) {
   std::vector<fuzzy::TubeEvent> out;
@@ -277,6 +324,7 @@ Procedure readManifest(JsonMembers& json, Problem& error, const PackFiles& files
   out.steps = readSteps(json, error);
   out.landmarks = readLandmarks(json, error);
   out.published = readPublished(json, out, error);
+  out.figures = readFigures(json, out, error);
   out.events = readEvents(json, error);
   if (const auto protocol = json.object("protocol")) out.protocol = protocol->json();
   json.number("device_scale", out.device_scale, {1, 20});
@@ -380,72 +428,6 @@ Result<void> checkVariables(const Procedure& procedure) {
   return {};
 }
 
-Result<std::map<std::string, Texts>> readWords(std::string_view text, const std::string& file,
-                                               const std::vector<std::string>& languages) {
-  return base::readJson(text, file, [&](JsonMembers& json, Problem& error) {
-    std::map<std::string, Texts> out;
-    json.format("tactus-words");
-    if (const auto all = json.object(required("texts"))) {
-      JsonMembers members(*all, error);
-      for (const JsonValue one : *all) {
-        std::vector<JsonMembers::NamedText> texts;
-        members.texts(required(one.key()), texts);
-        for (const auto& [language, words] : texts) {
-          if (std::find(languages.begin(), languages.end(), language) == languages.end())
-            members.refuse(one.key(), "words in " + base::quoted(language), "words in the pack's languages");
-        }
-        out.emplace(one.key(), Texts(texts.begin(), texts.end()));
-      }
-    }
-    json.refuseOthers();
-    return out;
-  });
-}
-
-/// The ids of the words that a pack must give.
-std::vector<std::string> wantedWords(const Procedure& procedure) {
-  std::vector<std::string> out = {"tool", "con.purpose", "you.years", "glo.way"};
-  for (const TermSet& set : procedure.way_terms) {
-    for (const auto& region : set.terms) out.push_back("a." + region.id);
-  }
-  for (std::size_t i = 0; i < procedure.inputs.size(); ++i) {
-    const fuzzy::Variable& input = procedure.inputs[i];
-    if (i == procedure.way()) continue;
-    out.push_back("s." + input.id);
-    out.push_back("glo." + input.id);
-    for (const auto& term : input.terms) out.push_back("s." + input.id + "." + term.id);
-    if (procedure.rate() == i) {
-      for (const auto& term : input.terms) out.push_back("spd." + term.id);
-    }
-  }
-  for (const auto& term : procedure.output.terms) out.push_back("w." + term.id);
-  const bool way_out = std::any_of(procedure.forms.begin(), procedure.forms.end(), [](const study::Form& form) {
-    return std::any_of(form.items.begin(), form.items.end(), study::isWayOut);
-  });
-  if (way_out) {
-    const std::string input = "s." + study::kWayOut.input;
-    out.push_back(input);
-    out.push_back(input + "." + study::kWayOut.term);
-  }
-  return out;
-}
-
-Result<void> checkWords(const Procedure& procedure, const std::string& file) {
-  const std::string& first = procedure.languages.front();
-  std::vector<std::string> missing;
-  for (const std::string& id : wantedWords(procedure)) {
-    const auto found = procedure.words.find(id);
-    if (found == procedure.words.end() || !found->second.contains(first)) missing.push_back(id);
-  }
-  if (missing.empty()) return {};
-  return base::inFile({ErrorCode::kSchema,
-                       {},
-                       "texts",
-                       "no words in " + base::quoted(first) + " for " + base::listed(missing),
-                       "words for each"},
-                      file);
-}
-
 }  // namespace
 
 Result<Procedure> readProcedure(PackFiles files, const std::string& name) {
@@ -470,10 +452,8 @@ Result<Procedure> readProcedure(PackFiles files, const std::string& name) {
     }
     out.forms.push_back(std::move(form));
   }
-  if (!named.words.empty()) {
-    TACTUS_TRY(out.words, readWords(files.at(named.words), in(named.words), out.languages));
-  }
-  if (auto ok = checkWords(out, in(named.words.empty() ? kManifest : std::string_view(named.words))); !ok)
+  if (auto ok = readWords(out, named.words.empty() ? std::string_view() : files.at(named.words), named.words, name);
+      !ok)
     return tl::unexpected(std::move(ok).error());
   // What the manifest does not name is no part of the pack.
   PackFiles kept;

@@ -103,6 +103,10 @@ const QStringList& textsOfPacks() {
       add(landmark.what);
       out << text(landmark.source);
     }
+    for (const procedure::Figure& figure : about.figures) {
+      add(figure.name);
+      add(figure.shows);
+    }
     for (const auto& [id, said] : about.words) {
       if (id.starts_with("pose.")) add(said);
     }

@@ -177,25 +177,14 @@ QTransform PictureView::toWidget(const QRectF& frame) const {
   return transform;
 }
 
-// In the widget. It comes as the picture says, or from outside straight on from the beginning of the way; before that
-// the tip is in front.
+// In the widget.
 std::vector<QPointF> PictureView::toolIn(const Shot& shot, double depth_mm) const {
-  const procedure::Picture& of = about().pictures[shot.picture];
   const QRectF frame = frameOf(shot);
-  const double begin_mm = of.way_mm.front();
-  const double outside = kOutsideShare * std::max(frame.width(), frame.height());
-  const QPointF enters = placeIn(of, begin_mm);
-  const QPointF inward = placeIn(of, begin_mm + 0.02 * (of.way_mm.back() - begin_mm)) - enters;
-  const QPointF step = inward / std::max(std::hypot(inward.x(), inward.y()), 1e-9);
-  std::vector<QPointF> out;
-  for (const procedure::Point& point : of.approach) out.emplace_back(point.x, point.y);
-  if (out.empty()) out = {enters - step * outside, enters - step * (outside * (depth_mm < begin_mm ? 0.5 : 0))};
-  if (depth_mm > begin_mm) {
-    const auto way = between(of, begin_mm, depth_mm);
-    out.insert(out.end(), way.begin(), way.end());
-  }
   const QTransform to_widget = toWidget(frame);
-  for (QPointF& point : out) point = to_widget.map(point);
+  std::vector<QPointF> out;
+  for (const Spot& spot :
+       toolTo(about().pictures[shot.picture], depth_mm, kOutsideShare * std::max(frame.width(), frame.height())))
+    out.push_back(to_widget.map(QPointF(spot.x, spot.y)));
   return out;
 }
 

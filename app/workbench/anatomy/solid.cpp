@@ -405,6 +405,24 @@ std::vector<Spot> wayBetween(const procedure::Picture& picture, double from_mm, 
   return out;
 }
 
+std::vector<Spot> toolTo(const procedure::Picture& picture, double depth_mm, double outside) {
+  const double begin_mm = picture.way_mm.front();
+  const Spot enters = wayAt(picture, begin_mm);
+  const Spot next = wayAt(picture, begin_mm + 0.02 * (picture.way_mm.back() - begin_mm));
+  const double dx = next.x - enters.x, dy = next.y - enters.y, length = std::max(std::hypot(dx, dy), 1e-9);
+  const auto before = [&](double distance) {
+    return Spot{enters.x - distance * dx / length, enters.y - distance * dy / length, enters.z};
+  };
+  std::vector<Spot> out;
+  for (const procedure::Point& point : picture.approach) out.push_back({point.x, point.y, enters.z});
+  if (out.empty()) out = {before(outside), before(depth_mm < begin_mm ? outside / 2 : 0)};
+  if (depth_mm > begin_mm) {
+    const auto way = wayBetween(picture, begin_mm, depth_mm);
+    out.insert(out.end(), way.begin(), way.end());
+  }
+  return out;
+}
+
 Turn frontTurn(procedure::FrontSide front) {
   switch (front) {
     case procedure::FrontSide::kLeft: return {90, 0};

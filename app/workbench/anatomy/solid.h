@@ -50,6 +50,9 @@ Solid solidOf(const std::vector<procedure::Point>& outline, const Frame& frame, 
 Spot wayAt(const procedure::Picture& picture, double place_mm);
 /// The way between two places, `from_mm` <= `to_mm`.
 std::vector<Spot> wayBetween(const procedure::Picture& picture, double from_mm, double to_mm);
+/// The tool with its tip at `depth_mm`. It comes as the picture says, or straight on over the distance `outside`, in
+/// units of the picture; before the beginning of the way the tip is in front of the body.
+std::vector<Spot> toolTo(const procedure::Picture& picture, double depth_mm, double outside);
 
 /// How the body is turned before the viewer: first about its upright axis, then toward him.
 struct Turn {

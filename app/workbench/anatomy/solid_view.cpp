@@ -106,7 +106,7 @@ class SolidView::Scene {
   }
 
   void paint(QPainter& painter, double depth_mm, const std::optional<QColor>& tip) const {
-    const std::vector<Spot> tool = toolTo(depth_mm);
+    const std::vector<Spot> tool = toolAt(depth_mm);
     for (const Pane& pane : panes_) {
       painter.drawPixmap(pane.place.topLeft(), pane.drawing);
       painter.save();
@@ -162,7 +162,7 @@ class SolidView::Scene {
     }
     panes_[kFront].turn = frontTurn(picture().front);
     // What is to be seen: the body, and the tool before it.
-    low_ = high_ = toolTo(picture().way_mm.front()).front();
+    low_ = high_ = toolAt(picture().way_mm.front()).front();
     for (const Solid::Vertex& vertex : body_.vertices) {
       low_ = {std::min(low_.x, vertex.at.x), std::min(low_.y, vertex.at.y), std::min(low_.z, vertex.at.z)};
       high_ = {std::max(high_.x, vertex.at.x), std::max(high_.y, vertex.at.y), std::max(high_.z, vertex.at.z)};
@@ -170,20 +170,8 @@ class SolidView::Scene {
     placed_ = {};
   }
 
-  /// It comes from outside, straight on from the beginning of the way; before that the tip is in front.
-  std::vector<Spot> toolTo(double depth_mm) const {
-    const double begin_mm = picture().way_mm.front();
-    const double outside = kBeforeWayShare * std::max(picture().width, picture().height);
-    const Spot enters = wayAt(picture(), begin_mm);
-    const Spot next = wayAt(picture(), begin_mm + 0.02 * (picture().way_mm.back() - begin_mm));
-    const double dx = next.x - enters.x, dy = next.y - enters.y, length = std::max(std::hypot(dx, dy), 1e-9);
-    const auto before = [&](double distance) {
-      return Spot{enters.x - distance * dx / length, enters.y - distance * dy / length, enters.z};
-    };
-    if (depth_mm < begin_mm) return {before(outside), before(outside / 2)};
-    std::vector<Spot> out = wayBetween(picture(), begin_mm, depth_mm);
-    out.insert(out.begin(), before(outside));
-    return out;
+  std::vector<Spot> toolAt(double depth_mm) const {
+    return toolTo(picture(), depth_mm, kBeforeWayShare * std::max(picture().width, picture().height));
   }
 
   /// Width and height of what `view` has to show, in units of the picture.

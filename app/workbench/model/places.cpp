@@ -1,6 +1,5 @@
 #include "app/workbench/model/places.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
@@ -12,41 +11,30 @@
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
-namespace {
-
-struct FigurePresets {
-  Q_DECLARE_TR_FUNCTIONS(FigurePresets)
-};
-
-}  // namespace
-
-std::vector<FigurePreset> figurePresets(const fuzzy::ForceModel& model) {
-  for (const char* id : {"lubrication", "neck_flexion", "speed"}) {
-    if (std::none_of(model.inputs.begin(), model.inputs.end(), [id](const auto& input) { return input.id == id; })) {
-      return {};
+std::vector<FigurePreset> figurePresets(const procedure::Procedure* procedure, const fuzzy::ForceModel& model) {
+  std::vector<FigurePreset> out;
+  if (procedure == nullptr) return out;
+  const auto known = [&model](const std::string& id) { return inputNamed(model, id).has_value(); };
+  const std::string language = programLanguage().toStdString();
+  for (const procedure::Figure& figure : procedure->figures) {
+    FigurePreset preset{
+        text(procedure::textIn(figure.name, language)), text(procedure::textIn(figure.shows, language)), {}};
+    bool whole = figure.varied.empty() || known(figure.varied);
+    for (const std::string& axis : figure.map) whole = whole && known(axis);
+    for (const auto& [id, value] : figure.at) {
+      whole = whole && known(id);
+      preset.settings.push_back({id, value});
     }
+    if (!whole) continue;
+    preset.varied = figure.varied;
+    preset.values = figure.values;
+    if (figure.map.size() == 2) {
+      preset.map_x = figure.map[0];
+      preset.map_y = figure.map[1];
+    }
+    out.push_back(std::move(preset));
   }
-  FigurePreset surface{
-      FigurePresets::tr("Fig. 9"), FigurePresets::tr("map and surface"), {{"lubrication", 1}, {"neck_flexion", 45}}};
-  surface.map_x = "depth";
-  surface.map_y = "speed";
-  const auto family = [](const QString& figure, const QString& shows, std::vector<FigurePreset::Setting> settings,
-                         std::string varied, std::vector<double> values) {
-    FigurePreset preset{figure, shows, std::move(settings)};
-    preset.varied = std::move(varied);
-    preset.values = std::move(values);
-    return preset;
-  };
-  return {surface,
-          family(FigurePresets::tr("Fig. 10a"), FigurePresets::tr("lubrication varies"),
-                 {{"neck_flexion", 90}, {"speed", 30}}, "lubrication", {0, 0.25, 0.5, 1}),
-          family(FigurePresets::tr("Fig. 10b"), FigurePresets::tr("neck flexion varies"),
-                 {{"lubrication", 1}, {"speed", 30}}, "neck_flexion", {0, 30, 60, 90}),
-          family(FigurePresets::tr("Fig. 10c"), FigurePresets::tr("speed varies"),
-                 {{"lubrication", 1}, {"neck_flexion", 90}}, "speed", {30, 80, 110, 200}),
-          {FigurePresets::tr("Fig. 11"),
-           FigurePresets::tr("experts and mean"),
-           {{"lubrication", 1}, {"neck_flexion", 60}, {"speed", 50}}}};
+  return out;
 }
 
 namespace {

@@ -10,10 +10,11 @@
 
 #include "core/analysis/coverage.h"
 #include "core/fuzzy/force_model.h"
+#include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
 
-/// The settings of the paper's figures 9 to 11, for models that have the inputs of the study.
+/// The settings of a published figure of the shown procedure (procedure::Figure), as the bench takes them.
 struct FigurePreset {
   struct Setting {
     std::string input;  ///< id
@@ -29,10 +30,8 @@ struct FigurePreset {
   std::string map_y{};
 };
 
-/// The presets for `model`; none if lubrication, neck_flexion or speed is missing. The settings are the paper's (Sec.
-/// 3.4, captions of Fig. 9 to 11). The paper does not give the values of the varied input in Fig. 10; these are the
-/// report's (app/report/sections_force.cpp).
-std::vector<FigurePreset> figurePresets(const fuzzy::ForceModel& model);
+/// The figures of `procedure` whose inputs `model` has, in its order; none without a procedure.
+std::vector<FigurePreset> figurePresets(const procedure::Procedure* procedure, const fuzzy::ForceModel& model);
 
 // Where in the input space a rule or an edit acts, as a point to go to and in words.
 

@@ -205,14 +205,6 @@ void SceneController::adoptModel() {
   hover_.reset();
   dropCurves();
 
-  // The last preset compares the experts, which is what the window shows first.
-  const std::vector<FigurePreset> presets = figurePresets(model);
-  if (!presets.empty()) {
-    for (const auto& setting : presets.back().settings) {
-      const std::size_t input = *inputNamed(model, setting.input);
-      values_[input] = clamped(model.inputs[input], setting.value);
-    }
-  }
   // The setting stays when an edited file is opened again, or a second model of the same kind.
   if (previous) {
     for (std::size_t i = 0; i < model.inputs.size(); ++i) {

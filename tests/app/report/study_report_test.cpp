@@ -76,9 +76,9 @@ TEST(StudyReport, OfAWholeStudyHasEverySectionAndNumbersItsCaptions) {
   for (const char* title :
        {"At a glance", "Participants", "Insertion speed", "Speed clusters and terms", "Insertion force",
         "Membership functions", "Rules", "The experts and their mean", "Force over depth and speed",
-        "Influence of lubrication, neck flexion and speed", "What the hand feels", "How far the experts agree",
-        "Findings in the rules", "Reachable range", "Does a choice of the method matter here?", "Method",
-        "Notes and settings of this build", "References"}) {
+        "Influence of tube lubrication, neck flexion angle and insertion speed", "What the hand feels",
+        "How far the experts agree", "Findings in the rules", "Reachable range",
+        "Does a choice of the method matter here?", "Method", "Notes and settings of this build", "References"}) {
     EXPECT_TRUE(has(page, std::string(">") + title + "</h2>")) << title;
   }
   EXPECT_TRUE(has(page, "<strong>Vertices of the membership functions.</strong>"));

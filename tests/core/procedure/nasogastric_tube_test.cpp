@@ -101,6 +101,29 @@ TEST(NasogastricTube, ALandmarkKeepsItsDepthAndTheDrawnWayToItGetsShorter) {
   }
 }
 
+// Settings of the paper, Sec. 3.4 and the captions of Fig. 9 to 11. It does not give the values of what varies in
+// Fig. 10.
+TEST(NasogastricTube, FiguresOfThePaper) {
+  using Setting = std::map<std::string, double>;
+  const struct {
+    const char* name;
+    Setting at;
+    const char* varied;
+  } wanted[] = {{"Fig. 9", {{"lubrication", 1}, {"neck_flexion", 45}}, ""},
+                {"Fig. 10a", {{"neck_flexion", 90}, {"speed", 30}}, "lubrication"},
+                {"Fig. 10b", {{"lubrication", 1}, {"speed", 30}}, "neck_flexion"},
+                {"Fig. 10c", {{"lubrication", 1}, {"neck_flexion", 90}}, "speed"},
+                {"Fig. 11", {{"lubrication", 1}, {"neck_flexion", 60}, {"speed", 50}}, ""}};
+  const auto& figures = support::defaultProcedure().figures;
+  ASSERT_EQ(figures.size(), std::size(wanted));
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    EXPECT_EQ(textIn(figures[i].name, "en"), wanted[i].name);
+    EXPECT_EQ(figures[i].at, wanted[i].at) << wanted[i].name;
+    EXPECT_EQ(figures[i].varied, wanted[i].varied) << wanted[i].name;
+  }
+  EXPECT_EQ(figures[0].map, (std::vector<std::string>{"depth", "speed"}));
+}
+
 // Fig. 10 of the paper, as its text reads: (a) faster more, (b) the neck not flexed more, (c) less lubrication more.
 TEST(NasogastricTube, TheDirectionsThatTheStudyDeclares) {
   const Direction wanted[] = {Direction::kFalls, Direction::kFalls, Direction::kNone, Direction::kRises};

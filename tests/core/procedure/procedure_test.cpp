@@ -162,6 +162,42 @@ TEST(Procedure, HoldsForcesThatOthersPublished) {
   EXPECT_EQ(small.refusal().find("p/procedure.json: /published_forces/0"), 0U) << small.refusal();
 }
 
+TEST(Procedure, HoldsFiguresThatOthersPublished) {
+  Small small;
+  small.manifest["figures"] = {{{"name", {{"fr", "Fig. 1"}}},
+                                {"shows", {{"fr", "carte"}}},
+                                {"at", Json::object()},
+                                {"map", Json::array({"way", "gel"})}},
+                               {{"name", {{"fr", "Fig. 2"}}},
+                                {"shows", {{"fr", "le gel"}}},
+                                {"at", {{"way", 20}}},
+                                {"vary", {{"input", "gel"}, {"values", Json::array({0, 1})}}}}};
+  const auto read = readProcedure(small.files(), "p");
+  ASSERT_TRUE(read) << read.error().message();
+  ASSERT_EQ(read->figures.size(), 2U);
+  EXPECT_EQ(read->figures[0].map, (std::vector<std::string>{"way", "gel"}));
+  EXPECT_EQ(read->figures[1].at, (std::map<std::string, double>{{"way", 20}}));
+  EXPECT_EQ(read->figures[1].varied, "gel");
+  EXPECT_EQ(read->figures[1].values, (std::vector<double>{0, 1}));
+
+  const auto refusal = [&small](const char* place, const auto& wrong) {
+    Small changed = small;
+    changed.manifest[Json::json_pointer(place)] = wrong;
+    return changed.refusal();
+  };
+  EXPECT_EQ(refusal("/figures/1/at", Json{{"neck", 20}}),
+            "p/procedure.json: /figures/1/at: found 'neck', wanted an input of the procedure");
+  EXPECT_EQ(refusal("/figures/1/at/way", 61), "p/procedure.json: /figures/1/at: found 61 for 'way', wanted 0 to 60");
+  EXPECT_EQ(refusal("/figures/1/vary/values", Json::array({0, -1})),
+            "p/procedure.json: /figures/1/vary/values: found -1 for 'gel', wanted 0 to 1");
+  EXPECT_EQ(refusal("/figures/1/vary/values", Json::array()),
+            "p/procedure.json: /figures/1/vary/values: found no values, wanted one for each curve");
+  EXPECT_EQ(refusal("/figures/0/map", Json::array({"way", "way"})),
+            "p/procedure.json: /figures/0/map: found 2 inputs, wanted two different inputs");
+  EXPECT_EQ(refusal("/figures/0/map", Json::array({"way", "speed"})),
+            "p/procedure.json: /figures/0/map: found 'speed', wanted an input of the procedure");
+}
+
 TEST(Procedure, TheHashIsOfTheFilesThatAreNamed) {
   const Small small;
   auto files = small.files();

@@ -151,8 +151,9 @@ TEST_F(SceneControllerTest, AnEditOfTheExpertsIsAnotherModel) {
   EXPECT_EQ(scene.termsOf(), 0U);  // still expert B
 }
 
-TEST_F(SceneControllerTest, PresetsNeedTheInputsOfTheStudy) {
-  EXPECT_TRUE(figurePresets(scene.model()->model).empty());
+TEST_F(SceneControllerTest, FiguresNeedTheirInputs) {
+  EXPECT_TRUE(figurePresets(scene.procedure().get(), scene.model()->model).empty());
+  EXPECT_TRUE(figurePresets(nullptr, scene.model()->model).empty());
   fuzzy::ForceModel model = tests::twoExperts();
   const fuzzy::Variable speed = model.inputs[kSpeed];
   for (const char* id : {"lubrication", "neck_flexion"}) {
@@ -160,7 +161,7 @@ TEST_F(SceneControllerTest, PresetsNeedTheInputsOfTheStudy) {
     model.inputs.back().id = id;
   }
   models.open(folder.write(model, QStringLiteral("study.json")));
-  const std::vector<FigurePreset> presets = figurePresets(scene.model()->model);
+  const std::vector<FigurePreset> presets = figurePresets(scene.procedure().get(), scene.model()->model);
   ASSERT_EQ(presets.size(), 5U);
   scene.setXInput(kSpeed);
   scene.applyPreset(presets[1]);  // Fig. 10a: force over depth, neck flexion 90 deg, speed 30 mm/s

@@ -140,8 +140,7 @@ QString presetText(const fuzzy::ForceModel& model, const FigurePreset& preset) {
   QStringList values;
   for (const fuzzy::Variable& input : model.inputs) {
     for (const FigurePreset::Setting& setting : preset.settings) {
-      if (setting.input != input.id) continue;
-      values << labelOf(input) + QLatin1Char(' ') + quantityText(setting.value, input.unit);
+      if (setting.input == input.id) values << labelOf(input) + u' ' + quantityText(setting.value, input.unit);
     }
   }
   return QStringLiteral("%1: %2 (%3)").arg(preset.figure, preset.shows, values.join(QStringLiteral(", ")));
@@ -154,23 +153,24 @@ FigureButton::FigureButton(SceneController& scene, QWidget* parent)
   setMenu(new QMenu(this));
   // The style leaves no air around the text.
   keepFitted(*this, [this] { setMinimumWidth(fontMetrics().horizontalAdvance(text()) + 5 * theme::kGrid); });
-  setToolTip(tr("Set the inputs as in a figure of the paper, and show the curves it shows"));
+  setToolTip(tr("Set the inputs as in a published figure, and show the curves that it shows"));
   connect(menu(), &QMenu::aboutToShow, this, &FigureButton::showFamily);
-  connect(&scene_, &SceneController::modelChanged, this, &FigureButton::adoptModel);
+  for (const auto signal : {&SceneController::modelChanged, &SceneController::procedureChanged})
+    connect(&scene_, signal, this, &FigureButton::adoptModel);
   connect(&scene_, &SceneController::familyChanged, this, &FigureButton::showFamily);
 }
 
 void FigureButton::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
-  const std::vector<FigurePreset> presets = figurePresets(model);
+  const auto presets = figurePresets(scene_.procedure().get(), model);
   menu()->clear();
   menu()->addAction(tr("Experts and mean"), &scene_, &SceneController::clearFamily)->setCheckable(true);
   menu()->addSeparator();
   for (const FigurePreset& preset : presets) {
-    QAction* action = menu()->addAction(presetText(model, preset));
+    QAction* action =
+        menu()->addAction(presetText(model, preset), &scene_, [this, preset] { scene_.applyPreset(preset); });
     action->setCheckable(!preset.varied.empty());
     action->setData(preset.figure);
-    connect(action, &QAction::triggered, &scene_, [this, preset] { scene_.applyPreset(preset); });
   }
   setVisible(!presets.empty());
   showFamily();
