@@ -1,4 +1,4 @@
-# tactus_room(NAME [PLOTS] LOGIC ... VIEWS ... ROOMS ... LINK ...): one folder of the workbench as two libraries.
+# tactus_room(NAME [PLOTS] LOGIC ... VIEWS ... ROOMS ... LINK ...): one folder of the workbench, with its own folders, as two libraries.
 #   tactus_workbench_NAME_logic: controllers and item models, with Qt6::Core alone: a widget in them does not compile;
 #   tactus_workbench_NAME: that, with widgets and plots.
 # ROOMS are the other rooms that it includes, LINK the libraries below the window. PLOTS: its views include QCustomPlot.
@@ -38,7 +38,8 @@ function(tactus_moc target)
   set(includes "")
   foreach(source ${ARGN})
     cmake_path(GET source STEM LAST_ONLY stem)
-    set(header "${CMAKE_CURRENT_SOURCE_DIR}/${stem}.h")
+    cmake_path(REPLACE_EXTENSION source LAST_ONLY h OUTPUT_VARIABLE header)
+    cmake_path(ABSOLUTE_PATH header)
     if(EXISTS "${header}")
       cmake_path(RELATIVE_PATH header BASE_DIRECTORY "${PROJECT_SOURCE_DIR}" OUTPUT_VARIABLE included)
       list(APPEND headers "${header}")

@@ -37,6 +37,7 @@ set(pictures
   bench-pull tune/pull
   feel-blind-duel feel/blind-duel
   feel-solid feel/solid
+  simulator-mark understand/simulator
   tune-contracts tune/contracts_checked
   tune-strokes tune/strokes_after_edit
   tune-tell tune/tell)

@@ -9,7 +9,7 @@
 namespace tactus::bench {
 namespace {
 
-constexpr std::uint64_t kSeed = 20261122;
+constexpr std::uint64_t kCostSeed = 20261122;
 
 /// Equal trapezoids from 0 to 1, neighbors overlapping, shoulders at the ends.
 fuzzy::Variable evenVariable(const std::string& id, int terms) {
@@ -54,7 +54,7 @@ fuzzy::ForceModel modelWithRules(int rules) {
   addCoveringRules(model);
   std::vector<int> cells(kTerms * kTerms * kTerms * kTerms);
   std::iota(cells.begin(), cells.end(), 0);
-  base::Random random(kSeed);
+  base::Random random(kCostSeed);
   auto& list = model.experts[0].rules;
   for (std::size_t left = cells.size(); static_cast<int>(list.size()) < rules; --left) {
     std::swap(cells[left - 1], cells[static_cast<std::size_t>(random.below(static_cast<int>(left)))]);
@@ -74,7 +74,7 @@ fuzzy::ForceModel modelWithTerms(int terms) {
   constexpr std::size_t kRules = 128;
   fuzzy::ForceModel model = evenModel(4, terms, terms);
   addCoveringRules(model);
-  base::Random random(kSeed);
+  base::Random random(kCostSeed);
   std::set<std::vector<int>> known;
   auto& list = model.experts[0].rules;
   while (list.size() < kRules) {
@@ -106,7 +106,7 @@ fuzzy::ForceModel modelWithInputs(int inputs) {
 }
 
 Points randomPoints(const fuzzy::ForceModel& model, std::size_t count) {
-  base::Random random(kSeed);
+  base::Random random(kCostSeed);
   Points points;
   std::vector<double> point(model.inputs.size());
   for (std::size_t p = 0; p < count; ++p) {

@@ -29,12 +29,6 @@ constexpr double kMostMs = 20'000;
 constexpr double kAmplitudeMm = 12;
 constexpr int kWarmUp = 5;
 
-void runFor(int ms) {
-  QEventLoop loop;
-  QTimer::singleShot(ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
-  loop.exec();
-}
-
 qint64 threadCpuNs() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -56,6 +50,12 @@ void onPainted(const Clock& clock, Then then) {
 double place(int edit) { return kAmplitudeMm * std::sin(0.37 * (edit + 0.5)); }
 
 }  // namespace
+
+void runFor(int ms) {
+  QEventLoop loop;
+  QTimer::singleShot(ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
+  loop.exec();
+}
 
 std::string TimedApplication::dockOf(const QObject* object) {
   for (const QObject* at = object; at != nullptr; at = at->parent()) {

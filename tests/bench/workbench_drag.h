@@ -49,6 +49,9 @@ class TimedApplication : public QApplication {
   bool begun_ = false;
 };
 
+/// Lets the window work for so long.
+void runFor(int ms);
+
 /// What the edits of a drag took.
 struct DragTimes {
   std::vector<double> call_ms;     ///< the call that makes the edit and hands it to all who show it

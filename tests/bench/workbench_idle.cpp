@@ -1,23 +1,17 @@
 #include "tests/bench/workbench_idle.h"
 
-#include <QEventLoop>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <ctime>
 
 #include "app/workbench/workbench.h"
 #include "core/base/check.h"
 #include "core/model_io/model_file.h"
 
+#include "tests/bench/workbench_drag.h"
+
 namespace tactus::bench {
 namespace {
-
-void runFor(int ms) {
-  QEventLoop loop;
-  QTimer::singleShot(ms, &loop, &QEventLoop::quit);
-  loop.exec();
-}
 
 /// Share of a core that this process takes during `seconds`, percent.
 double shareDuring(int seconds) {

@@ -28,8 +28,8 @@ namespace tactus::bench {
 namespace {
 
 constexpr int kTickMs = 2;
-constexpr qint64 kMostMs = 300'000;
-constexpr qint64 kCalmMs = 400;  // nothing runs for so long: the lab is done
+constexpr qint64 kVisitMostMs = 300'000;
+constexpr qint64 kVisitCalmMs = 400;  // nothing runs for so long: the lab is done
 
 double peakMb() {
   rusage usage{};
@@ -68,7 +68,7 @@ class Watch {
       listen(out, static_cast<double>(now_ns) / 1e9);
       if (shown && out.shown_s == 0 && shown()) out.shown_s = static_cast<double>(now_ns) / 1e9;
       if (!done()) calm_since = since.elapsed();
-      if (since.elapsed() - calm_since > kCalmMs || since.elapsed() > kMostMs) loop.quit();
+      if (since.elapsed() - calm_since > kVisitCalmMs || since.elapsed() > kVisitMostMs) loop.quit();
       last_ns = since.nsecsElapsed();
       last_cpu = threadMs();
     });

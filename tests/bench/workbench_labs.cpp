@@ -1,10 +1,8 @@
 #include "tests/bench/workbench_labs.h"
 
 #include <QElapsedTimer>
-#include <QEventLoop>
 #include <QSettings>
 #include <QTemporaryDir>
-#include <QTimer>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,11 +26,11 @@ namespace {
 using workbench::SpeedLab;
 using workbench::Workbench;
 
-constexpr int kFrameMs = 16;
-constexpr double kCalmMs = 70;     // some frames without painting; validity and intervals begin after 150
+constexpr int kLabFrameMs = 16;
+constexpr double kLabCalmMs = 70;  // some frames without painting; validity and intervals begin after 150
 constexpr int kIntervalsMs = 320;  // after a move: validity is done, intervals are on their way
-constexpr double kMostMs = 20'000;
-constexpr int kWarmUp = 3;
+constexpr double kLabMostMs = 20'000;
+constexpr int kLabWarmUp = 3;
 
 struct Setting {
   const char* name;
@@ -41,22 +39,16 @@ struct Setting {
 
 // Never twice the same value; the steps are those of the sliders.
 constexpr std::array<Setting, 3> kSettings = {{
-    {"alpha", [](SpeedLab& lab, int move) { lab.setAlpha(0.55 + 0.01 * (move + kWarmUp)); }},
-    {"m", [](SpeedLab& lab, int move) { lab.setFuzziness(1.25 + 0.05 * (move + kWarmUp)); }},
-    {"trimming", [](SpeedLab& lab, int move) { lab.setTrim(0.01 + 0.01 * (move + kWarmUp)); }},
+    {"alpha", [](SpeedLab& lab, int move) { lab.setAlpha(0.55 + 0.01 * (move + kLabWarmUp)); }},
+    {"m", [](SpeedLab& lab, int move) { lab.setFuzziness(1.25 + 0.05 * (move + kLabWarmUp)); }},
+    {"trimming", [](SpeedLab& lab, int move) { lab.setTrim(0.01 + 0.01 * (move + kLabWarmUp)); }},
 }};
-
-void runFor(int ms) {
-  QEventLoop loop;
-  QTimer::singleShot(ms, Qt::PreciseTimer, &loop, &QEventLoop::quit);
-  loop.exec();
-}
 
 template <class Condition>
 void waitUntil(Condition reached) {
   QElapsedTimer since;
   since.start();
-  while (!reached() && since.elapsed() < kMostMs) runFor(5);
+  while (!reached() && since.elapsed() < kLabMostMs) runFor(5);
 }
 
 double cpuMs(clockid_t clock) {
@@ -153,7 +145,7 @@ class Mover {
       drag(setting, moves, out);
       return out;
     }
-    for (int i = -kWarmUp; i < moves; ++i) {
+    for (int i = -kLabWarmUp; i < moves; ++i) {
       if (rhythm == Rhythm::kAlone) calm();
       if (rhythm == Rhythm::kIntervals) runFor(kIntervalsMs);
       moveOnce(setting, i, out);
@@ -173,8 +165,8 @@ class Mover {
     since_.start();
     application_.begin();
     setting.set(lab_, i);
-    while ((result_ms_ == 0 || application_.shownMs() < result_ms_ || application_.calmMs() < kCalmMs) &&
-           application_.calmMs() < kMostMs) {
+    while ((result_ms_ == 0 || application_.shownMs() < result_ms_ || application_.calmMs() < kLabCalmMs) &&
+           application_.calmMs() < kLabMostMs) {
       runFor(5);
     }
     if (i < 0) return;
@@ -196,7 +188,7 @@ class Mover {
     const auto result = QObject::connect(&lab_, &SpeedLab::resultChanged, &screen_, [&] { ++out.results; });
     for (int i = 0; i < moves; ++i) {
       setting.set(lab_, i);
-      runFor(kFrameMs);
+      runFor(kLabFrameMs);
     }
     QObject::disconnect(result);
     waitUntil([this] { return lab_.isCurrent(); });

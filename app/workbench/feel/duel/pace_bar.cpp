@@ -7,7 +7,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kBarHeight = 14;  // px
+constexpr int kPaceHeight = 14;  // px
 
 }  // namespace
 
@@ -29,12 +29,12 @@ void PaceBar::setPlaces(std::optional<double> tip_mm, std::optional<double> prom
   update();
 }
 
-QSize PaceBar::sizeHint() const { return {320, kBarHeight + 2 * theme::kGrid}; }
+QSize PaceBar::sizeHint() const { return {320, kPaceHeight + 2 * theme::kGrid}; }
 
 void PaceBar::paintEvent(QPaintEvent* /*event*/) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF bar(1, (height() - kBarHeight) / 2.0, width() - 2, kBarHeight);
+  const QRectF bar(1, (height() - kPaceHeight) / 2.0, width() - 2, kPaceHeight);
   painter.setPen(theme::border());
   painter.setBrush(theme::card());
   painter.drawRoundedRect(bar, 4, 4);

@@ -253,9 +253,9 @@ std::optional<ExampleImage> exampleImage(const procedure::Procedure& about) {
 
 namespace {
 
-constexpr int kSettingsWidth = 40 * theme::kGrid;  // px at 100 %
-constexpr int kWidestSettings = 352;               // px, or what they need: the rest is for image and pages
-constexpr int kWidestLength = 366;                 // px of the page of the formulas, which scrolls if it needs more
+constexpr int kDepthSettingsWidth = 40 * theme::kGrid;  // px at 100 %
+constexpr int kWidestSettings = 352;                    // px, or what they need: the rest is for image and pages
+constexpr int kWidestLength = 366;  // px of the page of the formulas, which scrolls if it needs more
 
 }  // namespace
 
@@ -272,7 +272,7 @@ DepthLabView::DepthLabView(DepthLab& lab, const SettingsPrice& price, QWidget* p
   beside->setAccessibleName(tr("Settings of the depth"));
   beside->setWidget(settings);
   keepFitted(*beside, [beside, settings] {
-    const int wanted = std::min(appearance::scaled(kSettingsWidth), kWidestSettings);
+    const int wanted = std::min(appearance::scaled(kDepthSettingsWidth), kWidestSettings);
     const int needed = settings->minimumSizeHint().width() + beside->verticalScrollBar()->sizeHint().width();
     beside->setFixedWidth(std::max(wanted, needed));
   });

@@ -25,7 +25,7 @@ struct ProgramRun {
   QByteArray said;  ///< what it printed; if it failed, its errors
 };
 
-constexpr int kPatienceMs = 60'000;  // a scan of the whole body takes some seconds
+constexpr int kDecodeMs = 60'000;  // a scan of the whole body takes some seconds
 
 /// The path of an installed program; empty without it.
 QString installedProgram(const char* name) { return QStandardPaths::findExecutable(QLatin1String(name)); }
@@ -34,7 +34,7 @@ QString installedProgram(const char* name) { return QStandardPaths::findExecutab
 ProgramRun runProgram(const QString& program, const QStringList& arguments) {
   QProcess process;
   process.start(program, arguments, QIODevice::ReadOnly);
-  if (!process.waitForFinished(kPatienceMs)) {
+  if (!process.waitForFinished(kDecodeMs)) {
     process.kill();
     process.waitForFinished();
     return {};

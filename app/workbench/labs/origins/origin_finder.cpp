@@ -20,7 +20,7 @@ namespace {
 using elicitation::BuildSettings;
 using elicitation::BuiltModel;
 using elicitation::Sources;
-using Kind = OriginRecord::Kind;
+using RecordKind = OriginRecord::Kind;
 
 constexpr double kSameShare = 1e-6;  // of a universe: what an edit by hand never hits
 
@@ -70,7 +70,7 @@ class Rows {
   void add(const Sources& sources, Origin& out) const {
     const auto means = sources.strokes.empty() ? Means() : strokeMeans();
     for (const elicitation::StrokeKey& key : sources.strokes) {
-      OriginRecord row{Kind::kStroke, key, 0, {}, who(key.participant), {}, {}};
+      OriginRecord row{RecordKind::kStroke, key, 0, {}, who(key.participant), {}, {}};
       const auto rate = fuzzy::rateOf(built_.model.inputs);
       const fuzzy::Variable* const speed = rate ? &built_.model.inputs[*rate] : nullptr;
       row.what = OriginText::tr("%1, stroke %2")
@@ -89,7 +89,7 @@ class Rows {
       QString what = OriginText::tr("item %1").arg(answer.item);
       if (rule) what += QStringLiteral(": ") + conditionsText(built_.model, ruleAt(*rule));
       out.records.push_back(
-          {Kind::kAnswer,
+          {RecordKind::kAnswer,
            {},
            index,
            rule,
@@ -102,8 +102,13 @@ class Rows {
       const auto rule = elicitation::ruleOfGiven(study_.study, built_, index);
       QString what = OriginText::tr("rule given directly");
       if (rule) what += QStringLiteral(": ") + conditionsText(built_.model, ruleAt(*rule));
-      out.records.push_back(
-          {Kind::kGivenRule, {}, index, rule, who(given.participant), what, wordOf(built_.model.output, given.then)});
+      out.records.push_back({RecordKind::kGivenRule,
+                             {},
+                             index,
+                             rule,
+                             who(given.participant),
+                             what,
+                             wordOf(built_.model.output, given.then)});
     }
     for (const std::string& sentence : sources.without_records) out.notes << text(sentence);
   }
@@ -133,7 +138,7 @@ class Rows {
   void addJudgement(std::size_t index, Origin& out) const {
     const study::ForceJudgement& one = study_.study.judgements[index];
     out.records.push_back(
-        {Kind::kJudgement,
+        {RecordKind::kJudgement,
          {},
          index,
          {},
@@ -272,12 +277,12 @@ Origin originOf(const OriginQuestion& question, const BuiltModel& built, const L
 base::Result<elicitation::RecordInfluence> influenceOf(const OriginRecord& record, const BuiltModel& built,
                                                        const LabStudy& study, const BuildSettings& settings) {
   switch (record.kind) {
-    case Kind::kStroke:
+    case RecordKind::kStroke:
       return elicitation::withoutStroke(built, study.study, settings, record.stroke.participant, record.stroke.level,
                                         record.stroke.stroke);
-    case Kind::kJudgement: return elicitation::withoutJudgement(built, study.study, settings, record.index);
-    case Kind::kAnswer:
-    case Kind::kGivenRule:
+    case RecordKind::kJudgement: return elicitation::withoutJudgement(built, study.study, settings, record.index);
+    case RecordKind::kAnswer:
+    case RecordKind::kGivenRule:
       if (record.rule) return elicitation::withoutRule(built, record.rule->expert, record.rule->rule);
       return elicitation::RecordInfluence();  // it gave no rule
   }

@@ -10,20 +10,20 @@
 namespace tactus::workbench {
 namespace {
 
-using Kind = BuildPart::Kind;
+using PartKind = BuildPart::Kind;
 
 struct OverviewText {
   Q_DECLARE_TR_FUNCTIONS(OverviewText)
 };
 
 /// The part that a choice of the method belongs to.
-std::optional<Kind> partOf(const std::string& factor) {
-  if (factor == "depths") return Kind::kDepth;
-  if (factor == "force_terms") return Kind::kForce;
-  if (factor == "weights") return Kind::kExperts;
+std::optional<PartKind> partOf(const std::string& factor) {
+  if (factor == "depths") return PartKind::kDepth;
+  if (factor == "force_terms") return PartKind::kForce;
+  if (factor == "weights") return PartKind::kExperts;
   constexpr std::array<std::string_view, 6> kSpeed = {"alpha", "m", "trim", "centres", "averaging", "terms"};
   const bool speed = std::find(kSpeed.begin(), kSpeed.end(), factor) != kSpeed.end();
-  return speed ? std::optional(Kind::kSpeed) : std::nullopt;
+  return speed ? std::optional(PartKind::kSpeed) : std::nullopt;
 }
 
 void raise(BuildPart& part, double newtons, const QString& effect) {
@@ -86,10 +86,10 @@ void addWarnings(const elicitation::BuiltModel& model, std::vector<BuildPart>& p
     const std::string& subject = model.note_subjects[i];
     const auto& inputs = model.model.inputs;
     const auto is = [&](const std::optional<std::size_t>& input) { return input && inputs[*input].id == subject; };
-    const auto kind = is(fuzzy::wayOf(inputs))           ? Kind::kDepth
-                      : is(fuzzy::rateOf(inputs))        ? Kind::kSpeed
-                      : subject == model.model.output.id ? Kind::kForce
-                                                         : Kind::kRules;
+    const auto kind = is(fuzzy::wayOf(inputs))           ? PartKind::kDepth
+                      : is(fuzzy::rateOf(inputs))        ? PartKind::kSpeed
+                      : subject == model.model.output.id ? PartKind::kForce
+                                                         : PartKind::kRules;
     for (BuildPart& part : parts) {
       if (part.kind == kind) part.warnings << text(model.notes[i]);
     }
@@ -102,25 +102,25 @@ std::vector<BuildPart> buildParts(const BuiltStudy& built, const elicitation::Me
   const elicitation::BuiltModel& model = *built.model;
   const bool measured = built.settings.depths == elicitation::DepthsFrom::kMeasured;
   std::vector<BuildPart> parts = {
-      {Kind::kDepth,
+      {PartKind::kDepth,
        measured ? OverviewText::tr("The regions are as they were measured on an image.")
                 : OverviewText::tr("The regions are the template's; an image can replace them."),
        {},
        {},
        {}},
-      {Kind::kSpeed, speedSentence(built), {}, {}, {}},
-      {Kind::kForce, forceSentence(built), {}, {}, {}},
-      {Kind::kRules, rulesSentence(built), {}, {}, {}},
-      {Kind::kExperts, expertsSentence(built), {}, {}, {}}};
-  const auto part = [&parts](Kind kind) -> BuildPart& { return parts[static_cast<std::size_t>(kind)]; };
+      {PartKind::kSpeed, speedSentence(built), {}, {}, {}},
+      {PartKind::kForce, forceSentence(built), {}, {}, {}},
+      {PartKind::kRules, rulesSentence(built), {}, {}, {}},
+      {PartKind::kExperts, expertsSentence(built), {}, {}, {}}};
+  const auto part = [&parts](PartKind kind) -> BuildPart& { return parts[static_cast<std::size_t>(kind)]; };
   for (const auto& pair : model.influences.pairs) {
     if (pair.largest)
-      raise(part(Kind::kRules), pair.largest->newtons,
+      raise(part(PartKind::kRules), pair.largest->newtons,
             OverviewText::tr("%1 and %2 are so far apart").arg(text(pair.first), text(pair.second)));
   }
   for (const auto& one : model.influences.experts) {
     if (one.largest)
-      raise(part(Kind::kExperts), one.largest->newtons, OverviewText::tr("leaving %1 out").arg(text(one.expert)));
+      raise(part(PartKind::kExperts), one.largest->newtons, OverviewText::tr("leaving %1 out").arg(text(one.expert)));
   }
   if (choices != nullptr) {
     for (const auto& variant : choices->variants) {

@@ -23,10 +23,10 @@ namespace tactus::workbench {
 namespace {
 
 constexpr double kLinePx = 2.2;
-constexpr double kDotPx = 5;
-constexpr double kMarkPx = 13;
+constexpr double kPlanDotPx = 5;
+constexpr double kPlanMarkPx = 13;
 constexpr float kBandFill = 0.14F;
-constexpr int kSettingsWidth = 40 * theme::kGrid;
+constexpr int kPlanSettingsWidth = 40 * theme::kGrid;
 constexpr int kPlotShare = 420;
 constexpr int kTableShare = 260;
 
@@ -111,7 +111,7 @@ class PlanPlot : public QWidget, public PlotSource {
     top->setChannelFillGraph(bottom);
     QCPGraph* const graph = plot_->addGraph();
     graph->setPen(QPen(color, kLinePx));
-    graph->setScatterStyle({QCPScatterStyle::ssDisc, color, color, kDotPx});
+    graph->setScatterStyle({QCPScatterStyle::ssDisc, color, color, kPlanDotPx});
     graph->setData(nurses, error, true);
     const QString name = tr("%n question(s)", nullptr, questions);
     legend_.push_back({name, QPen(color, kLinePx)});
@@ -137,7 +137,7 @@ class PlanPlot : public QWidget, public PlotSource {
     const QColor ink = theme::ink();
     graph->setLineStyle(QCPGraph::lsNone);
     graph->setScatterStyle(
-        {cheapest ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare, QPen(ink, 2), Qt::NoBrush, kMarkPx});
+        {cheapest ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare, QPen(ink, 2), Qt::NoBrush, kPlanMarkPx});
     graph->setData({double(one.design.nurses)}, {one.error_n});
     addText(name, ink, one.design.nurses, one.error_n, (cheapest ? Qt::AlignBottom : Qt::AlignTop) | Qt::AlignHCenter,
             theme::kGrid);
@@ -224,7 +224,7 @@ class PlanView : public LabView {
     scroll->setWidget(page);
     for (QWidget* part : {page, scroll->viewport()}) part->setAutoFillBackground(false);
     auto* const card = new LabCard(tr("Nurses and questions"), scroll);
-    keepFitted(*card, [card] { card->setFixedWidth(appearance::scaled(kSettingsWidth)); });
+    keepFitted(*card, [card] { card->setFixedWidth(appearance::scaled(kPlanSettingsWidth)); });
     connect(precision, &SettingRow::changed, this, [this](double value) { lab_.setPrecisionN(value); });
     connect(nurses, &SettingRow::changed, this, [this](double value) {
       PlanWish wish = lab_.wish();

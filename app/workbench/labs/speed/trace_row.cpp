@@ -40,7 +40,7 @@ void StrokePreview::refreshState() {
 
 namespace {
 
-constexpr double kReach = 7;        // px: how far from a mark the mouse takes hold of it
+constexpr double kTraceReach = 7;   // px: how far from a mark the mouse takes hold of it
 constexpr double kBetween = 18;     // px between two recordings
 constexpr std::size_t kLeast = 20;  // samples that a stroke keeps: less says nothing about a speed
 
@@ -124,7 +124,7 @@ const study::StrokeRecord& TraceRow::shownRecord(std::size_t stroke) const {
 
 std::optional<TraceRow::Mark> TraceRow::markAt(const QPointF& place) const {
   std::optional<Mark> best;
-  double nearest = kReach;
+  double nearest = kTraceReach;
   for (std::size_t i = 0; set_ && i < set_->strokes.size(); ++i) {
     if (set_->strokes[i].time_s.empty()) continue;
     for (const bool begin : {true, false}) {

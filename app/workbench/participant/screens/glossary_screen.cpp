@@ -10,7 +10,7 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-constexpr double kPictureMm = 20;
+constexpr double kPosePictureMm = 20;
 constexpr int kRegionsShare = 3;  // of the width; an inset has 1
 
 }  // namespace
@@ -52,7 +52,7 @@ void GlossaryPage::alignCaptions() {
 void GlossaryPage::resizeEvent(QResizeEvent* /*event*/) { alignCaptions(); }
 
 void GlossaryPage::addPicture(const Phrase& word, Picture picture) {
-  auto* box = new PictureBox(look_, 1.5 * kPictureMm, kPictureMm, this);
+  auto* box = new PictureBox(look_, 1.5 * kPosePictureMm, kPosePictureMm, this);
   box->setPicture(std::move(picture));
   addColumn(word, box, false);
 }

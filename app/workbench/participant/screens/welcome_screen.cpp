@@ -8,10 +8,10 @@
 namespace tactus::workbench::nurse {
 namespace {
 
-constexpr double kWidthMm = 130;
-constexpr double kHeightMm = 20;
-constexpr double kCornerMm = 2;
-constexpr double kPaddingMm = 4;
+constexpr double kCardWidthMm = 130;
+constexpr double kCardHeightMm = 20;
+constexpr double kCardCornerMm = 2;
+constexpr double kCardPaddingMm = 4;
 constexpr int kLongest = 40;  // characters of a code
 
 }  // namespace
@@ -37,11 +37,11 @@ void CodeField::refreshState() {
 }
 
 QSize CodeField::sizeHint() const {
-  return QSize(look_.mm(kWidthMm), look_.mm(kHeightMm)) + QSize(2 * kRingRoom, 2 * kRingRoom);
+  return QSize(look_.mm(kCardWidthMm), look_.mm(kCardHeightMm)) + QSize(2 * kRingRoom, 2 * kRingRoom);
 }
 
 void CodeField::resizeEvent(QResizeEvent* /*event*/) {
-  const int padding = kRingRoom + look_.mm(kPaddingMm);
+  const int padding = kRingRoom + look_.mm(kCardPaddingMm);
   edit_->setGeometry(rect().adjusted(padding, kRingRoom + 3, -padding, -kRingRoom - 3));
 }
 
@@ -51,8 +51,8 @@ void CodeField::paintEvent(QPaintEvent* /*event*/) {
   const QRectF face = faceOf(size());
   painter.setPen(QPen(colors::kEdge, 1.5));
   painter.setBrush(colors::kCard);
-  painter.drawRoundedRect(face, look_.mm(kCornerMm), look_.mm(kCornerMm));
-  if (edit_->hasFocus()) drawRing(painter, face, look_.mm(kCornerMm));
+  painter.drawRoundedRect(face, look_.mm(kCardCornerMm), look_.mm(kCardCornerMm));
+  if (edit_->hasFocus()) drawRing(painter, face, look_.mm(kCardCornerMm));
 }
 
 namespace {

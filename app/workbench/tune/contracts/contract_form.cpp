@@ -21,9 +21,9 @@ namespace tactus::workbench {
 namespace {
 
 using fuzzy::Contract;
-using Kind = fuzzy::Contract::Kind;
+using ContractKind = fuzzy::Contract::Kind;
 
-constexpr int kWide = 520;  // px
+constexpr int kFormWide = 520;  // px
 constexpr double kMostJnd = 50;
 
 class ContractForm : public QDialog {
@@ -62,7 +62,7 @@ class ContractForm : public QDialog {
     auto* const cancel = new QPushButton(tr("Cancel"), this);
     column->addWidget(note);
     column->addLayout(makeRow({spring(1), cancel, take}));
-    setMinimumWidth(appearance::scaled(kWide));
+    setMinimumWidth(appearance::scaled(kFormWide));
     connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
     connect(take, &QPushButton::clicked, this, [this] { takeIt(); });
     showSentence();
@@ -74,19 +74,19 @@ class ContractForm : public QDialog {
   /// What a new contract has no choice for yet, or an old one has under a name that is gone.
   void fillGaps() {
     if (fuzzy::membersOf(contract_.kind).input && !inputNamed(model_, contract_.input)) {
-      const auto way = contract_.kind == Kind::kNoStep || contract_.kind == Kind::kNeverHarder
+      const auto way = contract_.kind == ContractKind::kNoStep || contract_.kind == ContractKind::kNeverHarder
                            ? fuzzy::wayOf(model_.inputs)
                            : std::nullopt;
       contract_.input = model_.inputs[way.value_or(0)].id;
     }
-    if (contract_.kind == Kind::kNeverHarder) fillWords();
-    if (contract_.kind == Kind::kNoStep && !(contract_.within > 0)) {
+    if (contract_.kind == ContractKind::kNeverHarder) fillWords();
+    if (contract_.kind == ContractKind::kNoStep && !(contract_.within > 0)) {
       contract_.within = stepOf(input());
       contract_.limit = 1;
       contract_.limit_in_jnd = model_.output.unit == "N";
     }
     const bool is_new = !index_;
-    if (is_new && contract_.kind == Kind::kNeverAbove) contract_.limit = model_.output.max;
+    if (is_new && contract_.kind == ContractKind::kNeverAbove) contract_.limit = model_.output.max;
     std::erase_if(contract_.where, [this](const fuzzy::Condition& one) {
       const auto of = inputNamed(model_, one.input);
       return !of || fuzzy::findTerm(model_.inputs[*of].terms, one.term) == nullptr;
@@ -132,12 +132,12 @@ class ContractForm : public QDialog {
     return box;
   }
 
-  QComboBox* kindChoice(const QString& name, std::initializer_list<std::pair<QString, Kind>> kinds) {
+  QComboBox* kindChoice(const QString& name, std::initializer_list<std::pair<QString, ContractKind>> kinds) {
     auto* const box = choice(name, QStringLiteral("contract_kind"));
     for (const auto& [words, kind] : kinds) box->addItem(words, static_cast<int>(kind));
     box->setCurrentIndex(box->findData(static_cast<int>(contract_.kind)));
     connect(box, &QComboBox::activated, this, [this, box] {
-      contract_.kind = static_cast<Kind>(box->currentData().toInt());
+      contract_.kind = static_cast<ContractKind>(box->currentData().toInt());
       showSentence();
     });
     return box;
@@ -189,7 +189,7 @@ class ContractForm : public QDialog {
       limit.min = 0;
       limit.max = kMostJnd;
     }
-    if (contract_.kind == Kind::kNoStep) limit.min = limit.max / 1000;
+    if (contract_.kind == ContractKind::kNoStep) limit.min = limit.max / 1000;
     contract_.limit = std::clamp(contract_.limit, limit.min, limit.max);
     const double step = contract_.limit_in_jnd ? 0.1 : stepOf(model_.output);
     NumberBox* const box = numberBox(limit, step, tr("Limit"), QStringLiteral("contract_limit"), &Contract::limit);
@@ -203,20 +203,21 @@ class ContractForm : public QDialog {
 
   void addFields() {
     switch (contract_.kind) {
-      case Kind::kNeverRaises:
-      case Kind::kNeverLowers:
+      case ContractKind::kNeverRaises:
+      case ContractKind::kNeverLowers:
         form_->addRow(tr("More of"), inputChoice());
-        form_->addRow(tr("does this"), kindChoice(tr("Promise"), {{tr("never raises the force"), Kind::kNeverRaises},
-                                                                  {tr("never lowers the force"), Kind::kNeverLowers}}));
+        form_->addRow(tr("does this"),
+                      kindChoice(tr("Promise"), {{tr("never raises the force"), ContractKind::kNeverRaises},
+                                                 {tr("never lowers the force"), ContractKind::kNeverLowers}}));
         break;
-      case Kind::kNeverHarder:
+      case ContractKind::kNeverHarder:
         form_->addRow(tr("Along"), inputChoice());
         word_ = wordChoice(tr("The softer word"), QStringLiteral("contract_word"), &Contract::word);
         than_ = wordChoice(tr("The harder word"), QStringLiteral("contract_than"), &Contract::than);
         form_->addRow(tr("the word"), word_);
         form_->addRow(tr("is never harder than"), than_);
         break;
-      case Kind::kNoStep: {
+      case ContractKind::kNoStep: {
         form_->addRow(tr("Along"), inputChoice());
         makeWithin();
         form_->addRow(tr("within"), within_);
@@ -234,14 +235,14 @@ class ContractForm : public QDialog {
         });
         break;
       }
-      case Kind::kNeverAbove:
-      case Kind::kNeverBelow:
-        form_->addRow(tr("The force is"), kindChoice(tr("Promise"), {{tr("never above"), Kind::kNeverAbove},
-                                                                     {tr("never below"), Kind::kNeverBelow}}));
+      case ContractKind::kNeverAbove:
+      case ContractKind::kNeverBelow:
+        form_->addRow(tr("The force is"), kindChoice(tr("Promise"), {{tr("never above"), ContractKind::kNeverAbove},
+                                                                     {tr("never below"), ContractKind::kNeverBelow}}));
         makeLimit();
         form_->addRow(tr("the limit"), limit_);
         break;
-      case Kind::kNeverSilent: break;
+      case ContractKind::kNeverSilent: break;
     }
   }
 
@@ -268,7 +269,7 @@ class ContractForm : public QDialog {
   /// The two words of a comparison say where it is along that input.
   void showWhere() {
     for (std::size_t i = 0; i < where_.size(); ++i) {
-      const bool may = contract_.kind != Kind::kNeverHarder || model_.inputs[i].id != contract_.input;
+      const bool may = contract_.kind != ContractKind::kNeverHarder || model_.inputs[i].id != contract_.input;
       form_->setRowVisible(where_[i], may);
       if (!may) where_[i]->setCurrentIndex(0);
     }

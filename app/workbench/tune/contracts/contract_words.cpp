@@ -18,7 +18,7 @@ namespace {
 using contracts::ForcePlace;
 using contracts::Verdict;
 using fuzzy::Contract;
-using Kind = fuzzy::Contract::Kind;
+using ContractKind = fuzzy::Contract::Kind;
 
 struct ContractText {
   Q_DECLARE_TR_FUNCTIONS(ContractText)
@@ -105,21 +105,21 @@ QString contractSentence(const fuzzy::ForceModel& model, const Contract& contrac
   const auto word = [&](const std::string& id) { return wordName(model, contract.input, id); };
   QString sentence;
   switch (contract.kind) {
-    case Kind::kNeverRaises: sentence = ContractText::tr("More “%1” never raises the force").arg(input); break;
-    case Kind::kNeverLowers: sentence = ContractText::tr("More “%1” never lowers the force").arg(input); break;
-    case Kind::kNeverHarder:
+    case ContractKind::kNeverRaises: sentence = ContractText::tr("More “%1” never raises the force").arg(input); break;
+    case ContractKind::kNeverLowers: sentence = ContractText::tr("More “%1” never lowers the force").arg(input); break;
+    case ContractKind::kNeverHarder:
       sentence =
           ContractText::tr("%1: “%2” is never harder than “%3”").arg(input, word(contract.word), word(contract.than));
       break;
-    case Kind::kNoStep: {
+    case ContractKind::kNoStep: {
       const auto index = inputNamed(model, contract.input);
       sentence = ContractText::tr("The force never changes by more than %1 within %2 of “%3”")
                      .arg(limit, exactText(contract.within, index ? model.inputs[*index].unit : std::string()), input);
       break;
     }
-    case Kind::kNeverAbove: sentence = ContractText::tr("The force is never above %1").arg(limit); break;
-    case Kind::kNeverBelow: sentence = ContractText::tr("The force is never below %1").arg(limit); break;
-    case Kind::kNeverSilent:
+    case ContractKind::kNeverAbove: sentence = ContractText::tr("The force is never above %1").arg(limit); break;
+    case ContractKind::kNeverBelow: sentence = ContractText::tr("The force is never below %1").arg(limit); break;
+    case ContractKind::kNeverSilent:
       sentence = ContractText::tr("The model is never silent: some rule fires everywhere");
       break;
   }
@@ -150,7 +150,7 @@ std::vector<Contract> offeredContracts(const fuzzy::ForceModel& model) {
                                    [&](const Contract& one) { return says(one, contract); });
     if (!there) out.push_back(std::move(contract));
   };
-  const auto of = [](Kind kind, const std::string& input) {
+  const auto of = [](ContractKind kind, const std::string& input) {
     Contract contract;
     contract.kind = kind;
     contract.input = input;
@@ -159,29 +159,30 @@ std::vector<Contract> offeredContracts(const fuzzy::ForceModel& model) {
   const auto declared = elicitation::declaredDirections(model);
   const auto falls = [](const auto& one) { return one.direction == analysis::Direction::kFalls; };
   for (const auto& one : declared) {
-    if (inputNamed(model, one.input)) offer(of(falls(one) ? Kind::kNeverRaises : Kind::kNeverLowers, one.input));
+    if (inputNamed(model, one.input))
+      offer(of(falls(one) ? ContractKind::kNeverRaises : ContractKind::kNeverLowers, one.input));
   }
   for (const auto& one : declared) {
     const auto input = inputNamed(model, one.input);
     if (!input || model.inputs[*input].terms.size() < 2) continue;
     const auto& terms = model.inputs[*input].terms;
-    Contract contract = of(Kind::kNeverHarder, one.input);
+    Contract contract = of(ContractKind::kNeverHarder, one.input);
     contract.word = falls(one) ? terms.back().id : terms.front().id;
     contract.than = falls(one) ? terms.front().id : terms.back().id;
     offer(std::move(contract));
     break;
   }
   if (const auto way = fuzzy::wayOf(model.inputs)) {
-    Contract contract = of(Kind::kNoStep, model.inputs[*way].id);
+    Contract contract = of(ContractKind::kNoStep, model.inputs[*way].id);
     contract.within = 1;
     contract.limit = 1;
     contract.limit_in_jnd = model.output.unit == "N";
     if (contract.limit_in_jnd) offer(std::move(contract));
   }
-  Contract most = of(Kind::kNeverAbove, {});
+  Contract most = of(ContractKind::kNeverAbove, {});
   most.limit = roundedDown(model.output.max);
   offer(std::move(most));
-  offer(of(Kind::kNeverSilent, {}));
+  offer(of(ContractKind::kNeverSilent, {}));
   return out;
 }
 

@@ -20,29 +20,29 @@
 namespace tactus::workbench {
 namespace {
 
-using Kind = elicitation::RuleFinding::Kind;
+using FindingKind = elicitation::RuleFinding::Kind;
 
 struct FindingRowsText {
   Q_DECLARE_TR_FUNCTIONS(FindingRowsText)
 };
 
-QString countText(Kind kind, int n) {
+QString countText(FindingKind kind, int n) {
   switch (kind) {
-    case Kind::kHole: return FindingRowsText::tr("%n hole(s)", nullptr, n);
-    case Kind::kAbstentionJump: return FindingRowsText::tr("%n jump(s) of the mean", nullptr, n);
-    case Kind::kForceStep: return FindingRowsText::tr("%n step(s) of the force", nullptr, n);
-    case Kind::kRegionWithoutRule: return FindingRowsText::tr("%n region(s) without a rule", nullptr, n);
-    case Kind::kMissingItem: return FindingRowsText::tr("%n missing answer(s)", nullptr, n);
-    case Kind::kConflict: return FindingRowsText::tr("%n conflict(s)", nullptr, n);
-    case Kind::kExpertsApart: return FindingRowsText::tr("apart at %n place(s)", nullptr, n);
-    case Kind::kAgainstDeclaration: return FindingRowsText::tr("%n step(s) against the declaration", nullptr, n);
-    case Kind::kLevelJump: return FindingRowsText::tr("%n jump(s)", nullptr, n);
-    case Kind::kDirectionChange: return FindingRowsText::tr("%n change(s) of direction", nullptr, n);
-    case Kind::kDisagreement: return FindingRowsText::tr("%n disagreement(s)", nullptr, n);
-    case Kind::kRedundantRule: return FindingRowsText::tr("%n redundant rule(s)", nullptr, n);
-    case Kind::kUnreachableRule: return FindingRowsText::tr("%n rule(s) that never fire", nullptr, n);
-    case Kind::kUnreachableTerm: return FindingRowsText::tr("%n unreachable term(s)", nullptr, n);
-    case Kind::kUnusedTerm: return FindingRowsText::tr("%n unused term(s)", nullptr, n);
+    case FindingKind::kHole: return FindingRowsText::tr("%n hole(s)", nullptr, n);
+    case FindingKind::kAbstentionJump: return FindingRowsText::tr("%n jump(s) of the mean", nullptr, n);
+    case FindingKind::kForceStep: return FindingRowsText::tr("%n step(s) of the force", nullptr, n);
+    case FindingKind::kRegionWithoutRule: return FindingRowsText::tr("%n region(s) without a rule", nullptr, n);
+    case FindingKind::kMissingItem: return FindingRowsText::tr("%n missing answer(s)", nullptr, n);
+    case FindingKind::kConflict: return FindingRowsText::tr("%n conflict(s)", nullptr, n);
+    case FindingKind::kExpertsApart: return FindingRowsText::tr("apart at %n place(s)", nullptr, n);
+    case FindingKind::kAgainstDeclaration: return FindingRowsText::tr("%n step(s) against the declaration", nullptr, n);
+    case FindingKind::kLevelJump: return FindingRowsText::tr("%n jump(s)", nullptr, n);
+    case FindingKind::kDirectionChange: return FindingRowsText::tr("%n change(s) of direction", nullptr, n);
+    case FindingKind::kDisagreement: return FindingRowsText::tr("%n disagreement(s)", nullptr, n);
+    case FindingKind::kRedundantRule: return FindingRowsText::tr("%n redundant rule(s)", nullptr, n);
+    case FindingKind::kUnreachableRule: return FindingRowsText::tr("%n rule(s) that never fire", nullptr, n);
+    case FindingKind::kUnreachableTerm: return FindingRowsText::tr("%n unreachable term(s)", nullptr, n);
+    case FindingKind::kUnusedTerm: return FindingRowsText::tr("%n unused term(s)", nullptr, n);
   }
   return {};
 }

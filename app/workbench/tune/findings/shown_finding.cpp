@@ -15,7 +15,7 @@ namespace {
 
 using elicitation::RuleFinding;
 using fuzzy::ForceModel;
-using Kind = RuleFinding::Kind;
+using FindingKind = RuleFinding::Kind;
 using Place = std::vector<std::optional<double>>;
 
 struct ShownFindingText {
@@ -69,7 +69,7 @@ class Shower {
     for (std::size_t s = 0; s < finding.sources.size(); ++s) {
       if (!finding.sources[s].rule || finding.experts.empty()) continue;
       // Of experts who are apart it is one rule of each.
-      const bool one_each = finding.kind == Kind::kExpertsApart && s < finding.experts.size();
+      const bool one_each = finding.kind == FindingKind::kExpertsApart && s < finding.experts.size();
       out.push_back({one_each ? finding.experts[s] : finding.experts.front(), *finding.sources[s].rule});
     }
     return out;
@@ -77,18 +77,18 @@ class Shower {
 
   /// A force that the change begins with. Of experts who are apart it is their mean, as in the lint.
   std::optional<double> before(const RuleFinding& finding) const {
-    if (finding.kind == Kind::kConflict) return smallerConsequent(finding);
+    if (finding.kind == FindingKind::kConflict) return smallerConsequent(finding);
     if (finding.from.empty()) return std::nullopt;
     const fuzzy::Expert* const expert = expertOf(model_, finding);
     const bool of_mean =
-        expert == nullptr || finding.kind == Kind::kAbstentionJump || finding.kind == Kind::kExpertsApart;
+        expert == nullptr || finding.kind == FindingKind::kAbstentionJump || finding.kind == FindingKind::kExpertsApart;
     const auto force = [&](const std::vector<double>& point) {
       if (of_mean) return compiled_.evaluate(point);
       return compiled_.evaluateExpert(static_cast<std::size_t>(expert - model_.experts.data()), point);
     };
     const auto here = force(finding.from);
     // The hand goes over a step either way.
-    if (finding.kind == Kind::kForceStep) return std::min(here.force_n, force(finding.to).force_n);
+    if (finding.kind == FindingKind::kForceStep) return std::min(here.force_n, force(finding.to).force_n);
     return here.fired ? here.force_n : force(finding.to).force_n;
   }
 
@@ -112,7 +112,8 @@ class Shower {
   /// Where the conditions of its first rule hold, or in the middle of its term.
   Place placeWithoutForce(const RuleFinding& finding) const {
     const fuzzy::Expert* const expert = expertOf(model_, finding);
-    if (expert == nullptr || finding.kind == Kind::kUnreachableRule || finding.kind == Kind::kUnreachableTerm)
+    if (expert == nullptr || finding.kind == FindingKind::kUnreachableRule ||
+        finding.kind == FindingKind::kUnreachableTerm)
       return {};
     Place out(model_.inputs.size());
     bool any = false;
@@ -149,12 +150,12 @@ void markAccepted(std::vector<ShownFinding>& findings, const ForceModel& model) 
     return std::find(accepted.begin(), accepted.end(), name) != accepted.end();
   };
   for (ShownFinding& shown : findings) {
-    const Kind kind = shown.finding.kind;
-    bool yes = (kind == Kind::kHole || kind == Kind::kAbstentionJump) && isAccepted(shown.finding.place);
-    if (kind == Kind::kRegionWithoutRule && !shown.finding.to.empty()) {
+    const FindingKind kind = shown.finding.kind;
+    bool yes = (kind == FindingKind::kHole || kind == FindingKind::kAbstentionJump) && isAccepted(shown.finding.place);
+    if (kind == FindingKind::kRegionWithoutRule && !shown.finding.to.empty()) {
       // Its newtons are those of a hole inside it.
       yes = std::any_of(findings.begin(), findings.end(), [&](const ShownFinding& hole) {
-        return (hole.finding.kind == Kind::kHole || hole.finding.kind == Kind::kAbstentionJump) &&
+        return (hole.finding.kind == FindingKind::kHole || hole.finding.kind == FindingKind::kAbstentionJump) &&
                hole.finding.experts == shown.finding.experts && hole.finding.to == shown.finding.to &&
                isAccepted(hole.finding.place);
       });
@@ -168,11 +169,11 @@ void addLapsed(std::vector<ShownFinding>& findings, const ForceModel& model, boo
   if (!coverage_complete) return;
   for (const std::string& name : model.accepted_holes) {
     const bool there = std::any_of(findings.begin(), findings.end(), [&](const ShownFinding& shown) {
-      return shown.finding.kind == Kind::kHole && shown.finding.place == name;
+      return shown.finding.kind == FindingKind::kHole && shown.finding.place == name;
     });
     if (there) continue;
     ShownFinding shown;
-    shown.finding.kind = Kind::kHole;
+    shown.finding.kind = FindingKind::kHole;
     shown.finding.place = name;
     shown.kind = ShownFindingText::tr("Acceptance");
     shown.who = ShownFindingText::tr("Model");
@@ -185,23 +186,23 @@ void addLapsed(std::vector<ShownFinding>& findings, const ForceModel& model, boo
 
 }  // namespace
 
-FindingGroup groupOf(Kind kind) {
+FindingGroup groupOf(FindingKind kind) {
   switch (kind) {
-    case Kind::kHole:
-    case Kind::kAbstentionJump:
-    case Kind::kRegionWithoutRule:
-    case Kind::kMissingItem: return FindingGroup::kCoverage;
-    case Kind::kConflict:
-    case Kind::kExpertsApart:
-    case Kind::kDisagreement: return FindingGroup::kConflict;
-    case Kind::kAgainstDeclaration:
-    case Kind::kLevelJump:
-    case Kind::kDirectionChange:
-    case Kind::kForceStep: return FindingGroup::kDirection;
-    case Kind::kRedundantRule:
-    case Kind::kUnreachableRule:
-    case Kind::kUnreachableTerm:
-    case Kind::kUnusedTerm: break;
+    case FindingKind::kHole:
+    case FindingKind::kAbstentionJump:
+    case FindingKind::kRegionWithoutRule:
+    case FindingKind::kMissingItem: return FindingGroup::kCoverage;
+    case FindingKind::kConflict:
+    case FindingKind::kExpertsApart:
+    case FindingKind::kDisagreement: return FindingGroup::kConflict;
+    case FindingKind::kAgainstDeclaration:
+    case FindingKind::kLevelJump:
+    case FindingKind::kDirectionChange:
+    case FindingKind::kForceStep: return FindingGroup::kDirection;
+    case FindingKind::kRedundantRule:
+    case FindingKind::kUnreachableRule:
+    case FindingKind::kUnreachableTerm:
+    case FindingKind::kUnusedTerm: break;
   }
   return FindingGroup::kNeedless;
 }

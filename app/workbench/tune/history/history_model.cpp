@@ -12,7 +12,7 @@ namespace {
 
 using editing::EventKind;
 using Row = editing::HistoryRow;
-using Place = editing::HistoryRow::Place;
+using RowPlace = editing::HistoryRow::Place;
 
 // The time of day is enough for today.
 QString timeText(std::int64_t utc_ms) {
@@ -46,7 +46,7 @@ void HistoryModel::refresh() {
 
 std::optional<int> HistoryModel::currentRow() const {
   const auto current =
-      std::find_if(rows().begin(), rows().end(), [](const Row& row) { return row.place == Place::kCurrent; });
+      std::find_if(rows().begin(), rows().end(), [](const Row& row) { return row.place == RowPlace::kCurrent; });
   return current == rows().end() ? std::nullopt : std::optional(static_cast<int>(current - rows().begin()));
 }
 
@@ -71,10 +71,10 @@ QString HistoryModel::tipOf(const editing::HistoryRow& row) const {
     lines.append(tr("%1 · %2 · %3").arg(what, text(event.stamp.author), timeText(event.stamp.utc_ms)));
   }
   switch (row.place) {
-    case Place::kCurrent: lines.append(tr("The current model")); break;
-    case Place::kDone: lines.append(tr("A click goes back to it; nothing is lost")); break;
-    case Place::kUndone: lines.append(tr("Undone: a click brings it back")); break;
-    case Place::kBranch: lines.append(tr("An earlier branch. Click to return to it")); break;
+    case RowPlace::kCurrent: lines.append(tr("The current model")); break;
+    case RowPlace::kDone: lines.append(tr("A click goes back to it; nothing is lost")); break;
+    case RowPlace::kUndone: lines.append(tr("Undone: a click brings it back")); break;
+    case RowPlace::kBranch: lines.append(tr("An earlier branch. Click to return to it")); break;
   }
   const bool newtons = edits_.model().output.unit == "N";
   if (newtons && edits_.impactOf(row.state)) lines.append(explained(Statistic::kNoticeable));

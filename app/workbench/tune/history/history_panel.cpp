@@ -26,7 +26,7 @@
 namespace tactus::workbench {
 namespace {
 
-using Place = editing::HistoryRow::Place;
+using RowPlace = editing::HistoryRow::Place;
 
 constexpr int kLevelWidth = 2 * theme::kGrid;  // px
 constexpr int kMostLevels = 6;                 // deeper branches stand below each other
@@ -59,8 +59,8 @@ void HistoryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   painter->setRenderHint(QPainter::Antialiasing);
   QColor fill = theme::accent();
   const bool under_mouse = option.state.testFlag(QStyle::State_MouseOver);
-  if (row.place == Place::kCurrent || under_mouse) {
-    fill.setAlphaF(row.place == Place::kCurrent ? 0.14F : 0.07F);
+  if (row.place == RowPlace::kCurrent || under_mouse) {
+    fill.setAlphaF(row.place == RowPlace::kCurrent ? 0.14F : 0.07F);
     painter->setPen(Qt::NoPen);
     painter->setBrush(fill);
     painter->drawRoundedRect(option.rect.adjusted(0, 1, 0, -1), 4, 4);
@@ -72,10 +72,10 @@ void HistoryDelegate::paint(QPainter* painter, const QStyleOptionViewItem& optio
   }
   paintTree(*painter, option.rect, index.row());
 
-  const bool behind = row.place == Place::kUndone || row.place == Place::kBranch;
+  const bool behind = row.place == RowPlace::kUndone || row.place == RowPlace::kBranch;
   const QRect inside = option.rect.adjusted(treeWidth(row), 4, -theme::kGrid, -4);
   QFont font = option.font;
-  if (row.place == Place::kCurrent) font.setWeight(QFont::DemiBold);
+  if (row.place == RowPlace::kCurrent) font.setWeight(QFont::DemiBold);
   const QFontMetrics metrics(font);
   QRect first(inside.topLeft(), QSize(inside.width(), metrics.height()));
   first.setRight(first.right() - paintBadges(*painter, first, index));
@@ -113,10 +113,10 @@ void HistoryDelegate::paintTree(QPainter& painter, const QRect& area, int row_nu
   }
   if (row.goes_on) painter.drawLine(dot, QPointF(dot.x(), bottom));
 
-  const bool behind = row.place == Place::kUndone || row.place == Place::kBranch;
+  const bool behind = row.place == RowPlace::kUndone || row.place == RowPlace::kBranch;
   painter.setPen(QPen(behind ? theme::mutedInk() : theme::accent(), 1.5));
-  painter.setBrush(row.place == Place::kCurrent ? theme::accent() : theme::card());
-  const double radius = row.place == Place::kCurrent ? kDotRadius + 0.5 : kDotRadius - 0.5;
+  painter.setBrush(row.place == RowPlace::kCurrent ? theme::accent() : theme::card());
+  const double radius = row.place == RowPlace::kCurrent ? kDotRadius + 0.5 : kDotRadius - 0.5;
   painter.drawEllipse(dot, radius, radius);
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using Only = RuleListFilter::Only;
 
-constexpr int kMostLines = 4;       // of the conditions in one row
+constexpr int kMostRuleLines = 4;   // of the conditions in one row
 constexpr int kNarrowestWord = 40;  // px
 constexpr int kWidestWord = 140;    // px
 
@@ -283,7 +283,7 @@ void RuleListPane::fitRows() {
     if (metrics.horizontalAdvance(conditions.data().toString()) <= room) continue;
     lines = std::max(lines, static_cast<int>(list_->wordsOf(row).conditions.size()));
   }
-  const int height = metrics.height() * std::min(lines, kMostLines) + theme::kGrid;
+  const int height = metrics.height() * std::min(lines, kMostRuleLines) + theme::kGrid;
   if (table_->verticalHeader()->defaultSectionSize() != height) {
     table_->verticalHeader()->setDefaultSectionSize(height);
   }

@@ -36,9 +36,9 @@ using Against = StrokesController::Against;
 
 constexpr int kNarrowest = 172;  // px of a trace, at 100 % of text size
 constexpr int kCurve = 48;       // px of height
-constexpr int kInside = theme::kGrid / 2;
+constexpr int kInsideStrip = theme::kGrid / 2;
 
-int traceHeight() { return 2 * QFontMetrics(theme::smallFont()).height() + kCurve + 3 * kInside; }
+int traceHeight() { return 2 * QFontMetrics(theme::smallFont()).height() + kCurve + 3 * kInsideStrip; }
 
 /// One trace for each stroke, in rows. A click goes to the place of the largest difference; the arrows choose, Return
 /// goes there.
@@ -224,7 +224,7 @@ void StrokeTraces::paintTrace(QPainter& painter, const QRectF& area, std::size_t
   painter.setBrush(Qt::NoBrush);
   painter.drawRoundedRect(area.adjusted(1, 1, -1, -1), 4, 4);
   const QFontMetricsF metrics(theme::smallFont());
-  const QRectF inside = area.adjusted(2 * kInside, kInside, -2 * kInside, -kInside);
+  const QRectF inside = area.adjusted(2 * kInsideStrip, kInsideStrip, -2 * kInsideStrip, -kInsideStrip);
   const QRectF first(inside.left(), inside.top(), inside.width(), metrics.height());
   const QRectF second = first.translated(0, metrics.height());
   painter.setPen(theme::mutedInk());
@@ -234,7 +234,7 @@ void StrokeTraces::paintTrace(QPainter& painter, const QRectF& area, std::size_t
   painter.setPen(felt ? theme::warningInk() : theme::ink());
   painter.drawText(second, Qt::AlignLeft | Qt::AlignVCenter,
                    metrics.elidedText(strokes_.verdictOf(place), Qt::ElideRight, second.width()));
-  const QRectF plot(inside.left(), second.bottom() + kInside, inside.width(), kCurve - kInside);
+  const QRectF plot(inside.left(), second.bottom() + kInsideStrip, inside.width(), kCurve - kInsideStrip);
   const replay::StrokeRun& run = *strokes_.baseline().runs[compared.stroke];
   const std::size_t size = run.force_n.size();
   const double scale = most_n_ > 0 ? plot.height() / most_n_ : 0;

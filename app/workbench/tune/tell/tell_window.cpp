@@ -21,11 +21,11 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kWide = 720;        // px
-constexpr int kHigh = 600;        // px
-constexpr int kBeside = 56;       // px at 100 %, for the numbers and the name of an axis
-constexpr int kBelow = 40;        // px at 100 %, likewise
-constexpr int kPlotHeight = 260;  // px
+constexpr int kTellWide = 720;      // px
+constexpr int kHigh = 600;          // px
+constexpr int kBesideStroke = 56;   // px at 100 %, for the numbers and the name of an axis
+constexpr int kBelow = 40;          // px at 100 %, likewise
+constexpr int kStrokeHeight = 260;  // px
 
 /// Above the movement, below it the two forces; one axis of time.
 class TellPlot : public QWidget {
@@ -34,7 +34,7 @@ class TellPlot : public QWidget {
  public:
   explicit TellPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
     setAccessibleName(tr("The stroke and both forces over time"));
-    setMinimumHeight(kPlotHeight);
+    setMinimumHeight(kStrokeHeight);
     makeColumn(this, {{plot_, 1}});
     forces_ = new QCPAxisRect(plot_);
     plot_->plotLayout()->addElement(1, 0, forces_);
@@ -115,7 +115,7 @@ class TellPlot : public QWidget {
 
  private:
   void takeMargins() {
-    const int beside = appearance::scaled(kBeside);
+    const int beside = appearance::scaled(kBesideStroke);
     for (QCPAxisRect* area : plot_->axisRects()) {
       area->setAutoMargins(QCP::msNone);
       area->setMargins({beside, theme::kGrid, beside, area == forces_ ? appearance::scaled(kBelow) : theme::kGrid});
@@ -181,7 +181,7 @@ class TellWindow : public QDialog {
                 makeRow({{bar_, 1}, cancel_}),
                 makeRow({play_, duel_, keep_, spring(1), again_, close})},
                theme::kGrid, inset(2 * theme::kGrid));
-    resize(kWide, kHigh);
+    resize(kTellWide, kHigh);
     connect(close, &QPushButton::clicked, this, &QDialog::reject);
     connect(cancel_, &QPushButton::clicked, &tell_, &TellController::cancel);
     connect(again_, &QPushButton::clicked, &tell_, &TellController::begin);

@@ -148,7 +148,7 @@ namespace {
 using fuzzy::Shape;
 using fuzzy::Term;
 
-enum Column { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kColumns };
+enum TermColumn { kSwatch, kName, kShape, kFirstPoint, kMore = kFirstPoint + 4, kColumns };
 
 constexpr int kSwatchSide = 12;  // px
 constexpr int kNarrowestName = 64;

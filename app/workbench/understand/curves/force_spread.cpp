@@ -21,16 +21,16 @@ struct CurveTable {
   Q_DECLARE_TR_FUNCTIONS(CurveTable)
 };
 
-struct Column {
+struct SpreadColumn {
   std::string name;
   std::function<PlotTable::Cell(std::size_t)> cell;
 };
 
-Column forces(std::string name, const std::vector<fuzzy::Evaluation>& curve) {
+SpreadColumn forces(std::string name, const std::vector<fuzzy::Evaluation>& curve) {
   return {std::move(name), [&curve](std::size_t row) { return forceCell(curve[row]); }};
 }
 
-Column numbers(std::string name, const std::vector<double>& values) {
+SpreadColumn numbers(std::string name, const std::vector<double>& values) {
   return {std::move(name), [&values](std::size_t row) {
             return std::isnan(values[row]) ? PlotTable::Cell() : PlotTable::Cell(values[row]);
           }};
@@ -48,7 +48,7 @@ std::string familyColumn(const fuzzy::ForceModel& model, const CurveFamily& fami
 PlotTable curveTable(const SceneController& scene, const ShownCurves& shown, QStringList notes) {
   const fuzzy::ForceModel& model = scene.model()->model;
   const figures::ForceCurves& curves = scene.curves();
-  std::vector<Column> columns;
+  std::vector<SpreadColumn> columns;
   if (shown.mean) columns.push_back(forces(columnName(model.output), curves.mean));
   for (std::size_t i = 0; i < shown.experts.size(); ++i) {
     if (shown.experts[i]) columns.push_back(forces(columnName(model.output, model.experts[i]), curves.experts[i]));
@@ -83,11 +83,11 @@ PlotTable curveTable(const SceneController& scene, const ShownCurves& shown, QSt
       captionedTable(scene, CurveTable::tr("%1 along %2").arg(labelOf(model.output), labelOf(scene.xVariable())), axes,
                      notes, QStringLiteral("-curves"));
   table.columns = {columnName(scene.xVariable())};
-  for (const Column& column : columns) table.columns.push_back(column.name);
+  for (const SpreadColumn& column : columns) table.columns.push_back(column.name);
   for (std::size_t row = 0; row < curves.x.size(); ++row) {
     std::vector<PlotTable::Cell>& cells = table.rows.emplace_back();
     cells.emplace_back(curves.x[row]);
-    for (const Column& column : columns) cells.push_back(column.cell(row));
+    for (const SpreadColumn& column : columns) cells.push_back(column.cell(row));
   }
   return table;
 }

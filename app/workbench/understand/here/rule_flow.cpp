@@ -20,7 +20,7 @@ namespace {
 constexpr double kLine = 50;       // px, height of a rule
 constexpr double kStrength = 56;   // px, width of the strengths
 constexpr double kNarrowest = 58;  // px, width of a cell
-constexpr double kPad = 3;         // px, beside what is in a cell
+constexpr double kFlowPad = 3;     // px, beside what is in a cell
 
 double lineHeight() { return QFontMetricsF(theme::smallFont()).height(); }
 // The name of a column above its value, which is never cut.
@@ -198,7 +198,7 @@ void RuleFlow::paintHead(QPainter& painter) const {
   const Columns place = columns(0, headHeight());
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
     const fuzzy::Variable& input = open_->model.inputs[inputs_[i]];
-    const QRectF head = place.inputs[i].adjusted(kPad, 0, -kPad, 0);
+    const QRectF head = place.inputs[i].adjusted(kFlowPad, 0, -kFlowPad, 0);
     painter.setPen(theme::mutedInk());
     drawName(painter, head, input);
     painter.setPen(theme::ink());
@@ -207,7 +207,7 @@ void RuleFlow::paintHead(QPainter& painter) const {
   }
   painter.setPen(theme::mutedInk());
   drawElided(painter, place.strength.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignTop, tr("strength"));
-  drawName(painter, place.output.adjusted(kPad, 0, -kPad, 0), open_->model.output);
+  drawName(painter, place.output.adjusted(kFlowPad, 0, -kFlowPad, 0), open_->model.output);
 }
 
 void RuleFlow::paintLine(QPainter& painter, std::size_t line) const {
@@ -235,7 +235,7 @@ void RuleFlow::paintCondition(QPainter& painter, const QRectF& cell, std::size_t
     const std::size_t term = indexOf(terms, conditions[i].term);
     const QColor color = termFill(variable, terms, term);
     const double words = QFontMetricsF(painter.font()).height();
-    SetSketch sketch(painter, cell.adjusted(kPad, 3 + words, -kPad, -4), variable);
+    SetSketch sketch(painter, cell.adjusted(kFlowPad, 3 + words, -kFlowPad, -4), variable);
     sketch.ground();
     sketch.implied(terms[term], rule.memberships[i], fuzzy::Implication::kClip, color);
     sketch.term(terms[term], color);
@@ -243,7 +243,7 @@ void RuleFlow::paintCondition(QPainter& painter, const QRectF& cell, std::size_t
     sketch.mark(values_[input], theme::accent());
     // The smallest membership is what counts.
     painter.setPen(i == rule.smallest_condition ? theme::ink() : theme::mutedInk());
-    drawTerm(painter, cell.adjusted(kPad, 2, -kPad, 0), labelOf(terms[term]), rule.memberships[i]);
+    drawTerm(painter, cell.adjusted(kFlowPad, 2, -kFlowPad, 0), labelOf(terms[term]), rule.memberships[i]);
   }
 }
 
@@ -265,13 +265,13 @@ void RuleFlow::paintOutput(QPainter& painter, const QRectF& cell, const analysis
   const std::size_t term = indexOf(terms, expert.rules[rule.rule].then);
   const QColor color = termFill(open_->model.output, terms, term);
   const double words = QFontMetricsF(painter.font()).height();
-  SetSketch sketch(painter, cell.adjusted(kPad, 3 + words, -kPad, -4), open_->model.output);
+  SetSketch sketch(painter, cell.adjusted(kFlowPad, 3 + words, -kFlowPad, -4), open_->model.output);
   sketch.ground();
   // A rule that is not the strongest of its term adds nothing, and its set stays an outline.
   if (rule.wins) sketch.implied(terms[term], rule.strength, open_->model.implication, color);
   sketch.term(terms[term], color);
   painter.setPen(rule.wins ? theme::ink() : theme::mutedInk());
-  drawElided(painter, cell.adjusted(kPad, 2, -kPad, 0), Qt::AlignLeft | Qt::AlignTop,
+  drawElided(painter, cell.adjusted(kFlowPad, 2, -kFlowPad, 0), Qt::AlignLeft | Qt::AlignTop,
              rule.wins ? labelOf(terms[term]) : tr("%1, as above").arg(labelOf(terms[term])));
 }
 

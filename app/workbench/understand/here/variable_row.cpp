@@ -97,7 +97,7 @@ QPolygonF SetSketch::polygon(const analysis::Polyline& set) const {
 
 namespace {
 
-constexpr int kLabelRows = 2;
+constexpr int kWordRows = 2;
 
 std::vector<std::string> numbers(const std::vector<double>& points) {
   std::vector<std::string> texts;
@@ -123,7 +123,7 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
   setMinimumHeight(112);
   setAccessibleName(tr("Terms of %1").arg(labelOf(variable_)));
 
-  labels_ = new TermLabels(*plot_, kLabelRows);
+  labels_ = new TermLabels(*plot_, kWordRows);
   styleAxis(*plot_->xAxis, variable);
   styleAxis(*plot_->yAxis, variable);
   plot_->yAxis->setRange(0, 1.06);

@@ -138,7 +138,7 @@ void MapCross::draw(QCPPainter* painter) {
 namespace {
 
 constexpr int kRoomy = 360;      // px: below this height the map needs the room of the landmarks' names
-constexpr int kLow = 240;        // px: below this height the boxes above the map alone name its axes
+constexpr int kLowMap = 240;     // px: below this height the boxes above the map alone name its axes
 constexpr int kBeside = 2;       // px from the map or its landmarks to the bars of the terms
 constexpr int kBeforeScale = 4;  // px from the names of the terms to the color scale
 
@@ -214,7 +214,7 @@ void ForceMapPlot::setTerms(const std::vector<fuzzy::Term>& x, const std::vector
 // From the plot outward: landmarks, bars of the terms, their names.
 void ForceMapPlot::makeRoom(int height) {
   using Text = LandmarkMarks::Text;
-  const bool low = height < kLow;
+  const bool low = height < kLowMap;
   landmarks_->setText(height >= kRoomy ? Text::kNames : low ? Text::kNone : Text::kNumbers);
   plot_->xAxis->setLabel(low ? QString() : axisText(x_));
   plot_->yAxis->setLabel(low ? unitText(y_.unit) : axisText(y_));

@@ -27,7 +27,7 @@ namespace tactus::workbench {
 namespace {
 
 constexpr int kCharacters = 64;  // of a line of the card
-constexpr int kBeside = 28;      // px between the place and the card
+constexpr int kBesidePull = 28;  // px between the place and the card
 constexpr double kForceStep = 0.01;
 constexpr int kMean = -1;   // in the place of an expert
 constexpr int kAPoint = 0;  // entries of the choice of what is pulled
@@ -375,7 +375,7 @@ void PullCard::fit() {
 void PullCard::moveBeside(QPoint place) {
   beside_ = place;
   const bool right = window_.width() - place.x() >= place.x();
-  const int x = right ? place.x() + kBeside : place.x() - kBeside - width();
+  const int x = right ? place.x() + kBesidePull : place.x() - kBesidePull - width();
   move(std::clamp(x, theme::kGrid, std::max(theme::kGrid, window_.width() - width() - theme::kGrid)),
        std::clamp(place.y() - height() / 2, theme::kGrid,
                   std::max(theme::kGrid, window_.height() - height() - theme::kGrid)));
