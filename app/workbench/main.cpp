@@ -37,7 +37,8 @@ void nameProgram() {
 
 int takePictures(QApplication& application, const PictureSettings& pictures) {
   calmForPictures();
-  theme::apply(application, theme::Look::kLight);
+  theme::apply(application, pictures.dark ? theme::Look::kDark : theme::Look::kLight);
+  appearance::changeTextSize(application, pictures.text_percent);
   const auto written = writeScreenPictures(pictures);
   return written ? 0 : fail(written.error());
 }

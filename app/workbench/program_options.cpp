@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/session/study_procedure.h"
+#include "app/workbench/base/theme.h"
 #include "app/workbench/participant/kit/wordbook.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
@@ -52,6 +53,8 @@ constexpr auto kScreens = "screens";
 constexpr auto kSize = "size";
 constexpr auto kScale = "scale";
 constexpr auto kWidth = "width";
+constexpr auto kText = "text";
+constexpr auto kDark = "dark";
 constexpr auto kLanguage = "language";
 constexpr auto kPack = "pack";
 
@@ -111,6 +114,14 @@ base::Result<PictureSettings> picturesOf(const QCommandLineParser& parser) {
     if (!number || width < kSmallest || width > kLargest) return refuse(kWidth, text, "px, from 320 to 8192");
     pictures.widest_px = width;
   }
+  pictures.dark = parser.isSet(QLatin1String(kDark));
+  if (parser.isSet(QLatin1String(kText))) {
+    const QString text = parser.value(QLatin1String(kText));
+    pictures.text_percent = QLocale::c().toInt(text);
+    const auto& sizes = appearance::kTextSizes;
+    if (std::find(sizes.begin(), sizes.end(), pictures.text_percent) == sizes.end())
+      return refuse(kText, text, "100, 125 or 150");
+  }
   if (parser.isSet(QLatin1String(kPack))) {
     TACTUS_TRY(pictures.pack, session::readPack(parser.value(QLatin1String(kPack)).toStdString()));
     pictures.language = QString::fromStdString(pictures.pack->languages.front());
@@ -148,7 +159,7 @@ base::Result<void> requireTogether(const QCommandLineParser& parser) {
     return base::fail(base::ErrorCode::kValue, std::string("--") + option, "it alone", "--" + mode + " beside it");
   };
   if (set(kSpeed) && !set(kRehearse)) return alone(kSpeed, kRehearse);
-  for (const char* name : {kSize, kScale, kWidth, kLanguage, kPack}) {
+  for (const char* name : {kSize, kScale, kWidth, kText, kDark, kLanguage, kPack}) {
     if (set(name) && !set(kScreens)) return alone(name, kScreens);
   }
   if (set(kPack) && set(kStudy)) {
@@ -197,6 +208,9 @@ void describeOptions(QCommandLineParser& parser) {
   option(kScale, OptionText::tr("Scale of these pictures: 2 for a screen with twice the dots."),
          OptionText::tr("scale"));
   option(kWidth, OptionText::tr("Width in px above which these pictures are made smaller."), OptionText::tr("width"));
+  option(kText, OptionText::tr("Size of the text of these pictures in percent: 100, 125 or 150."),
+         OptionText::tr("percent"));
+  parser.addOption({QLatin1String(kDark), OptionText::tr("These pictures in the dark look.")});
   option(kLanguage, OptionText::tr("Language of these pictures: en, zh-Hant, zh-Hans, or another one of the pack."),
          OptionText::tr("language"));
   option(kPack,

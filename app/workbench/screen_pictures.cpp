@@ -324,6 +324,22 @@ base::Result<void> addHelp(PictureAlbum& album, Workbench& bench) {
   return album.add(help, QStringLiteral("search"), search.windowTitle(), search);
 }
 
+/// A simulator on the curves, as one that sends `felt` stands there.
+base::Result<void> addSimulator(PictureAlbum& album, Bench& bench) {
+  constexpr double kAtMm = 155;
+  const OpenModel& open = *bench.scene.model();
+  const auto way = fuzzy::wayOf(open.model.inputs);
+  if (!way) return {};
+  std::vector<double> point(bench.scene.values().begin(), bench.scene.values().end());
+  point[*way] = kAtMm;
+  const QString name = QCoreApplication::translate("LinkFeature", "From the simulator");
+  bench.views.curves->setSimulators({{name, kAtMm, open.compiled.evaluate(point).force_n}});
+  bench.panels.curves->reveal();
+  auto added = album.add(stageId(Stage::kUnderstand), QStringLiteral("simulator"), name, bench.window);
+  bench.views.curves->setSimulators({});
+  return added;
+}
+
 /// The Feel layout, and in it the body in three dimensions with the tip on its way.
 base::Result<void> addFeelLayout(PictureAlbum& album, Bench& bench) {
   constexpr double kOnTheWayMm = 130;
@@ -399,6 +415,9 @@ base::Result<void> writeScreenPictures(const PictureSettings& wanted) {
   if (auto opened = openStudy(bench, study); !opened) return opened;
   for (const Stage stage : {Stage::kUnderstand, Stage::kTune, Stage::kDeliver}) {
     if (auto added = addStage(album, bench, stage); !added) return added;
+    if (stage == Stage::kUnderstand) {
+      if (auto added = addSimulator(album, bench); !added) return added;
+    }
     if (stage != Stage::kTune) continue;
     if (auto added = addStrokes(album, bench); !added) return added;
     if (auto added = addContractPictures(album, bench); !added) return added;

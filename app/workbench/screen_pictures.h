@@ -24,6 +24,8 @@ struct PictureSettings {
   QString study{};                                     ///< a study file; empty: the demo study
   std::shared_ptr<const procedure::Procedure> pack{};  ///< only the participants' screens, of this procedure
   std::optional<int> widest_px{};                      ///< a wider picture is made smaller
+  bool dark = false;
+  int text_percent = 100;  ///< one of appearance::kTextSizes
 };
 
 // Pictures of screens in a folder, and the list of them: `DIR/<area>/<screen>.png` and `DIR/screens.json`.

@@ -59,31 +59,19 @@ TEST(ScreenPictures, AreAllListedWithTheirSize) {
     screens << name;
   }
   EXPECT_EQ(screens.size(), all.size());
-  for (const char* name : {"start/start",
-                           "understand/overview",
-                           "understand/surface",
-                           "build/method",
-                           "build/depth_length",
-                           "tune/overview",
-                           "tune/rule_editor",
-                           "tune/findings",
-                           "tune/history",
-                           "deliver/overview",
-                           "deliver/bundle_made",
-                           "take_part/welcome",
-                           "take_part/question_neck",
-                           "take_part/force_off",
-                           "collect/home",
-                           "collect/home_empty",
-                           "collect/protocol",
-                           "collect/withdrawal",
-                           "collect/monitor",
-                           "feel/layout",
-                           "feel/solid",
-                           "help/guide",
-                           "help/tour_1",
-                           "help/tour_8",
-                           "help/search"}) {
+  for (const char* name : {"start/start",          "understand/overview",
+                           "understand/simulator", "understand/surface",
+                           "build/method",         "build/depth_length",
+                           "tune/overview",        "tune/rule_editor",
+                           "tune/findings",        "tune/history",
+                           "deliver/overview",     "deliver/bundle_made",
+                           "take_part/welcome",    "take_part/question_neck",
+                           "take_part/force_off",  "collect/home",
+                           "collect/home_empty",   "collect/protocol",
+                           "collect/withdrawal",   "collect/monitor",
+                           "feel/layout",          "feel/solid",
+                           "help/guide",           "help/tour_1",
+                           "help/tour_8",          "help/search"}) {
     EXPECT_TRUE(screens.contains(QLatin1String(name))) << name;
   }
 }
@@ -163,6 +151,16 @@ TEST(ProgramOptions, ThatCannotBeMeantAreASentence) {
         {QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--scale=") + QLatin1String(bad)}))
         << bad;
   }
+  for (const char* bad : {"90", "0", "big"}) {
+    EXPECT_FALSE(
+        optionsOf({QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--text=") + QLatin1String(bad)}))
+        << bad;
+  }
+  const auto large = optionsOf({QStringLiteral("--screens"), QStringLiteral("out"), QStringLiteral("--text"),
+                                QStringLiteral("150"), QStringLiteral("--dark")});
+  ASSERT_TRUE(large);
+  EXPECT_EQ(large->pictures->text_percent, 150);
+  EXPECT_TRUE(large->pictures->dark);
 }
 
 TEST(ProgramOptions, ALanguageThatThePicturesLackIsRefused) {
@@ -172,8 +170,8 @@ TEST(ProgramOptions, ALanguageThatThePicturesLackIsRefused) {
 }
 
 TEST(ProgramOptions, WhatWouldBeIgnoredIsRefused) {
-  for (const char* alone : {"--speed=2", "--size=1280x720", "--scale=2", "--width=960", "--language=en",
-                            "--study=a.tactus", "--pack=male-urethral-catheter"}) {
+  for (const char* alone : {"--speed=2", "--size=1280x720", "--scale=2", "--width=960", "--text=150", "--dark",
+                            "--language=en", "--study=a.tactus", "--pack=male-urethral-catheter"}) {
     EXPECT_FALSE(optionsOf({QLatin1String(alone)})) << alone;
   }
   const auto two = optionsOf({QStringLiteral("a.tactus"), QStringLiteral("--rehearse")});

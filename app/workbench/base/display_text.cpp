@@ -186,6 +186,17 @@ QString harmless(const QString& outside) { return text(base::oneLine(outside.toS
 
 QString shownFileName(const QString& path) { return harmless(QFileInfo(path).fileName()); }
 
+QString brokenAtCommas(const QString& listed) {
+  constexpr QChar kNoBreakSpace(0x00A0), kWordJoiner(0x2060);
+  QString out;
+  for (qsizetype i = 0; i < listed.size(); ++i) {
+    const bool behind_comma = i > 0 && listed[i - 1] == QLatin1Char(',');
+    out += listed[i] == QLatin1Char(' ') && !behind_comma ? kNoBreakSpace : listed[i];
+    if (listed[i] == QLatin1Char('/')) out += kWordJoiner;
+  }
+  return out;
+}
+
 QString numberText(double value, int decimals) {
   QString out = text(base::formatFixed(value, decimals));
   if (out.contains(QLatin1Char('.'))) {

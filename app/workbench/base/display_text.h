@@ -67,6 +67,9 @@ QString harmless(const QString& outside);
 /// The file name of `path` without its folder, made safe with `harmless`.
 QString shownFileName(const QString& path);
 
+/// A list such as `lubrication 0.4, 0 mm/s` that breaks into lines at its commas alone: a number stays with its unit.
+QString brokenAtCommas(const QString& listed);
+
 /// `value` with at most `decimals` digits after the point, without trailing zeros.
 QString numberText(double value, int decimals = 2);
 

@@ -1,10 +1,22 @@
 #include "app/workbench/kit/quiet_table.h"
 
 #include <QHeaderView>
+#include <QStyledItemDelegate>
 
 #include "app/workbench/base/theme.h"
 
 namespace tactus::workbench {
+namespace {
+
+class RoomyRows : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    return QStyledItemDelegate::sizeHint(option, index) + QSize(0, theme::kGrid);
+  }
+};
+
+}  // namespace
 
 QTableView* makeQuietTable(QAbstractItemModel& model, const QString& accessible_name, QWidget* parent) {
   auto* view = new QTableView(parent);
@@ -29,6 +41,12 @@ QTableView* makeQuietTable(QAbstractItemModel& model, const QString& accessible_
   head->setHighlightSections(false);
   head->setSectionsClickable(false);
   return view;
+}
+
+void readWhole(QTableView& view) {
+  view.setWordWrap(true);
+  view.setItemDelegate(new RoomyRows(&view));
+  view.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
 }
 
 }  // namespace tactus::workbench

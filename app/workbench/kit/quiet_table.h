@@ -8,4 +8,7 @@ namespace tactus::workbench {
 /// A table of `model` without row heads, whose heads are words alone. One row can be selected.
 QTableView* makeQuietTable(QAbstractItemModel& model, const QString& accessible_name, QWidget* parent);
 
+/// Cells are read whole: long ones wrap, and the rows are as high as their text, with room between them.
+void readWhole(QTableView& view);
+
 }  // namespace tactus::workbench

@@ -219,7 +219,8 @@ std::shared_ptr<const std::vector<ComparedWeights>> compareWeights(const BuiltSt
     ComparedWeights row{one.policy, text(one.unavailable), {}, one.from_equal, {}};
     if (one.model) {
       for (const fuzzy::Expert& expert : one.model->experts) row.weights.push_back(expert.weight);
-      if (!one.from_equal.at.empty()) row.where = text(elicitation::shortPointText(*one.model, one.from_equal.at));
+      if (!one.from_equal.at.empty())
+        row.where = brokenAtCommas(text(elicitation::shortPointText(*one.model, one.from_equal.at)));
     }
     compared->push_back(std::move(row));
   }

@@ -18,6 +18,7 @@
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/experts/experts_lab.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -227,7 +228,7 @@ std::vector<WeightRow> weightRows(const elicitation::BuiltModel* built) {
     if (!influence.largest) continue;
     row.largest = newtons(influence.largest->newtons);
     if (influence.most_noticeable) row.noticeable = numberText(influence.most_noticeable->noticeable, 1);
-    row.where = text(elicitation::shortPointText(built->model, influence.largest->at));
+    row.where = brokenAtCommas(text(elicitation::shortPointText(built->model, influence.largest->at)));
   }
   return rows;
 }
@@ -355,9 +356,7 @@ QWidget* ExpertsLabView::makeLeft() {
   policy_->setAccessibleName(tr("Weights of the experts"));
   QTableView* const experts =
       makeLabTable(*weights_, -1, tr("Weights and what leaving one expert out changes"), nullptr);
-  // A place is read whole.
-  experts->setWordWrap(true);
-  experts->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  readWhole(*experts);
   auto* weights = new LabCard(tr("Weights, and leaving one expert out"), experts);
   weights->addTool(policy_);
   weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));

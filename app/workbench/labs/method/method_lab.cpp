@@ -42,7 +42,7 @@ std::vector<VariantRow> variantRows(const elicitation::MethodStudy& study, const
       row.noticeable = numberText(one.rms_noticeable, 2);
       row.felt = percentText(one.noticeable_share);
       row.largest = methodNewtons(one.largest_n);
-      row.where = one.at.empty() ? QString() : text(elicitation::shortPointText(model, one.at));
+      row.where = one.at.empty() ? QString() : brokenAtCommas(text(elicitation::shortPointText(model, one.at)));
     }
     rows.push_back(std::move(row));
   }

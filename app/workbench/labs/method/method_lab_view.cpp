@@ -17,6 +17,7 @@
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
+#include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/method/method_lab.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -196,12 +197,11 @@ QWidget* MethodLabView::makeHead() {
 
 QWidget* MethodLabView::makeLeft() {
   factor_view_ = makeLabTable(*factors_, kVerdictColumn, tr("Choices of the method"), nullptr);
-  factor_view_->setWordWrap(true);
+  readWhole(*factor_view_);
   for (const auto& [column, width] : {std::pair(0, kFactorWidth), {1, kNowWidth}}) {
     factor_view_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Interactive);
     factor_view_->setColumnWidth(column, width);
   }
-  factor_view_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   variant_view_ = makeLabTable(*variants_, variants_->columnCount() - 1, tr("Values of the choice"), nullptr);
   variant_view_->verticalHeader()->setDefaultSectionSize(kValueRow);
   auto* choices = new LabCard(tr("Does the choice matter here?"), factor_view_);

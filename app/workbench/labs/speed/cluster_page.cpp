@@ -30,7 +30,7 @@
 namespace tactus::workbench {
 namespace {
 
-constexpr int kLabelRows = 1;
+constexpr int kWordRows = 1;
 constexpr std::size_t kMostLegend = 8;  // participants with a line of their own in the legend
 
 // Those that come from strokes: the others are ends of the universe.
@@ -52,7 +52,7 @@ SpeedTermPlot::SpeedTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(
   makeColumn(this, {plot_});
   setMinimumHeight(120);
   setAccessibleName(tr("Speed terms of each participant and their average"));
-  labels_ = new TermLabels(*plot_, kLabelRows);
+  labels_ = new TermLabels(*plot_, kWordRows);
   corners_ = new VertexPick(*plot_, tr("Click: where does this corner come from?"));
   connect(corners_, &VertexPick::picked, this, &SpeedTermPlot::vertexAsked);
   plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
@@ -176,6 +176,7 @@ namespace {
 
 constexpr int kCurvePoints = 160;
 constexpr double kFoot = 0.06;  // where the intervals lie
+constexpr double kTop = 1.28;   // above the lines there is room for their names
 constexpr std::array<Qt::PenStyle, 3> kDashes = {Qt::SolidLine, Qt::DashLine, Qt::DashDotLine};
 
 QColor lineOf(const fuzzy::Variable& speed, std::size_t cluster) {
@@ -197,7 +198,7 @@ ClusterPlot::ClusterPlot(QWidget* parent)
   membership.max = 1;
   styleAxis(*plot_->xAxis, membership);
   styleAxis(*plot_->yAxis, membership);
-  plot_->yAxis->setRange(0, 1.06);
+  plot_->yAxis->setRange(0, kTop);
   auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
   ticker->setTickStep(0.5);
   plot_->yAxis->setTicker(ticker);
@@ -271,6 +272,14 @@ void ClusterPlot::addCentres(const SpeedSubject& subject, const fuzzy::Variable&
     QCPGraph& rule = addShape(*plot_, color, 1, 0);
     rule.setPen(QPen(color, 1, Qt::DotLine));
     rule.setData({centres[k], centres[k]}, {0.0, 1.0}, true);
+    if (centres.size() == speed.terms.size()) {
+      auto* name = new QCPItemText(plot_);
+      name->setText(labelOf(speed.terms[k]));
+      name->setFont(theme::smallFont());
+      name->setColor(theme::readableText(color));
+      name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+      name->position->setCoords(centres[k], 1);
+    }
     if (k >= intervals.size()) continue;
     QCPGraph& interval = addShape(*plot_, theme::ink(), 2, 0);
     interval.setData({intervals[k].low, intervals[k].high}, {kFoot, kFoot}, true);
