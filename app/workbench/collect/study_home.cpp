@@ -17,6 +17,7 @@
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/kit/labels.h"
+#include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/notes.h"
 #include "app/workbench/kit/quiet_table.h"
 
@@ -238,7 +239,6 @@ StudyHome::StudyHome(CollectController& collect, QWidget* parent)
 }
 
 QWidget* StudyHome::makeHead() {
-  auto* head = new QWidget(this);
   name_->setFont(theme::titleFont());
   setInk(*summary_, theme::mutedInk());
   summary_->setTextFormat(Qt::PlainText);
@@ -251,16 +251,9 @@ QWidget* StudyHome::makeHead() {
   second->addWidget(data_);
   second->addStretch(1);
   titles->addLayout(second);
-  auto* row = new QHBoxLayout(head);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(theme::kGrid);
-  row->addLayout(titles, 1);
-  for (QPushButton* button : {protocol_, usability_, add_}) {
+  for (QPushButton* button : {protocol_, usability_, add_})
     button->setMinimumSize(button->sizeHint().width() + 2 * theme::kGrid, 4 * theme::kGrid);
-    row->addWidget(button, 0, Qt::AlignVCenter);
-  }
-  row->addWidget(start_, 0, Qt::AlignVCenter);
-  return head;
+  return new FoldingRow(titles, makeRow({spring(1), protocol_, usability_, add_, start_}), this);
 }
 
 // Nothing is empty without saying what to do.

@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTabWidget>
+#include <QTimer>
 #include <QWidget>
 #include <algorithm>
 
@@ -240,6 +241,63 @@ bool RowStop::goFrom(qsizetype part, const QKeyEvent& key) {
   }
   return true;
 }
+
+FoldingRow::FoldingRow(QBoxLayout* first, QBoxLayout* second, QWidget* parent)
+    : QWidget(parent), first_(first), second_(second), parts_(new QBoxLayout(QBoxLayout::LeftToRight, this)) {
+  parts_->setContentsMargins({});
+  parts_->setSpacing(theme::kGrid);
+  parts_->addLayout(first, 1);
+  parts_->addLayout(second);
+}
+
+QSize FoldingRow::minimumSizeHint() const {
+  return {std::max(first_->minimumSize().width(), second_->minimumSize().width()), parts_->minimumSize().height()};
+}
+
+void FoldingRow::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  fold();
+}
+
+bool FoldingRow::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) fold();
+  return QWidget::event(event);
+}
+
+void FoldingRow::fold() {
+  const int needed = first_->sizeHint().width() + parts_->spacing() + second_->minimumSize().width();
+  const auto direction = width() < needed ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight;
+  if (parts_->direction() == direction) return;
+  parts_->setDirection(direction);
+  updateGeometry();
+}
+
+namespace {
+
+class WholeContents : public QObject {
+ public:
+  explicit WholeContents(QWidget& window) : QObject(&window), window_(window) { window.installEventFilter(this); }
+
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::Show || event->type() == QEvent::LayoutRequest)
+      QTimer::singleShot(0, this, &WholeContents::grow);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  void grow() {
+    const QLayout& layout = *window_.layout();
+    const int needed =
+        layout.hasHeightForWidth() ? layout.totalHeightForWidth(window_.width()) : layout.totalMinimumSize().height();
+    if (needed > window_.height()) window_.resize(window_.width(), needed);
+  }
+
+  QWidget& window_;
+};
+
+}  // namespace
+
+void keepWhole(QWidget& window) { new WholeContents(window); }
 
 TabLook::TabLook(QTabBar& bar) : QObject(&bar), bar_(bar) { bar_.installEventFilter(this); }
 

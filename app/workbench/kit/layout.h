@@ -53,6 +53,29 @@ QVBoxLayout* makeColumn(std::initializer_list<LayoutPart> parts, int between = t
 /// Widgets with handles between them. None of them can be closed with a handle.
 QSplitter* makeSplit(Qt::Orientation along, std::initializer_list<LayoutPart> widgets);
 
+/// Two parts side by side, the first of which takes what is left; above each other where they do not fit.
+class FoldingRow : public QWidget {
+ public:
+  FoldingRow(QBoxLayout* first, QBoxLayout* second, QWidget* parent = nullptr);
+
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void fold();
+
+  QBoxLayout* first_;
+  QBoxLayout* second_;
+  QBoxLayout* parts_;
+};
+
+/// Makes the window higher wherever its texts, broken into lines, need more room: when it is shown, and when they
+/// change.
+void keepWhole(QWidget& window);
+
 // The Tab order of a window: reading order, group by group, from top to bottom and from left to right. The order of
 // creation does not matter.
 

@@ -8,11 +8,20 @@
 namespace tactus::workbench {
 namespace {
 
+constexpr int kLeastWrapped = 9;  // letters: a narrower cell ends in an ellipsis, or its row would be a tower
+
 class RoomyRows : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
     return QStyledItemDelegate::sizeHint(option, index) + QSize(0, theme::kGrid);
+  }
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    if (option->rect.width() < kLeastWrapped * option->fontMetrics.averageCharWidth())
+      option->features.setFlag(QStyleOptionViewItem::WrapText, false);
   }
 };
 

@@ -68,6 +68,7 @@ DuelWindow::DuelWindow(DuelController& duel, DeviceSession& device, StudyConnect
   pages_->addWidget(makeResult());
   makeColumn(this, {{pages_, 1}, message_}, theme::kGrid, inset(2 * theme::kGrid));
   resize(kWide, sizeHint().height());
+  keepWhole(*this);
   connectAll();
 }
 

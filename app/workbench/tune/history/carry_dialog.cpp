@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QShowEvent>
-#include <QStyledItemDelegate>
 #include <QTableView>
 #include <algorithm>
 
@@ -22,18 +21,10 @@ namespace {
 
 constexpr int kWidth = 980;   // px
 constexpr int kHeight = 460;  // px; the curves stay in sight beside it
+constexpr int kLeastLines = 8;
 constexpr int kWhat = 0;
 constexpr int kRemark = 4;
 constexpr int kPercent = 100;
-
-/// Rows of several lines with air between them.
-class RoomyRows : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
-    return QStyledItemDelegate::sizeHint(option, index) + QSize(theme::kGrid, theme::kGrid);
-  }
-};
 
 }  // namespace
 
@@ -59,8 +50,8 @@ CarryDialog::CarryDialog(CarryController& carry, QWidget* parent)
     label->setTextFormat(Qt::PlainText);
   }
   table_->setMouseTracking(true);
-  table_->setItemDelegate(new RoomyRows(table_));
-  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);  // long rules take lines
+  readWhole(*table_);
+  keepFitted(*table_, [this] { table_->setMinimumHeight(kLeastLines * table_->fontMetrics().lineSpacing()); });
   QHeaderView* const heads = table_->horizontalHeader();
   heads->setSectionResizeMode(QHeaderView::ResizeToContents);
   heads->setSectionResizeMode(kWhat, QHeaderView::Stretch);
@@ -87,6 +78,8 @@ CarryDialog::CarryDialog(CarryController& carry, QWidget* parent)
               makeRow({{progress_, 1}, stop_}),
               makeRow({{sum_, 1}, all_, close, go_}, theme::kGrid)},
              2 * theme::kGrid, inset(3 * theme::kGrid));
+
+  keepWhole(*this);
 
   connect(&carry_, &CarryController::rowsChanged, this, &CarryDialog::showRows);
   for (Computation* one : {&carry_.list(), &carry_.sum()}) {
