@@ -105,10 +105,13 @@ class Search {
       // Strokes anywhere: a long one may gather more than the place where the models differ most.
       if (!stop.stop_requested()) strokes.search(std::nullopt, kStrokes);
     }
-    found_ = strokeOf(strokes.place());
+    // Without a place it was stopped before the first look; without a value each stroke is beyond the device.
+    found_ = strokeOf(strokes.place().empty() ? start(middle(), limits_.shortest_mm) : strokes.place());
+    is_any_ = std::isfinite(strokes.value());
   }
 
   const Stroke& found() const { return found_; }
+  bool isAny() const { return is_any_; }
   double largestJnd() const { return largest_jnd_; }
 
  private:
@@ -174,6 +177,7 @@ class Search {
   StrokeLimits limits_;
   std::vector<WorstCase::Side> sides_;
   Stroke found_;
+  bool is_any_ = false;
   double largest_jnd_ = 0;
 };
 
@@ -267,6 +271,10 @@ base::Result<TellingStroke> tell(const ForceModel& first, const CompiledModel& c
                       "the same inputs and universes in both");
   Search search(first, compiled_first, compiled_second, second, inputs, limits);
   search.run(stop, effort.progress);
+  if (!search.isAny() && !stop.stop_requested()) {
+    return base::fail(base::ErrorCode::kValue, {}, "no stroke of at most " + base::formatNumber(limits.device_n) + " N",
+                      "a stroke that the device can give");
+  }
   TellingStroke out;
   out.stroke = search.found();
   out.feel = feelOf(compiled_first, compiled_second, inputs, out.stroke);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <gtest/gtest.h>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/random.h"
@@ -147,6 +148,36 @@ TEST(TellingStroke, BeatsRandomStrokes) {
     beaten += told(four, other, false).feel.rms_jnd >= best ? 1 : 0;
   }
   EXPECT_EQ(beaten, kEdits);
+}
+
+TEST(TellingStroke, MayBeStoppedAtAnyStep) {
+  const auto s4 = support::s4FiveRegions();
+  const auto other = edited(s4, referenceEdits()[0].change);
+  const auto first = *fuzzy::compile(s4), second = *fuzzy::compile(other);
+  for (int last = 1; last <= 40; ++last) {
+    std::stop_source stop;
+    int steps = 0;
+    TellEffort effort;
+    effort.bound = false;
+    effort.progress = [&](double) {
+      if (++steps == last) stop.request_stop();
+    };
+    const auto found = tell(s4, first, other, second, {}, effort, stop.get_token());
+    ASSERT_TRUE(found) << last;
+    EXPECT_LT(found->stroke.from_mm, found->stroke.to_mm) << last;
+    EXPECT_EQ(found->stroke.inputs.size(), s4.inputs.size()) << last;
+    if (steps < last) break;
+  }
+}
+
+TEST(TellingStroke, ADeviceThatIsTooWeakForEachIsSaid) {
+  const auto s4 = support::s4FiveRegions();
+  const auto other = edited(s4, referenceEdits()[0].change);
+  StrokeLimits weak;
+  weak.device_n = 0.01;
+  const auto none = tell(s4, *fuzzy::compile(s4), other, *fuzzy::compile(other), weak);
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().message(), "found no stroke of at most 0.01 N, wanted a stroke that the device can give");
 }
 
 TEST(TellingStroke, Refusals) {
