@@ -68,7 +68,7 @@ struct Landmark {
   std::string source;
 };
 
-/// A figure that somebody published of a model of this procedure, as settings of the inputs.
+/// A published figure of a model of this procedure: where its inputs stand, and what varies in it.
 struct Figure {
   Texts name;                        ///< `Fig. 11`
   Texts shows;                       ///< in a few words
@@ -142,9 +142,13 @@ struct Procedure;
 /// The pictures and the other views that the manifest names, from the files of `procedure`.
 base::Result<void> readPictures(Procedure& procedure);
 
-/// The words of the participant's screens, from the file `path` of the pack `name` (empty: the pack has none) in
-/// `text`. Refused: words in other languages than the pack's, and a pack without those that its inputs and forms need.
-base::Result<void> readWords(Procedure& procedure, std::string_view text, const std::string& path,
+/// The file with which a pack begins.
+inline constexpr std::string_view kManifest = "procedure.json";
+
+/// The words of the participant's screens, from the file `path` of `files`; empty: the pack has none. `name` is the
+/// pack's name in errors. Refused: words in other languages than the pack's, and a pack without those that its inputs
+/// and forms need.
+base::Result<void> readWords(Procedure& procedure, const PackFiles& files, const std::string& path,
                              const std::string& name);
 
 /// The points of a path that `readPicture` took.

@@ -19,7 +19,6 @@ using base::required;
 using base::Result;
 using Problem = std::optional<base::Error>;
 
-constexpr std::string_view kManifest = "procedure.json";
 constexpr base::NumberRange kFromOne{1, 1'000'000};
 constexpr std::size_t kMostInputs = 6;
 constexpr std::size_t kMostWords = 5;
@@ -452,9 +451,7 @@ Result<Procedure> readProcedure(PackFiles files, const std::string& name) {
     }
     out.forms.push_back(std::move(form));
   }
-  if (auto ok = readWords(out, named.words.empty() ? std::string_view() : files.at(named.words), named.words, name);
-      !ok)
-    return tl::unexpected(std::move(ok).error());
+  if (auto ok = readWords(out, files, named.words, name); !ok) return tl::unexpected(std::move(ok).error());
   // What the manifest does not name is no part of the pack.
   PackFiles kept;
   const auto keep = [&](const std::string& path) { kept.emplace(path, files.at(path)); };

@@ -82,10 +82,11 @@ Result<void> checkWords(const Procedure& procedure, const std::string& file) {
 
 }  // namespace
 
-Result<void> readWords(Procedure& procedure, std::string_view text, const std::string& path, const std::string& name) {
-  const std::string file = name + "/" + path;
-  if (path.empty()) return checkWords(procedure, name + "/procedure.json");
-  TACTUS_TRY(procedure.words, readTexts(text, file, procedure.languages));
+Result<void> readWords(Procedure& procedure, const PackFiles& files, const std::string& path, const std::string& name) {
+  const std::string file = name + "/" + (path.empty() ? std::string(kManifest) : path);
+  if (!path.empty()) {
+    TACTUS_TRY(procedure.words, readTexts(files.at(path), file, procedure.languages));
+  }
   return checkWords(procedure, file);
 }
 

@@ -105,9 +105,9 @@ function curvePanel() {
   panels.push(() => {
     const input = FORCE_MODEL.inputs[state.over], width = widthOf(holder), height = width < 500 ? 260 : 320;
     /* Of many experts fewer places, so that the curve follows the hand. */
-    const all = positionsOf(FORCE_MODEL, state.over), every = many && !lines ? 2 : 1;
-    const thinned = (step) => all.filter((_, k) => k % step === 0 || k === all.length - 1);
-    const xs = thinned(every), own_xs = thinned(every * every);
+    const all = positionsOf(FORCE_MODEL, state.over);
+    const every = (step) => all.filter((_, k) => k % step === 0 || k === all.length - 1);
+    const xs = many && !lines ? every(2) : all, own_xs = many && !lines ? every(4) : all;
     const own = FORCE_MODEL.experts.map((_, e) => curve(FORCE_MODEL, state.inputs, state.over, own_xs, e, engine));
     const mean = curve(FORCE_MODEL, state.inputs, state.over, xs, null, engine);
     const place = axes(

@@ -11,6 +11,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/model/shown_procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -21,7 +22,7 @@ QString poseWord(const SceneController& scene, const char* way) {
       scene.model() != nullptr ? posedInput(scene.procedure().get(), scene.model()->model) : std::nullopt;
   if (!input) return {};
   const std::string& id = scene.model()->model.inputs[*input].id;
-  return text(procedure::textIn(scene.procedure()->words.at("pose." + id + way), programLanguage().toStdString()));
+  return inProgramLanguage(scene.procedure()->words.at("pose." + id + way));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/patient.h"
+#include "app/workbench/model/shown_procedure.h"
 
 namespace tactus::workbench {
 namespace {
@@ -42,11 +43,8 @@ std::optional<std::size_t> regionAt(const std::vector<DepthRegion>& regions, dou
 std::vector<ProcedureStep> stepsOf(const procedure::Procedure* procedure) {
   std::vector<ProcedureStep> out;
   if (procedure == nullptr) return out;
-  const std::string language = programLanguage().toStdString();
-  for (const procedure::Step& step : procedure->steps) {
-    out.push_back(
-        {text(procedure::textIn(step.title, language)), text(procedure::textIn(step.text, language)), step.from_mm});
-  }
+  for (const procedure::Step& step : procedure->steps)
+    out.push_back({inProgramLanguage(step.title), inProgramLanguage(step.text), step.from_mm});
   return out;
 }
 

@@ -9,11 +9,12 @@
 
 namespace tactus::workbench {
 
-std::optional<CurveFamily> familyOf(const fuzzy::ForceModel& model, const FigurePreset& preset) {
-  const auto input = inputNamed(model, preset.varied);
+std::optional<CurveFamily> familyOf(const fuzzy::ForceModel& model, const QString& figure, const std::string& varied,
+                                    std::span<const double> values) {
+  const auto input = inputNamed(model, varied);
   if (!input) return std::nullopt;
-  CurveFamily family{preset.figure, *input, {}};
-  for (const double value : preset.values) {
+  CurveFamily family{figure, *input, {}};
+  for (const double value : values) {
     family.values.push_back(std::clamp(value, model.inputs[*input].min, model.inputs[*input].max));
   }
   family.values.erase(std::unique(family.values.begin(), family.values.end()), family.values.end());

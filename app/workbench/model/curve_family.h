@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
-#include "app/workbench/model/places.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/force_model.h"
 
@@ -21,8 +21,10 @@ struct CurveFamily {
   friend bool operator==(const CurveFamily&, const CurveFamily&) = default;
 };
 
-/// The family that `preset` shows of `model`; nothing if the preset has no family.
-std::optional<CurveFamily> familyOf(const fuzzy::ForceModel& model, const FigurePreset& preset);
+/// The family of `figure` in which the input with the id `varied` has these values in turn; nothing if `model` has no
+/// such input.
+std::optional<CurveFamily> familyOf(const fuzzy::ForceModel& model, const QString& figure, const std::string& varied,
+                                    std::span<const double> values);
 
 struct FamilyCurves {
   std::vector<double> x;                               ///< ascending, in the unit of the input on the x axis

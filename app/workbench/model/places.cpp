@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "app/workbench/base/display_text.h"
@@ -11,29 +12,17 @@
 #include "core/fuzzy/membership.h"
 
 namespace tactus::workbench {
-std::vector<FigurePreset> figurePresets(const procedure::Procedure* procedure, const fuzzy::ForceModel& model) {
-  std::vector<FigurePreset> out;
+
+std::vector<procedure::Figure> figuresOf(const procedure::Procedure* procedure, const fuzzy::ForceModel& model) {
+  std::vector<procedure::Figure> out;
   if (procedure == nullptr) return out;
   const auto known = [&model](const std::string& id) { return inputNamed(model, id).has_value(); };
-  const std::string language = programLanguage().toStdString();
-  for (const procedure::Figure& figure : procedure->figures) {
-    FigurePreset preset{
-        text(procedure::textIn(figure.name, language)), text(procedure::textIn(figure.shows, language)), {}};
-    bool whole = figure.varied.empty() || known(figure.varied);
-    for (const std::string& axis : figure.map) whole = whole && known(axis);
-    for (const auto& [id, value] : figure.at) {
-      whole = whole && known(id);
-      preset.settings.push_back({id, value});
-    }
-    if (!whole) continue;
-    preset.varied = figure.varied;
-    preset.values = figure.values;
-    if (figure.map.size() == 2) {
-      preset.map_x = figure.map[0];
-      preset.map_y = figure.map[1];
-    }
-    out.push_back(std::move(preset));
-  }
+  const auto known_all = [&known](const procedure::Figure& figure) {
+    return (figure.varied.empty() || known(figure.varied)) &&
+           std::all_of(figure.map.begin(), figure.map.end(), known) &&
+           std::all_of(figure.at.begin(), figure.at.end(), [&known](const auto& set) { return known(set.first); });
+  };
+  std::copy_if(procedure->figures.begin(), procedure->figures.end(), std::back_inserter(out), known_all);
   return out;
 }
 

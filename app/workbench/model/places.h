@@ -14,24 +14,8 @@
 
 namespace tactus::workbench {
 
-/// The settings of a published figure of the shown procedure (procedure::Figure), as the bench takes them.
-struct FigurePreset {
-  struct Setting {
-    std::string input;  ///< id
-    double value = 0;   ///< in the unit of the input
-  };
-
-  QString figure;  ///< `Fig. 11`
-  QString shows;   ///< what the figure shows, in a few words
-  std::vector<Setting> settings;
-  std::string varied{};          ///< id of the input that differs from curve to curve; empty: none
-  std::vector<double> values{};  ///< values of that input, one for each curve of the mean
-  std::string map_x{};           ///< ids of the axes of a map or surface; empty: the figure has curves
-  std::string map_y{};
-};
-
 /// The figures of `procedure` whose inputs `model` has, in its order; none without a procedure.
-std::vector<FigurePreset> figurePresets(const procedure::Procedure* procedure, const fuzzy::ForceModel& model);
+std::vector<procedure::Figure> figuresOf(const procedure::Procedure* procedure, const fuzzy::ForceModel& model);
 
 // Where in the input space a rule or an edit acts, as a point to go to and in words.
 

@@ -132,18 +132,18 @@ void SceneController::goTo(const std::vector<double>& point) {
   for (std::size_t i = 0; i < point.size(); ++i) setValue(i, point[i]);
 }
 
-void SceneController::applyPreset(const FigurePreset& preset) {
-  // All figures of the paper run over the depth.
+void SceneController::applyFigure(const procedure::Figure& figure) {
+  // Figures run along the way.
   if (const auto way = fuzzy::wayOf(model_->model.inputs)) setXInput(*way);
   bool curves_stale = false;
-  for (const FigurePreset::Setting& setting : preset.settings) {
-    const auto input = inputNamed(model_->model, setting.input);
-    if (input && storeValue(*input, setting.value)) curves_stale |= *input != x_input_;
+  for (const auto& [id, value] : figure.at) {
+    const auto input = inputNamed(model_->model, id);
+    if (input && storeValue(*input, value)) curves_stale |= *input != x_input_;
   }
-  auto family = familyOf(model_->model, preset);
+  auto family = familyOf(model_->model, inProgramLanguage(figure.name), figure.varied, figure.values);
   if (family && family->input == x_input_) family.reset();
   setFamily(std::move(family));
-  emit presetApplied(preset);
+  emit figureApplied(figure);
   if (curves_stale) {
     announceCurves();
   } else {
@@ -234,11 +234,7 @@ void SceneController::setStudyProcedure(ProcedurePtr procedure) {
 
 // The family stays where the model has its input.
 void SceneController::adoptFamily(const std::string& varied) {
-  FigurePreset preset;
-  preset.figure = family_->figure;
-  preset.varied = varied;
-  preset.values = family_->values;
-  family_ = familyOf(model_->model, preset);
+  family_ = familyOf(model_->model, family_->figure, varied, family_->values);
   if (family_ && family_->input == x_input_) family_.reset();
 }
 

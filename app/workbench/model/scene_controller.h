@@ -15,7 +15,6 @@
 #include "app/figures/force_curves.h"
 #include "app/workbench/model/curve_family.h"
 #include "app/workbench/model/model_controller.h"
-#include "app/workbench/model/places.h"
 #include "app/workbench/model/shown_procedure.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "core/analysis/explain.h"
@@ -90,9 +89,9 @@ class SceneController : public QObject {
   void setValue(std::size_t input, double value);
   /// Moves the operating point to `point`, one value per input, and ends the hover.
   void goTo(const std::vector<double>& point);
-  /// Sets the inputs as in a figure of the paper, puts the depth on the x axis if the model has one, and shows the
-  /// figure's family of curves.
-  void applyPreset(const tactus::workbench::FigurePreset& preset);
+  /// Sets the inputs as the figure does, puts the way on the x axis if the model has one, and shows the figure's family
+  /// of curves.
+  void applyFigure(const tactus::procedure::Figure& figure);
   /// Shows the curves of the experts again.
   void clearFamily();
   /// Moves the reading place to `x` on the x axis until `clearHover`.
@@ -113,7 +112,7 @@ class SceneController : public QObject {
   void curvesChanged();
   /// Another family with other lines, or none any more. `curvesChanged` announces new curves of the same family.
   void familyChanged();
-  void presetApplied(const tactus::workbench::FigurePreset& preset);
+  void figureApplied(const tactus::procedure::Figure& figure);
   void readingChanged();
   void termsChanged();
 

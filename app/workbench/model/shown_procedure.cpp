@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/workbench/base/display_text.h"
+
 namespace tactus::workbench {
 namespace {
 
@@ -27,6 +29,10 @@ ProcedurePtr procedureFor(const fuzzy::ForceModel& model, const ProcedurePtr& of
   const ProcedurePtr& usual = procedure::defaultProcedure();
   if (id != usual->id) return procedure::builtIn(id);
   return hasInputsOf(*usual, model) ? usual : nullptr;
+}
+
+QString inProgramLanguage(const procedure::Texts& texts) {
+  return text(procedure::textIn(texts, programLanguage().toStdString()));
 }
 
 void showProcedure(ProcedurePtr procedure) { shown() = std::move(procedure); }

@@ -1,6 +1,7 @@
 // The procedure that the model on the screen is about.
 #pragma once
 
+#include <QString>
 #include <cstddef>
 #include <memory>
 #include <optional>
@@ -20,6 +21,9 @@ ProcedurePtr procedureFor(const fuzzy::ForceModel& model, const ProcedurePtr& of
 inline double deviceScaleOf(const ProcedurePtr& procedure) {
   return procedure != nullptr ? procedure->device_scale : 1;
 }
+
+/// A text of a pack in the language of the program.
+QString inProgramLanguage(const procedure::Texts& texts);
 
 /// What stands beside an axis of the way is of this procedure, in every plot: the default one at first. Null: nothing.
 void showProcedure(ProcedurePtr procedure);

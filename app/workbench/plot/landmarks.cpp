@@ -17,12 +17,10 @@ struct LandmarkText {
 std::vector<Landmark> ofProcedure(const fuzzy::Variable& variable) {
   const ProcedurePtr& about = shownProcedure();
   if (about == nullptr || variable.id != about->wayInput().id || variable.unit != about->wayInput().unit) return {};
-  const std::string language = programLanguage().toStdString();
   std::vector<Landmark> out;
   for (const procedure::Landmark& one : about->landmarks) {
     if (one.from_mm < variable.min || one.to_mm > variable.max) continue;
-    out.push_back({text(procedure::textIn(one.name, language)), one.from_mm, one.to_mm,
-                   text(procedure::textIn(one.what, language)), text(one.source)});
+    out.push_back({inProgramLanguage(one.name), one.from_mm, one.to_mm, inProgramLanguage(one.what), text(one.source)});
   }
   return out;
 }

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <limits>
 
+#include "app/workbench/model/places.h"
+
 #include "tests/gui/sample_models.h"
 
 namespace tactus::workbench {
@@ -152,8 +154,8 @@ TEST_F(SceneControllerTest, AnEditOfTheExpertsIsAnotherModel) {
 }
 
 TEST_F(SceneControllerTest, FiguresNeedTheirInputs) {
-  EXPECT_TRUE(figurePresets(scene.procedure().get(), scene.model()->model).empty());
-  EXPECT_TRUE(figurePresets(nullptr, scene.model()->model).empty());
+  EXPECT_TRUE(figuresOf(scene.procedure().get(), scene.model()->model).empty());
+  EXPECT_TRUE(figuresOf(nullptr, scene.model()->model).empty());
   fuzzy::ForceModel model = tests::twoExperts();
   const fuzzy::Variable speed = model.inputs[kSpeed];
   for (const char* id : {"lubrication", "neck_flexion"}) {
@@ -161,10 +163,10 @@ TEST_F(SceneControllerTest, FiguresNeedTheirInputs) {
     model.inputs.back().id = id;
   }
   models.open(folder.write(model, QStringLiteral("study.json")));
-  const std::vector<FigurePreset> presets = figurePresets(scene.procedure().get(), scene.model()->model);
-  ASSERT_EQ(presets.size(), 5U);
+  const std::vector<procedure::Figure> figures = figuresOf(scene.procedure().get(), scene.model()->model);
+  ASSERT_EQ(figures.size(), 5U);
   scene.setXInput(kSpeed);
-  scene.applyPreset(presets[1]);  // Fig. 10a: force over depth, neck flexion 90 deg, speed 30 mm/s
+  scene.applyFigure(figures[1]);  // Fig. 10a: force over depth, neck flexion 90 deg, speed 30 mm/s
   EXPECT_EQ(scene.xVariable().id, "depth");
   EXPECT_EQ(scene.value(kSpeed), 30);
   EXPECT_EQ(scene.value(3), 90);
@@ -172,13 +174,13 @@ TEST_F(SceneControllerTest, FiguresNeedTheirInputs) {
 
 TEST_F(SceneControllerTest, AFigureWithAFamilyShowsTheMeanAtEveryValue) {
   // Expert A at "near" (depth 2): low (0.25 N) while slow, high (0.75 N) while fast; 50 mm/s is both halves.
-  FigurePreset preset;
-  preset.figure = QStringLiteral("Fig. 10c");
-  preset.varied = "speed";
-  preset.values = {20, 80};
+  procedure::Figure figure;
+  figure.name = {{"en", "Fig. 10c"}};
+  figure.varied = "speed";
+  figure.values = {20, 80};
   const QSignalSpy another(&scene, &SceneController::familyChanged);
   scene.setXInput(kSpeed);
-  scene.applyPreset(preset);
+  scene.applyFigure(figure);
   EXPECT_EQ(scene.xInput(), kDepth);
   EXPECT_EQ(another.count(), 1);
   ASSERT_TRUE(scene.family().has_value());
@@ -201,7 +203,7 @@ TEST_F(SceneControllerTest, AFigureWithAFamilyShowsTheMeanAtEveryValue) {
   EXPECT_FALSE(scene.family().has_value());
   EXPECT_EQ(another.count(), 2);
   scene.setXInput(kDepth);
-  scene.applyPreset(preset);
+  scene.applyFigure(figure);
   scene.clearFamily();
   EXPECT_FALSE(scene.family().has_value());
 }

@@ -24,6 +24,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/model/ghost_controller.h"
+#include "app/workbench/model/places.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/shown_impact.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -136,14 +137,14 @@ void ReferenceBar::showDifferences() {
 namespace {
 
 // `Fig. 11: experts and mean (lubrication 1, speed 50 mm/s)` with the labels of the model.
-QString presetText(const fuzzy::ForceModel& model, const FigurePreset& preset) {
+QString figureText(const fuzzy::ForceModel& model, const procedure::Figure& figure) {
   QStringList values;
   for (const fuzzy::Variable& input : model.inputs) {
-    for (const FigurePreset::Setting& setting : preset.settings) {
-      if (setting.input == input.id) values << labelOf(input) + u' ' + quantityText(setting.value, input.unit);
-    }
+    const auto set = figure.at.find(input.id);
+    if (set != figure.at.end()) values << labelOf(input) + u' ' + quantityText(set->second, input.unit);
   }
-  return QStringLiteral("%1: %2 (%3)").arg(preset.figure, preset.shows, values.join(QStringLiteral(", ")));
+  return QStringLiteral("%1: %2 (%3)")
+      .arg(inProgramLanguage(figure.name), inProgramLanguage(figure.shows), values.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -162,17 +163,16 @@ FigureButton::FigureButton(SceneController& scene, QWidget* parent)
 
 void FigureButton::adoptModel() {
   const fuzzy::ForceModel& model = scene_.model()->model;
-  const auto presets = figurePresets(scene_.procedure().get(), model);
+  const auto figures = figuresOf(scene_.procedure().get(), model);
   menu()->clear();
   menu()->addAction(tr("Experts and mean"), &scene_, &SceneController::clearFamily)->setCheckable(true);
   menu()->addSeparator();
-  for (const FigurePreset& preset : presets) {
-    QAction* action =
-        menu()->addAction(presetText(model, preset), &scene_, [this, preset] { scene_.applyPreset(preset); });
-    action->setCheckable(!preset.varied.empty());
-    action->setData(preset.figure);
+  for (const procedure::Figure& one : figures) {
+    QAction* action = menu()->addAction(figureText(model, one), &scene_, [this, one] { scene_.applyFigure(one); });
+    action->setCheckable(!one.varied.empty());
+    action->setData(inProgramLanguage(one.name));
   }
-  setVisible(!presets.empty());
+  setVisible(!figures.empty());
   showFamily();
 }
 

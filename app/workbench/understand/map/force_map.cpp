@@ -213,7 +213,7 @@ ForceMapController::ForceMapController(const SceneController& scene, QObject* pa
   });
   connect(&scene_, &SceneController::valueChanged, this, &ForceMapController::dropPoint);
   connect(&scene_.ranges(), &ShownRanges::changed, this, &ForceMapController::dropPart);
-  connect(&scene_, &SceneController::presetApplied, this, &ForceMapController::applyPreset);
+  connect(&scene_, &SceneController::figureApplied, this, &ForceMapController::applyFigure);
   if (scene_.model()) adoptModel();
 }
 
@@ -276,9 +276,10 @@ void ForceMapController::setExpert(std::optional<std::size_t> expert) {
   emit choiceChanged();
 }
 
-void ForceMapController::applyPreset(const FigurePreset& preset) {
-  const auto x = inputNamed(scene_.model()->model, preset.map_x);
-  const auto y = inputNamed(scene_.model()->model, preset.map_y);
+void ForceMapController::applyFigure(const procedure::Figure& figure) {
+  if (figure.map.empty()) return;
+  const auto x = inputNamed(scene_.model()->model, figure.map[0]);
+  const auto y = inputNamed(scene_.model()->model, figure.map[1]);
   if (!x || !y) return;
   setExpert(std::nullopt);
   setAxes(*x, *y);

@@ -22,7 +22,6 @@
 namespace tactus::workbench {
 
 class SceneController;
-struct FigurePreset;
 
 // Force over two inputs while the other inputs stay fixed: the numbers behind the color map and the surface, and the
 // request to compute them, which any thread can serve.
@@ -124,7 +123,7 @@ class ForceMapController : public QObject {
 
  private:
   void adoptModel();
-  void applyPreset(const FigurePreset& preset);
+  void applyFigure(const procedure::Figure& figure);
   void dropPoint(std::size_t input);
   void dropPart(const std::string& input_id);
   void stop();

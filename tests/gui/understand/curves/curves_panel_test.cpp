@@ -227,11 +227,11 @@ TEST_F(CurvesPanelTest, AFamilyTakesThePlaceOfTheExperts) {
   bench.scene.setValue(0, 50);
   settle();
   const QImage experts = picture();
-  FigurePreset preset;
-  preset.figure = QStringLiteral("Fig. 10c");
-  preset.varied = "speed";
-  preset.values = {20, 80};
-  bench.scene.applyPreset(preset);
+  procedure::Figure figure;
+  figure.name = {{"en", "Fig. 10c"}};
+  figure.varied = "speed";
+  figure.values = {20, 80};
+  bench.scene.applyFigure(figure);
   settle();
   EXPECT_EQ(legend(),
             (QStringList{QStringLiteral("Mean"), QStringLiteral("Speed 20 mm/s"), QStringLiteral("Speed 80 mm/s")}));

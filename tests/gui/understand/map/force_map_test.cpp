@@ -149,10 +149,9 @@ TEST_F(ForceMapTest, WhatWasChosenStaysWhereAnotherFrameHasIt) {
 TEST_F(ForceMapTest, AFigureWithASurfaceSetsTheAxes) {
   map.setAxes(kSpeed, kDepth);
   map.setExpert(1);
-  FigurePreset preset;
-  preset.map_x = "depth";
-  preset.map_y = "speed";
-  scene.applyPreset(preset);
+  procedure::Figure figure;
+  figure.map = {"depth", "speed"};
+  scene.applyFigure(figure);
   EXPECT_EQ(map.xInput(), kDepth);
   EXPECT_EQ(map.yInput(), kSpeed);
   EXPECT_EQ(map.expert(), std::nullopt);
