@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/text.h"
 #include "core/contracts/contract_check.h"
 #include "core/contracts/prover.h"
 #include "core/contracts/worst_case.h"
