@@ -1,5 +1,6 @@
 #include "app/workbench/shell/operating_strip.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -20,6 +21,7 @@ namespace {
 constexpr int kMessageMs = 15'000;  // long enough to read two sentences
 constexpr int kSavedShare = 6;      // at most this part of the strip for where edits are kept
 constexpr int kLeastSaved = 160;    // px
+constexpr int kAway = 1;            // px: of what gives way
 constexpr int kRoomy = 1600;        // px: from this width on the labels of the model fit beside everything else
 
 }  // namespace
@@ -62,7 +64,11 @@ OperatingStrip::OperatingStrip(const ModelController& models, SceneController& s
 
 void OperatingStrip::addState(QWidget* state) { layout_->insertWidget(layout_->indexOf(latency_), state); }
 
-void OperatingStrip::setFrameTime(QWidget* time) { layout_->insertWidget(layout_->indexOf(saved_), time); }
+void OperatingStrip::setFrameTime(QWidget* time) {
+  frame_time_ = time;
+  frame_time_->setMinimumWidth(kAway);
+  layout_->insertWidget(layout_->indexOf(saved_), time);
+}
 
 void OperatingStrip::setCorner(QWidget* corner) { layout_->addWidget(corner); }
 
@@ -84,6 +90,20 @@ void OperatingStrip::showMessage(const QString& sentence) {
   } else {
     message_time_->start();
   }
+}
+
+bool OperatingStrip::event(QEvent* event) {
+  const bool handled = QWidget::event(event);
+  if (event->type() == QEvent::LayoutRequest || event->type() == QEvent::Resize) makeRoom();
+  return handled;
+}
+
+/// The time of a picture gives way to the operating point, which would be squeezed.
+void OperatingStrip::makeRoom() {
+  if (frame_time_ == nullptr || frame_time_->isHidden()) return;
+  const bool away = frame_time_->maximumWidth() == kAway;
+  const int wanted = layout_->sizeHint().width() + (away ? frame_time_->sizeHint().width() : 0);
+  frame_time_->setMaximumWidth(wanted <= width() ? QWIDGETSIZE_MAX : kAway);
 }
 
 void OperatingStrip::resizeEvent(QResizeEvent* event) {

@@ -25,7 +25,7 @@ class OperatingStrip : public QWidget {
   /// A widget for the state of something that runs: the device, the live link. They stand between the operating point
   /// and the latency, in the order of the calls.
   void addState(QWidget* state);
-  /// The widget for the time from an edit to the screen; stands beside the latency.
+  /// The widget for the time from an edit to the screen; stands beside the latency, where there is room for it.
   void setFrameTime(QWidget* time);
   /// The widget in the corner: what must be found without looking for it.
   void setCorner(QWidget* corner);
@@ -41,10 +41,12 @@ class OperatingStrip : public QWidget {
   const QString& message() const { return message_; }
 
  protected:
+  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   void build();
+  void makeRoom();
   void nameInputs();
   void showValue(std::size_t input);
   void showSaved();
@@ -56,6 +58,7 @@ class OperatingStrip : public QWidget {
   ElidedLabel* said_;
   QLabel* latency_;
   QLabel* saved_;
+  QWidget* frame_time_ = nullptr;
   QTimer* message_time_;
   QString message_;
   std::vector<QLabel*> names_;

@@ -315,6 +315,26 @@ TEST_F(BenchViewTest, AMessageMovesNothing) {
   EXPECT_EQ(bench.window.panels().geometry(), before);
 }
 
+TEST_F(BenchViewTest, TheTimeOfAPictureGivesWayToTheOperatingPoint) {
+  OperatingStrip strip(bench.models, bench.scene);
+  QLabel time(QStringLiteral("Plots after 23 ms"));
+  strip.setFrameTime(&time);
+  emit bench.scene.modelChanged();
+  time.show();
+  strip.resize(1500, 40);
+  strip.show();
+  settle();
+  const int wanted = strip.sizeHint().width();
+  const QList<QDoubleSpinBox*> numbers = strip.findChildren<QDoubleSpinBox*>();
+  ASSERT_FALSE(numbers.isEmpty());
+  for (const int width : {wanted - 10, wanted + 10}) {
+    strip.resize(width, strip.height());
+    settle();
+    EXPECT_EQ(time.width() > 1, width > wanted) << width;
+    for (const QDoubleSpinBox* number : numbers) EXPECT_GE(number->width(), number->sizeHint().width()) << width;
+  }
+}
+
 TEST_F(BenchViewTest, TheLayoutIsThereAtTheNextStart) {
   dock("rules")->close();
   ASSERT_TRUE(bench.window.close());
