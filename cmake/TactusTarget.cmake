@@ -37,9 +37,14 @@ endif()
 
 # Several files at once (TACTUS_UNITY): about 0.6 of the time of a build from nothing, because headers and templates are
 # compiled once for all of them. What is local to one of them must not have the name of what is local to another.
+# `tactus_unity(TARGET PRECOMPILED)`: half as many at once, where that costs next to nothing and a change is compiled sooner.
 function(tactus_unity target)
   if(TACTUS_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${TACTUS_UNITY_FILES})
+    set(files ${TACTUS_UNITY_FILES})
+    if(TACTUS_PCH AND "PRECOMPILED" IN_LIST ARGN)
+      math(EXPR files "(${files} + 1) / 2")
+    endif()
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${files})
     # A class of a .cpp file may hold what is local to it; here the compiler takes that file for a header.
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()

@@ -10,6 +10,7 @@
 #include "core/base/clock.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
+#include "core/base/text.h"
 #include "core/procedure/procedure.h"
 #include "core/store/merge.h"
 #include "core/store/study_info.h"

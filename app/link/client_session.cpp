@@ -74,7 +74,7 @@ void ClientSession::readLine(std::string_view line, const SessionNeeds& needs) {
     if (const auto* const ask = std::get_if<Ask>(&*later)) {
       answer(*ask, needs.model);
     } else {
-      take(std::get<Felt>(*std::move(later)), needs.model);
+      setFelt(std::get<Felt>(*std::move(later)), needs.model);
     }
   }
 }
@@ -103,7 +103,7 @@ void ClientSession::answer(const Ask& ask, const ServedModel& model) {
   replies_ += answerLine(ask.id, model.compiled.evaluate(ask.inputs), model.serial);
 }
 
-void ClientSession::take(Felt felt, const ServedModel& model) {
+void ClientSession::setFelt(Felt felt, const ServedModel& model) {
   for (const auto& [id, value] : felt.conditions) {
     if (std::find(model.inputs.begin(), model.inputs.end(), id) != model.inputs.end()) continue;
     return refuse("line " + std::to_string(lines_) + " of the client: /felt/conditions: found " + base::quoted(id) +

@@ -100,7 +100,7 @@ class ClientSession {
   void readLine(std::string_view line, const SessionNeeds& needs);
   void greet(const Hello& hello, const SessionNeeds& needs);
   void answer(const Ask& ask, const ServedModel& model);
-  void take(Felt felt, const ServedModel& model);
+  void setFelt(Felt felt, const ServedModel& model);
   void findWork();
 
   Phase phase_ = Phase::kHello;

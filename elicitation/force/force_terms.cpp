@@ -6,6 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/base/error.h"
+#include "core/base/text.h"
 #include "elicitation/force/force_end.h"
 #include "elicitation/force/force_term_parts.h"
 

@@ -12,6 +12,7 @@
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/sample_models.h"
+#include "tests/gui/sample_study.h"
 
 namespace tactus::workbench {
 namespace {

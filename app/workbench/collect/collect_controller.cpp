@@ -21,7 +21,7 @@ CollectController::CollectController(StudyConnection& study, QObject* parent) : 
   connect(&study_, &StudyConnection::closed, this, [this] {
     stale_ = filling_ = false;
     setup_.reset();
-    take({});
+    setOverview({});
   });
 }
 
@@ -62,7 +62,7 @@ void CollectController::refresh() {
       reading_ = false;
       if (path == study_.path()) {
         if (*read) {
-          take(std::move(**read));
+          setOverview(std::move(**read));
         } else {
           emit refused(
               tr("The participants of %1 were not read. %2").arg(study_.fileName(), text(read->error().message())),
@@ -74,7 +74,7 @@ void CollectController::refresh() {
   });
 }
 
-void CollectController::take(StudyOverview overview) {
+void CollectController::setOverview(StudyOverview overview) {
   overview_ = std::move(overview);
   emit changed();
 }

@@ -74,7 +74,7 @@ class CollectController : public QObject {
   void withdrawalRefused(const tactus::study::RecordId& person, const QString& sentence);
 
  private:
-  void take(StudyOverview overview);
+  void setOverview(StudyOverview overview);
 
   StudyConnection& study_;
   std::optional<session::SetupCertificate> setup_;  ///< checked in this window

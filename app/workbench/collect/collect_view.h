@@ -35,7 +35,7 @@ class RecordDialog : public QDialog {
 
  private:
   void read();
-  void take(std::vector<RecordLine> lines);
+  void setLines(std::vector<RecordLine> lines);
   void filter();
 
   CollectController& collect_;

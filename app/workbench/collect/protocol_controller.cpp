@@ -77,7 +77,7 @@ ProtocolController::ProtocolController(StudyConnection& study, QObject* parent) 
   connect(&study_, &StudyConnection::opened, this, &ProtocolController::read);
   connect(&study_, &StudyConnection::closed, this, [this] {
     ready_ = false;
-    take({}, 0, false, false);
+    setStored({}, 0, false, false);
   });
 }
 
@@ -91,12 +91,12 @@ void ProtocolController::read() {
         return;
       }
       ready_ = true;
-      take((*read)->protocol, (*read)->version, (*read)->locked, (*read)->has_key);
+      setStored((*read)->protocol, (*read)->version, (*read)->locked, (*read)->has_key);
     };
   });
 }
 
-void ProtocolController::take(const StudyProtocol& protocol, int version, bool locked, bool has_key) {
+void ProtocolController::setStored(const StudyProtocol& protocol, int version, bool locked, bool has_key) {
   stored_ = draft_ = protocol;
   stored_values_ = valuesOf(stored_);
   version_ = version;

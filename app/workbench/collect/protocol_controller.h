@@ -81,7 +81,7 @@ class ProtocolController : public QObject {
 
  private:
   using Values = std::map<std::string, QString>;
-  void take(const session::StudyProtocol& protocol, int version, bool locked, bool has_key);
+  void setStored(const session::StudyProtocol& protocol, int version, bool locked, bool has_key);
   void look();
 
   StudyConnection& study_;

@@ -98,7 +98,7 @@ void RecordDialog::read() {
     auto lines = readParticipantRecord(file, person_);
     return [this, lines = std::move(lines)]() mutable {
       if (lines) {
-        take(std::move(*lines));
+        setLines(std::move(*lines));
       } else {
         summary_->setText(tr("The record was not read. %1").arg(text(lines.error().message())));
       }
@@ -106,7 +106,7 @@ void RecordDialog::read() {
   });
 }
 
-void RecordDialog::take(std::vector<RecordLine> lines) {
+void RecordDialog::setLines(std::vector<RecordLine> lines) {
   all_ = std::move(lines);
   int sessions = 0;
   for (const RecordLine& one : all_) sessions = std::max(sessions, one.session);

@@ -144,7 +144,7 @@ void BundleMaker::make(const QString& folder) {
                approvals = approvalsOf(edits_.history()),
                procedure = shownProcedure()](const std::stop_token&) -> Background::Deliver {
     const auto end = [this](End what) -> Background::Deliver {
-      return [this, what = std::make_shared<End>(std::move(what))] { take(std::move(*what)); };
+      return [this, what = std::make_shared<End>(std::move(what))] { onEnd(std::move(*what)); };
     };
     const auto failed = [&end](const base::Error& error) {
       return end({std::nullopt, error.code == base::ErrorCode::kCancelled
@@ -182,7 +182,7 @@ void BundleMaker::readBack(const QString& folder) {
   begin(Doing::kReadingBack, folder);
   worker_.run([this, folder](const std::stop_token&) -> Background::Deliver {
     auto end = std::make_shared<End>(readBackIn(folder));
-    return [this, end] { take(std::move(*end)); };
+    return [this, end] { onEnd(std::move(*end)); };
   });
 }
 
@@ -192,7 +192,7 @@ void BundleMaker::cancel() {
   emit changed();
 }
 
-void BundleMaker::take(End end) {
+void BundleMaker::onEnd(End end) {
   delivered_ = std::move(end.delivered);
   failure_ = std::move(end.failure);
   compare();

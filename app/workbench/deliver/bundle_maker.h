@@ -101,7 +101,7 @@ class BundleMaker : public QObject {
   static End readBackIn(const QString& folder);
   void begin(Doing doing, const QString& folder);
   void tell(Doing doing, std::size_t done, std::size_t all);
-  void take(End end);
+  void onEnd(End end);
   void compare();
 
   EditController& edits_;

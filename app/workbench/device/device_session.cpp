@@ -292,7 +292,7 @@ void DeviceSession::stop() {
   beat_.stop();
   run_->servo().stop();
   if (!slow_) run_->end();
-  take(run_->drain());
+  onSamples(run_->drain());
   emit ending();
   if (slow_) {
     endInBackground(std::move(run_));
@@ -387,7 +387,7 @@ void DeviceSession::beat() {
   if (!run_) return;
   const auto samples = run_->drain();
   const bool any = !samples.empty();
-  take(samples);
+  onSamples(samples);
   if (!run_ || !watchLoop()) return;
   watchTrip();
   watchRelease();
@@ -396,7 +396,7 @@ void DeviceSession::beat() {
 
 haptics::LimitSettings DeviceSession::limits() const { return run_ ? run_->orders().limits : haptics::LimitSettings(); }
 
-void DeviceSession::take(std::span<const haptics::Sample> samples) {
+void DeviceSession::onSamples(std::span<const haptics::Sample> samples) {
   for (const haptics::Sample& sample : samples) thermal_.add(sample, run_->orders().limits);
   if (samples.empty()) return;
   latest_ = samples.back();

@@ -167,7 +167,7 @@ class DeviceSession : public QObject {
   void begin(base::Result<std::unique_ptr<DeviceRun>> run, bool replay);
   void endInBackground(std::unique_ptr<DeviceRun> run);
   void lookAtDevice();
-  void take(std::span<const haptics::Sample> samples);
+  void onSamples(std::span<const haptics::Sample> samples);
   void followTap(const haptics::Sample& sample);
   bool watchLoop();
   void watchTrip();

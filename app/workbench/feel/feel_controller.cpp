@@ -44,7 +44,7 @@ ForceCost::Shape ForceCost::shapeOf(const fuzzy::ForceModel& model) {
   return out;
 }
 
-void FeelLatency::take(const haptics::Sample& sample) {
+void FeelLatency::onSample(const haptics::Sample& sample) {
   for (; !pending_.empty() && pending_.front().number <= sample.orders; pending_.pop_front()) {
     EditLatency latency = value_.value_or(EditLatency{});
     latency.last_ticks = sample.tick - pending_.front().ticks_before;
@@ -241,7 +241,7 @@ void FeelController::onSampled(std::span<const haptics::Sample> samples) {
   for (const haptics::Sample& sample : samples) {
     history_.add(sample);
     meter_.add(sample, sample.depth_mm + depth_offset_mm_);
-    latency_.take(sample);
+    latency_.onSample(sample);
   }
   emit sampled(samples);
 }

@@ -61,7 +61,7 @@ class FeelLatency {
  public:
   /// An edit was posted with the orders `number`. Its processing began after `ticks_before` ticks.
   void posted(std::uint64_t number, std::uint64_t ticks_before) { pending_.push_back({number, ticks_before}); }
-  void take(const haptics::Sample& sample);
+  void onSample(const haptics::Sample& sample);
   /// Nothing before the first edit.
   const std::optional<EditLatency>& value() const { return value_; }
 

@@ -10,11 +10,11 @@ namespace tactus::workbench {
 
 bool DeviceCheck::add(std::span<const haptics::Sample> samples) {
   const DeviceStep before = step_;
-  for (const haptics::Sample& sample : samples) take(sample);
+  for (const haptics::Sample& sample : samples) onSample(sample);
   return step_ != before;
 }
 
-void DeviceCheck::take(const haptics::Sample& sample) {
+void DeviceCheck::onSample(const haptics::Sample& sample) {
   const bool holds = sample.enabled;
   seen_open_ = seen_open_ || !holds;
   switch (step_) {
@@ -119,7 +119,7 @@ bool ForceTrial::add(std::span<const haptics::Sample> samples) {
   const bool pushed_before = pushed_;
   for (const haptics::Sample& sample : samples) {
     if (phase_ == Phase::kPause && !pause_since_ns_) pause_since_ns_ = sample.time_ns;
-    if (phase_ == Phase::kWait || phase_ == Phase::kRise || phase_ == Phase::kFelt) take(sample);
+    if (phase_ == Phase::kWait || phase_ == Phase::kRise || phase_ == Phase::kFelt) onSample(sample);
   }
   if (phase_ == Phase::kPause && pause_since_ns_) {
     const double paused_s = static_cast<double>(samples.back().time_ns - *pause_since_ns_) * 1e-9;
@@ -142,7 +142,7 @@ void ForceTrial::order() {
   phase_ = Phase::kWait;
 }
 
-void ForceTrial::take(const haptics::Sample& sample) {
+void ForceTrial::onSample(const haptics::Sample& sample) {
   if (sample.orders < orders_) return;
   delivery_.add(sample);
   if (phase_ != Phase::kFelt) {

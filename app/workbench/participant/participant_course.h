@@ -130,7 +130,7 @@ class DeviceCheck {
   DeviceStep step() const { return step_; }
 
  private:
-  void take(const haptics::Sample& sample);
+  void onSample(const haptics::Sample& sample);
   void rest(const haptics::Sample& sample);
 
   DeviceStep step_ = DeviceStep::kHold;
@@ -201,7 +201,7 @@ class ForceTrial {
  private:
   void pause();
   double restS() const;
-  void take(const haptics::Sample& sample);
+  void onSample(const haptics::Sample& sample);
   void order();
   void keepWay();
 

@@ -55,7 +55,7 @@ bool LabelBoard::isFree(const TurnedBox& box) const {
 
 bool LabelBoard::place(const TurnedBox& box) {
   if (!isFree(box)) return false;
-  take(box);
+  occupy(box);
   return true;
 }
 

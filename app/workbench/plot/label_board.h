@@ -32,7 +32,7 @@ class LabelBoard {
 
   bool isFree(const TurnedBox& box) const;
   /// Reserves `box`, free or not.
-  void take(const TurnedBox& box) { taken_.push_back(box); }
+  void occupy(const TurnedBox& box) { taken_.push_back(box); }
   /// Reserves `box` if it is free. Returns whether it was.
   bool place(const TurnedBox& box);
 

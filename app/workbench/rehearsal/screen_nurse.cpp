@@ -221,7 +221,7 @@ bool ScreenNurse::moveHand(const haptics::Sample& felt) {
   return true;
 }
 
-void ScreenNurse::take(Recording path) {
+void ScreenNurse::beginStroke(Recording path) {
   path_ = std::move(path);
   path_since_s_ = now_s_;
   felt_n_ = 0;
@@ -261,7 +261,7 @@ void ScreenNurse::checkDevice(DeviceStep step) {
     case DeviceStep::kReady: hands_.press("nav.next"); return wait(1, 2);
     case DeviceStep::kWrong:
     case DeviceStep::kLost: hands_.press("nav.repeat"); return wait(2, 4);
-    case DeviceStep::kHold: return take(pathOf(1.5, 30, 60, 0.3));
+    case DeviceStep::kHold: return beginStroke(pathOf(1.5, 30, 60, 0.3));
     default: return wait(0.2, 0.4);
   }
 }
@@ -276,12 +276,12 @@ void ScreenNurse::insert(const ParticipantState& state) {
   int& tries = tries_[{state.speed.level, practice ? -1 - state.speed.recorded : state.speed.recorded}];
   const bool too_short = tries++ == 0 && random_.uniform() < traits_.stops_early;
   const auto& good = practice ? level->second.practice : level->second.strokes;
-  take(too_short ? level->second.too_short : good[static_cast<std::size_t>(state.speed.recorded) % good.size()]);
+  beginStroke(too_short ? level->second.too_short : good[static_cast<std::size_t>(state.speed.recorded) % good.size()]);
 }
 
 void ScreenNurse::feel() {
   const bool still = !again_ && random_.uniform() < traits_.holds_still;
-  take(pathOf(0.4, still ? 0.1 : random_.uniform(35, 55), random_.uniform(30, 80), 0.3));
+  beginStroke(pathOf(0.4, still ? 0.1 : random_.uniform(35, 55), random_.uniform(30, 80), 0.3));
 }
 
 void ScreenNurse::judge(const ForceState& force, bool practice) {
@@ -379,7 +379,7 @@ void ScreenNurse::feelOwnModel(const OwnModelState& own) {
   if (felt_region_ != own.number) {
     felt_region_ = own.number;
     marked_ = false;
-    return take(pathOf(0.3, 40, 40, 0.3));
+    return beginStroke(pathOf(0.3, 40, 40, 0.3));
   }
   constexpr int kMarkedRegion = 2;
   if (own.number == kMarkedRegion && !marked_) {

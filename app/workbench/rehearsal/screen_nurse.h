@@ -93,7 +93,7 @@ class ScreenNurse {
  private:
   void act(const ParticipantState& state);
   bool moveHand(const haptics::Sample& felt);
-  void take(session::Recording path);
+  void beginStroke(session::Recording path);
   void wait(double least_s, double most_s);
   void atWelcome(const WelcomeState& welcome);
   void tellAboutHerself(const AboutYouState& about);

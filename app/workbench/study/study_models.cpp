@@ -184,21 +184,21 @@ void StudyReview::begin(const std::optional<study::RecordId>& model) {
   clear();
   busy_ = true;
   const auto closed = [this, number = newest_] {
-    if (number == newest_) take({});
+    if (number == newest_) setNotes({});
   };
   const auto read = [this, number = newest_, model](const store::StudyFile& file) -> StudyConnection::Deliver {
     auto view = session::studyForElicitation(file);
     if (!view) {
       // Two persons with one code, or a record that is damaged: no build is possible.
       return [this, number, sentence = text(view.error().message())] {
-        if (number == newest_) take({{{sentence, {}}}, {}});
+        if (number == newest_) setNotes({{{sentence, {}}}, {}});
       };
     }
     const auto study = std::make_shared<const ReadStudy>(ReadStudy{std::move(view->study), std::move(view->notes)});
     return [this, number, study, first = model ? firstText(file, *model) : std::nullopt] {
       if (number != newest_) return;
       background_.run([this, study, first](const std::stop_token&) -> Background::Deliver {
-        return [this, notes = reviewed(*study, first)] { take(notes); };
+        return [this, notes = reviewed(*study, first)] { setNotes(notes); };
       });
     };
   };
@@ -208,10 +208,10 @@ void StudyReview::begin(const std::optional<study::RecordId>& model) {
 void StudyReview::set(BuildNotes notes) {
   ++newest_;
   background_.drop();
-  take(std::move(notes));
+  setNotes(std::move(notes));
 }
 
-void StudyReview::take(BuildNotes notes) {
+void StudyReview::setNotes(BuildNotes notes) {
   busy_ = false;
   if (notes == notes_) return;
   notes_ = std::move(notes);

@@ -139,7 +139,7 @@ class StudyReview : public QObject {
   void changed();
 
  private:
-  void take(BuildNotes notes);
+  void setNotes(BuildNotes notes);
 
   StudyConnection& study_;
   BuildNotes notes_;

@@ -205,19 +205,19 @@ void HaplyDevice::exchange(WebSocketClient& socket) {
       if (secondsBetween(heard_ns, monotonicNs()) > kPatienceS) return;
       continue;
     }
-    take(**text);
+    onMessage(**text);
     // A service that sends more than it is asked for would make old states of new ones.
     for (int i = 0; i < kMostWaiting && socket.hasMore(); ++i) {
       const auto newer = socket.receive(kLookS);
       if (!newer) return;
-      if (*newer) take(**newer);
+      if (*newer) onMessage(**newer);
     }
     if (!socket.send(nextCommand())) return;
     heard_ns = monotonicNs();
   }
 }
 
-void HaplyDevice::take(std::string_view text) {
+void HaplyDevice::onMessage(std::string_view text) {
   const auto message = readHaplyMessage(text);
   if (message) return takeReport(*message);
   refused_.fetch_add(1, std::memory_order_relaxed);

@@ -88,7 +88,7 @@ class HaplyDevice final : public HapticDevice {
 
   void run(std::unique_ptr<WebSocketClient> socket);
   void exchange(WebSocketClient& socket);
-  void take(std::string_view text);
+  void onMessage(std::string_view text);
   void takeReport(const HaplyMessage& message);
   void refuse(DeviceFault fault);
   std::string nextCommand();

@@ -7,6 +7,7 @@
 
 #include "app/session/study_view.h"
 #include "app/session/trials.h"
+#include "core/store/sessions.h"
 
 #include "tests/gui/rehearsal/take_part_session.h"
 #include "tests/gui/stylus.h"

@@ -268,10 +268,10 @@ std::optional<double> DuelController::promptMm() const {
 
 void DuelController::look(std::span<const haptics::Sample> samples) {
   if (device_.user() != this) return;
-  for (const haptics::Sample& sample : samples) follow(sample);
+  for (const haptics::Sample& sample : samples) onSample(sample);
 }
 
-void DuelController::follow(const haptics::Sample& sample) {
+void DuelController::onSample(const haptics::Sample& sample) {
   if (state_ == State::kLetGo && !sample.enabled) return giveStroke();
   if (state_ != State::kPush || sample.orders < orders_ || sample.source != haptics::ForceSource::kInsertion) return;
   const double depth_mm = sample.depth_mm + offset_mm_;

@@ -117,7 +117,7 @@ class DuelController : public QObject {
   void start(const QString& id);
   void onState();
   void look(std::span<const haptics::Sample> samples);
-  void follow(const haptics::Sample& sample);
+  void onSample(const haptics::Sample& sample);
   void giveStroke();
   void endStroke(double reached_mm, std::int64_t time_ns);
   void takeNext();

@@ -310,11 +310,11 @@ void FeelStore::onAdvanced() {
     return;
   }
   const auto after = std::upper_bound(replay_->time_s.begin(), replay_->time_s.end(), now_s);
-  if (after != replay_->time_s.begin()) follow(static_cast<std::size_t>(after - replay_->time_s.begin()) - 1);
+  if (after != replay_->time_s.begin()) showSample(static_cast<std::size_t>(after - replay_->time_s.begin()) - 1);
 }
 
 // Conditions and placements are those of the recording; the model is the present one.
-void FeelStore::follow(std::size_t sample) {
+void FeelStore::showSample(std::size_t sample) {
   const std::size_t before = std::exchange(replay_->sample, sample);
   for (std::size_t input = 0; input < scene_.model()->model.inputs.size(); ++input) {
     const fuzzy::Variable& variable = scene_.model()->model.inputs[input];

@@ -167,7 +167,7 @@ class FeelStore : public QObject {
   void endRecording();
   void storePiece(bool gap_follows = false);
   void playNext();
-  void follow(std::size_t sample);
+  void showSample(std::size_t sample);
   void endPlacement();
   std::vector<FeelRecorder::Condition> conditions() const;
   study::Entry entry();

@@ -29,7 +29,7 @@ namespace {
 
 /// Moves what was read into `place`.
 template <class T>
-base::Result<void> take(base::Result<T> read, T& place) {
+base::Result<void> readInto(base::Result<T> read, T& place) {
   if (!read) return tl::unexpected(read.error());
   place = std::move(*read);
   return {};
@@ -49,7 +49,7 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   auto view = session::studyForElicitation(file);
   if (!view) return tl::unexpected(view.error());
   LabStudy out;
-  if (auto ok = take(session::judgedForces(file, *view), out.judged); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readInto(session::judgedForces(file, *view), out.judged); !ok) return tl::unexpected(ok.error());
   out.answer_ids = std::move(view->answer_ids);
   out.rule_ids = std::move(view->rule_ids);
   out.study = std::move(view->study);
@@ -57,14 +57,14 @@ base::Result<LabStudy> readLabStudy(const store::StudyFile& file) {
   out.forms = session::knownForms(procedure::of(out.study));
   // What is wrong with a measurement is told by the lab that measures; the others do without.
   if (auto aside = session::asideOf(file)) out.measured_depths = std::move(aside->measured_depths);
-  if (auto ok = take(store::persons(file), out.persons); !ok) return tl::unexpected(ok.error());
-  if (auto ok = take(store::sessions(file), out.sessions); !ok) return tl::unexpected(ok.error());
-  if (auto ok = take(store::strokes(file, {}, store::Recordings::kLeaveOut), out.strokes); !ok) {
+  if (auto ok = readInto(store::persons(file), out.persons); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readInto(store::sessions(file), out.sessions); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readInto(store::strokes(file, {}, store::Recordings::kLeaveOut), out.strokes); !ok) {
     return tl::unexpected(ok.error());
   }
-  if (auto ok = take(store::judgements(file), out.judgements); !ok) return tl::unexpected(ok.error());
-  if (auto ok = take(store::answers(file), out.answers); !ok) return tl::unexpected(ok.error());
-  if (auto ok = take(store::rules(file), out.rules); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readInto(store::judgements(file), out.judgements); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readInto(store::answers(file), out.answers); !ok) return tl::unexpected(ok.error());
+  if (auto ok = readInto(store::rules(file), out.rules); !ok) return tl::unexpected(ok.error());
   return out;
 }
 

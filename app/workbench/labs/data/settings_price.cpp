@@ -66,8 +66,8 @@ SettingsPrice::SettingsPrice(LabData& data, QObject* parent)
             return compare(from, run, *kept);
           }) {
   followLabData(work_, data_);
-  connect(&data_, &LabData::settingsEdited, this, &SettingsPrice::take);
-  connect(&data_, &LabData::depthsEdited, this, &SettingsPrice::take);
+  connect(&data_, &LabData::settingsEdited, this, &SettingsPrice::setBefore);
+  connect(&data_, &LabData::depthsEdited, this, &SettingsPrice::setBefore);
   connect(&data_.connection(), &StudyConnection::opened, this, &SettingsPrice::forget);
   connect(&data_.connection(), &StudyConnection::closed, this, &SettingsPrice::forget);
   connect(&work_, &Computation::changed, this, &SettingsPrice::changed);
@@ -79,7 +79,7 @@ void SettingsPrice::setSeen(bool seen) {
   work_.hold(*this, seen_ && before_ != nullptr);
 }
 
-void SettingsPrice::take(const elicitation::BuildSettings& before) {
+void SettingsPrice::setBefore(const elicitation::BuildSettings& before) {
   const bool together = since_change_.isValid() && since_change_.elapsed() < kTogetherMs;
   since_change_.start();
   if (!together || !before_) before_ = std::make_shared<const elicitation::BuildSettings>(before);

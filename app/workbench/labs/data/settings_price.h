@@ -59,7 +59,7 @@ class SettingsPrice : public QObject {
   /// There is a change, and it has not been taken back.
   QString change() const;
 
-  void take(const elicitation::BuildSettings& before);
+  void setBefore(const elicitation::BuildSettings& before);
   void forget();
 
   LabData& data_;

@@ -355,7 +355,7 @@ void DepthLabView::load(const QString& path) {
     return;
   }
   const QByteArray bytes = file.readAll();
-  if (!isDicom(bytes)) return take(bytes, name, std::nullopt);
+  if (!isDicom(bytes)) return useImage(bytes, name, std::nullopt);
   sayDone(*this, tr("Converting %1…").arg(name));
   conversion_.run([this, bytes, name](const std::stop_token&) -> Background::Deliver {
     const int pictures = dicomPictures(bytes);
@@ -376,11 +376,11 @@ void DepthLabView::convert(const QByteArray& bytes, const QString& name, int pic
   conversion_.run([this, bytes, name, picture](const std::stop_token&) -> Background::Deliver {
     auto image = dicomImage(bytes, name, picture);
     if (!image) return [this, name, why = text(image.error().message())] { refuseImage(name, why); };
-    return [this, image = std::move(*image), name] { take(image.png, name, image.mm_per_px); };
+    return [this, image = std::move(*image), name] { useImage(image.png, name, image.mm_per_px); };
   });
 }
 
-void DepthLabView::take(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px) {
+void DepthLabView::useImage(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px) {
   const auto image = readImage(bytes, name);
   if (!image) return refuseImage(name, text(image.error().message()));
   lab_.setImage(bytes, name, mm_per_px);

@@ -113,7 +113,7 @@ class DepthLabView : public LabView {
   void followImage();
   /// `mm_per_px`: as the file says; nothing: the scale stays to be set.
   void convert(const QByteArray& bytes, const QString& name, int pictures);
-  void take(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px);
+  void useImage(const QByteArray& bytes, const QString& name, std::optional<double> mm_per_px);
 
   DepthLab& lab_;
   DepthCanvas* canvas_;

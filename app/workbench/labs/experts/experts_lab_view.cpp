@@ -357,7 +357,7 @@ QWidget* ExpertsLabView::makeLeft() {
   QTableView* const experts =
       makeLabTable(*weights_, -1, tr("Weights and what leaving one expert out changes"), nullptr);
   readWhole(*experts);
-  auto* weights = new LabCard(tr("Weights, and leaving one expert out"), experts);
+  auto* weights = new LabCard(tr("Weights, and leaving one expert out"), experts, tr("Weights"));
   weights->addTool(policy_);
   weights->addTool(new StatisticHelp({Statistic::kRms, Statistic::kNoticeable}));
   auto* details = makeTabs();
@@ -394,7 +394,7 @@ QWidget* ExpertsLabView::makeRight() {
   makeColumn(page, {{plot_, 1}, band_text_, settings_});
   open_->setToolTip(tr("Add the averaged model to the study as another model, and go on to tuning."));
   connect(open_, &QPushButton::clicked, this, &ExpertsLabView::benchAsked);
-  auto* card = new LabCard(tr("Who pulls where"), page);
+  auto* card = new LabCard(tr("Who pulls where"), page, tr("Pulls"));
   card->addTool(new PlotMenu(
       *plot_, [this] { return pullTable(lab_); }, card));
   card->addTool(band_);

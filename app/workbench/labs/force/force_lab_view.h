@@ -83,7 +83,11 @@ class WordIntervalPlot : public QWidget, public PlotSource {
   std::vector<LegendEntry> legend() const override { return legend_; }
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  void nameAxes();
   void namePeople();
   void drawAgreement(const fuzzy::Variable& words, const std::vector<elicitation::WordInterval>& intervals);
   void drawPeople(const std::vector<std::string>& people, const std::vector<elicitation::WordInterval>& intervals);
@@ -92,6 +96,8 @@ class WordIntervalPlot : public QWidget, public PlotSource {
   ElidedLabel* summary_;
   QHBoxLayout* people_;  ///< their names in their colors
   QHBoxLayout* head_;
+  QString force_text_;
+  QStringList words_;
   QString summary_text_;
   QWidget* tool_ = nullptr;
   std::vector<LegendEntry> legend_;

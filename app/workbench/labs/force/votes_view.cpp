@@ -30,10 +30,7 @@ void VoteDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     QStyledItemDelegate::paint(painter, option, index);
     return;
   }
-  QStyleOptionViewItem ground = option;
-  initStyleOption(&ground, index);
-  ground.text.clear();
-  QStyledItemDelegate::paint(painter, ground, QModelIndex());
+  QStyledItemDelegate::paint(painter, option, QModelIndex());
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setFont(option.font);
@@ -155,9 +152,11 @@ void VotesView::setVotes(const ForceVotes& votes) {
 // Where there is no room for the reasons, the tool tips of the winners tell them.
 void VotesView::fitReasons() {
   if (table_->columnCount() == 0) return;
-  int wanted = kReasonColumn;
-  for (int column = 0; column < table_->winnerColumn(); ++column) wanted += view_->columnWidth(column);
-  view_->setColumnHidden(table_->reasonColumn(), view_->width() < wanted + kWinnerColumn);
+  int votes = 0;
+  for (int column = 0; column < table_->winnerColumn(); ++column) votes += view_->columnWidth(column);
+  view_->setColumnHidden(table_->reasonColumn(), view_->width() < votes + kWinnerColumn + kReasonColumn);
+  const int room = view_->viewport()->width() - votes;
+  view_->setColumnWidth(table_->winnerColumn(), std::clamp(room, kVoteColumn, kWinnerColumn));
 }
 
 void VotesView::resizeEvent(QResizeEvent* event) {

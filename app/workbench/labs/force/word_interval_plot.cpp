@@ -17,6 +17,8 @@ namespace {
 constexpr double kLane = 0.84;  // of the place of a word: the height of full agreement
 constexpr double kEnd = 5;      // px
 constexpr float kShareFill = 0.3F;
+constexpr double kTickLines = 1.6;     // of text, below the lanes
+constexpr double kAxisLines = 2.8;     // with the name of the axis
 constexpr std::size_t kMostNamed = 8;  // participants beside the summary
 
 std::vector<std::string> peopleIn(const std::vector<elicitation::WordInterval>& intervals) {
@@ -82,18 +84,39 @@ void WordIntervalPlot::setIntervals(const fuzzy::Variable& words,
   axis.max = end_n;
   for (const auto& one : intervals) axis.max = std::max(axis.max, one.right_n);
   styleAxis(*plot_->xAxis, axis);
-  plot_->xAxis->setLabel(axisText(axis));
+  force_text_ = axisText(axis);
   fuzzy::Variable lanes;
   lanes.max = static_cast<double>(words.terms.size());
   styleAxis(*plot_->yAxis, lanes);
-  auto names = QSharedPointer<QCPAxisTickerText>::create();
-  for (std::size_t word = 0; word < words.terms.size(); ++word)
-    names->addTick(static_cast<double>(word) + kLane / 2, labelOf(words.terms[word]));
-  plot_->yAxis->setTicker(names);
   plot_->yAxis->grid()->setVisible(false);
+  words_.clear();
+  for (const fuzzy::Term& word : words.terms) words_ << labelOf(word);
+  nameAxes();
   drawAgreement(words, intervals);
   drawPeople(peopleIn(intervals), intervals);
   namePeople();
+  redraw(*plot_);
+}
+
+void WordIntervalPlot::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  nameAxes();
+}
+
+/// Where the lanes are low, initials stand beside some of them, and the name of the axis is left out.
+void WordIntervalPlot::nameAxes() {
+  if (words_.isEmpty()) return;
+  const double line = QFontMetricsF(plot_->yAxis->tickLabelFont()).height();
+  const bool low = plot_->height() < (static_cast<double>(words_.size()) + kAxisLines) * line;
+  const double lanes = plot_->height() - (low ? kTickLines : kAxisLines) * line;
+  const auto step =
+      static_cast<qsizetype>(std::ceil(line * static_cast<double>(words_.size()) / std::max(lanes, line)));
+  auto names = QSharedPointer<QCPAxisTickerText>::create();
+  for (qsizetype word = 0; word < words_.size(); word += low ? std::max<qsizetype>(1, step) : 1)
+    names->addTick(static_cast<double>(word) + kLane / 2, low ? initialsOf(words_[word]) : words_[word]);
+  plot_->yAxis->setTicker(names);
+  plot_->xAxis->setLabel(low ? QString() : force_text_);
   redraw(*plot_);
 }
 

@@ -54,8 +54,8 @@ SettingRow::SettingRow(const QString& name, const QString& what, const Range& ra
   layout->addWidget(name_, 0, 0);
   layout->addWidget(box_, 0, 1, Qt::AlignRight);
   layout->addWidget(slider_, 1, 0, 1, 2);
-  connect(slider_, &QSlider::valueChanged, this, [this](int place) { take(range_.min + place * range_.step); });
-  connect(box_, &QDoubleSpinBox::valueChanged, this, [this] { take(box_->exact()); });
+  connect(slider_, &QSlider::valueChanged, this, [this](int place) { setByHand(range_.min + place * range_.step); });
+  connect(box_, &QDoubleSpinBox::valueChanged, this, [this] { setByHand(box_->exact()); });
 }
 
 void SettingRow::setValue(double value) {
@@ -66,7 +66,7 @@ void SettingRow::setValue(double value) {
   box_->setValue(value);
 }
 
-void SettingRow::take(double value) {
+void SettingRow::setByHand(double value) {
   value = std::clamp(value, range_.min, range_.max);
   if (value == value_) return;
   setValue(value);
@@ -164,10 +164,10 @@ void LabView::hideEvent(QHideEvent* event) {
   set_wanted_(false);
 }
 
-LabCard::LabCard(const QString& title, QWidget* content, QWidget* parent) : Card(parent), head_(new QHBoxLayout) {
+LabCard::LabCard(const QString& title, QWidget* content, const QString& brief) : head_(new QHBoxLayout) {
   auto* heading = new ElidedLabel(this);
   heading->setFont(theme::headingFont());
-  heading->setFullText(title);
+  heading->setFullText(title, brief);
   head_->setContentsMargins(theme::kGrid, 0, 0, 0);
   head_->setSpacing(theme::kGrid);
   head_->addWidget(heading, 1);

@@ -45,7 +45,7 @@ class SettingRow : public QWidget {
   void changeEvent(QEvent* event) override;
 
  private:
-  void take(double value);
+  void setByHand(double value);
 
   Range range_;
   double value_;
@@ -89,7 +89,8 @@ class LabCard : public Card {
   Q_OBJECT
 
  public:
-  LabCard(const QString& title, QWidget* content, QWidget* parent = nullptr);
+  /// `brief`: the heading where `title` does not fit.
+  LabCard(const QString& title, QWidget* content, const QString& brief = {});
 
   /// Adds `tool` at the right of the heading.
   void addTool(QWidget* tool);

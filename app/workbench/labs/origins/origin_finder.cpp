@@ -167,7 +167,7 @@ class Rows {
   const LabStudy& study_;
 };
 
-void take(const base::Result<Sources>& sources, const Rows& rows, Origin& out) {
+void addSources(const base::Result<Sources>& sources, const Rows& rows, Origin& out) {
   sources ? rows.add(*sources, out) : void(out.notes << text(sources.error().message()));
 }
 
@@ -204,7 +204,8 @@ void answer(const VertexQuestion& asked, const BuiltModel& built, const LabStudy
     if (parts.size() > 12) parts = parts.mid(0, 12) << QStringLiteral("…");
     if (!parts.isEmpty()) out.notes << OriginText::tr("Averaged from %1 mm/s.").arg(parts.join(QStringLiteral(", ")));
   }
-  take(elicitation::sourcesOfVertex(study.study, built, settings, asked.variable, asked.term, asked.point), rows, out);
+  addSources(elicitation::sourcesOfVertex(study.study, built, settings, asked.variable, asked.term, asked.point), rows,
+             out);
 }
 
 void answer(const VoteQuestion& asked, const BuiltModel& built, const LabStudy& study, const BuildSettings& settings,
@@ -236,7 +237,7 @@ void answer(const RuleQuestion& asked, const BuiltModel& built, const LabStudy& 
         out.notes << OriginText::tr("The study says %1: the rule was changed by hand.")
                          .arg(wordOf(built.model.output, expert.rules[r].then));
       }
-      return take(elicitation::sourcesOfRule(study.study, built, e, r), rows, out);
+      return addSources(elicitation::sourcesOfRule(study.study, built, e, r), rows, out);
     }
   }
   out.notes << OriginText::tr("No answer of the study gives a rule with these conditions: it was added by hand.");
@@ -260,7 +261,7 @@ void answer(const ForceQuestion& asked, const BuiltModel& built, const LabStudy&
                             .arg(forceText(*force_n, built.model.output.unit))
                       : OriginText::tr("No rule of the study's own model fires here."));
   }
-  take(elicitation::sourcesOfForce(study.study, built, settings, asked.inputs), rows, out);
+  addSources(elicitation::sourcesOfForce(study.study, built, settings, asked.inputs), rows, out);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ RulesLab::RulesLab(LabModel& model, Corrections& corrections, QObject* parent)
           }) {
   work_.needs(model_);
   influences_.needs(model_);
-  connect(&work_, &Computation::valueChanged, this, &RulesLab::take);
+  connect(&work_, &Computation::valueChanged, this, &RulesLab::onResult);
   connect(&influences_, &Computation::changed, this, &RulesLab::influencesChanged);
   connect(&model_, &Computation::valueChanged, this, [this] {
     work_.refresh();
@@ -58,7 +58,7 @@ RulesLab::FoundCell::Answer RulesLab::compute(const BuiltStudy& from, const RunO
   return std::make_shared<const Found>(std::move(found));
 }
 
-void RulesLab::take() {
+void RulesLab::onResult() {
   if (work_.value() == nullptr) {
     found_ = {};
     chosen_.reset();

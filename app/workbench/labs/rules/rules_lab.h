@@ -88,7 +88,7 @@ class RulesLab : public QObject {
   using FoundCell = Computed<BuiltStudy, Found>;
   static FoundCell::Answer compute(const BuiltStudy& from, const RunOf<Found>& run);
   std::optional<Asked> asked() const;
-  void take();
+  void onResult();
   void chooseWorst();
   bool chooseWanted();
   void correct(std::size_t expert, const GridPlace& place, study::Answer::Status status, const std::string& term,

@@ -232,7 +232,7 @@ RulesLabView::RulesLabView(RulesLab& lab, QWidget* parent)
       usability_note_(new ElidedLabel),
       details_(makeTabs()) {
   setMuted(*spread_);
-  auto* grids = new LabCard(tr("What each expert says, and what it costs"), grids_);
+  auto* grids = new LabCard(tr("What each expert says, and what it costs"), grids_, tr("Answers"));
   grids->addTool(spread_);
   details_->addTab(makeCell(), tr("Chosen cell"));
   details_->addTab(makeFindings(), tr("Findings"));

@@ -126,7 +126,7 @@ SpeedLab::SpeedLab(LabData& data, QObject* parent)
             return compute(inputs, run, *calculation);
           }) {
   followLabData(work_, data_);
-  connect(&work_, &Computation::valueChanged, this, &SpeedLab::take);
+  connect(&work_, &Computation::valueChanged, this, &SpeedLab::onResult);
   connect(&data_, &LabData::settingsChanged, this, [this] {
     current_ = false;
     emit settingsChanged();
@@ -195,7 +195,7 @@ std::pair<std::size_t, std::size_t> SpeedLab::shown() const {
   return {std::min(count, page_ * kPerPage), std::min(count, (page_ + 1) * kPerPage)};
 }
 
-void SpeedLab::take() {
+void SpeedLab::onResult() {
   const auto& found = work_.value();
   result_ = found == nullptr ? nullptr : found->result;
   current_ = work_.isCurrent();
@@ -358,11 +358,11 @@ void StrokeTraces::read(Kept& kept) {
                             for (const auto& record : records) {
                               set->strokes.push_back(traceOf(record, store::recordingOf(file, record.entry.id)));
                             }
-                            return [this, study, set] { take(study, set); };
+                            return [this, study, set] { setStrokes(study, set); };
                           });
 }
 
-void StrokeTraces::take(const std::shared_ptr<const LabStudy>& of, std::shared_ptr<const StrokeSet> set) {
+void StrokeTraces::setStrokes(const std::shared_ptr<const LabStudy>& of, std::shared_ptr<const StrokeSet> set) {
   for (Kept& one : kept_) {
     if (one.participant != set->participant || one.level != set->level) continue;
     one.of = of;

@@ -123,7 +123,7 @@ class SpeedLab : public QObject {
   };
   using FoundCell = Computed<Inputs, Found>;
   static FoundCell::Answer compute(const Inputs& inputs, const RunOf<Found>& run, SpeedClusters& calculation);
-  void take();
+  void onResult();
   template <class Change>
   void change(Change apply);
 
@@ -184,7 +184,7 @@ class StrokeTraces : public QObject {
     bool reading = false;
   };
   void read(Kept& kept);
-  void take(const std::shared_ptr<const LabStudy>& of, std::shared_ptr<const StrokeSet> set);
+  void setStrokes(const std::shared_ptr<const LabStudy>& of, std::shared_ptr<const StrokeSet> set);
 
   LabData& data_;
   std::deque<Kept> kept_;

@@ -51,13 +51,13 @@ ContractsController::ContractsController(EditController& edits, SceneController&
   connect(&edits_, &EditController::modelReset, this, [this] {
     known_.clear();
     checks_.forget();
-    follow();
+    checkAgain();
   });
-  connect(&edits_, &EditController::changed, this, &ContractsController::follow);
-  connect(&edits_, &EditController::historyChanged, this, &ContractsController::follow);
-  connect(&checks_, &Computation::valueChanged, this, &ContractsController::take);
+  connect(&edits_, &EditController::changed, this, &ContractsController::checkAgain);
+  connect(&edits_, &EditController::historyChanged, this, &ContractsController::checkAgain);
+  connect(&checks_, &Computation::valueChanged, this, &ContractsController::onResult);
   connect(&checks_, &Computation::changed, this, &ContractsController::changed);
-  follow();
+  checkAgain();
 }
 
 ContractsController::Checks::Answer ContractsController::answerOf(const Question& question,
@@ -115,7 +115,7 @@ void ContractsController::feel(std::size_t index, std::size_t place) {
   emit placeShown(point);
 }
 
-void ContractsController::follow() {
+void ContractsController::checkAgain() {
   const editing::SharedModel now = edits_.isOpen() ? edits_.history().ready() : nullptr;
   if (now == followed_) return;
   followed_ = now;
@@ -123,7 +123,7 @@ void ContractsController::follow() {
   show();
 }
 
-void ContractsController::take() {
+void ContractsController::onResult() {
   if (checks_.value() == nullptr) return;
   for (const Known& one : *checks_.value()) {
     const auto before =

@@ -101,8 +101,8 @@ class ContractsController : public QObject {
   using Checks = Computed<Question, std::vector<Known>>;
 
   static Checks::Answer answerOf(const Question& question, const RunOf<std::vector<Known>>& run);
-  void follow();
-  void take();
+  void checkAgain();
+  void onResult();
   void show();
   const Known* knownOf(const fuzzy::Contract& contract) const;
 

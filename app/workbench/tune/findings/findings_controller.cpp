@@ -363,7 +363,7 @@ void FindingsController::refresh() {
   }
   if (begun_) return;
   if (report_ && editing::sameBits(report_->model(), edits_.model())) {
-    take(report_, revision_);
+    setReport(report_, revision_);
     return;
   }
   begun_ = true;
@@ -373,11 +373,11 @@ void FindingsController::refresh() {
     report->lint = elicitation::ruleLint(ready->model, ready->compiled, {}, {}, stop);
     if (stop.stop_requested()) return {};
     report->findings = shownFindings(ready->model, ready->compiled, report->lint);
-    return [this, report = std::shared_ptr<const Report>(std::move(report)), revision] { take(report, revision); };
+    return [this, report = std::shared_ptr<const Report>(std::move(report)), revision] { setReport(report, revision); };
   });
 }
 
-void FindingsController::take(std::shared_ptr<const Report> report, quint64 revision) {
+void FindingsController::setReport(std::shared_ptr<const Report> report, quint64 revision) {
   if (revision != revision_) return;
   const auto before = std::exchange(report_, std::move(report));
   linted_ = revision;

@@ -90,7 +90,7 @@ class FindingsController : public QObject {
   void adoptModel();
   void onModel();
   void refresh();
-  void take(std::shared_ptr<const Report> report, quint64 revision);
+  void setReport(std::shared_ptr<const Report> report, quint64 revision);
   void dropFixes();
   void findFixes();
 

@@ -214,7 +214,7 @@ InputCard::InputCard(SceneController& scene, std::size_t input, QWidget* parent)
       slider_(new QSlider(Qt::Horizontal, this)),
       terms_(new ElidedLabel(this)) {
   title_->setFont(theme::headingFont());
-  title_->setFullText(labelOf(variable_));
+  title_->setFullText(labelOf(variable_), shortLabelOf(variable_));
   terms_->setFont(theme::smallFont());
   terms_->setIndent(MembershipPlot::kLeftMargin - theme::kGrid);
   slider_->setRange(0, static_cast<int>(std::ceil((variable_.max - variable_.min) / step_ - 1e-9)));
@@ -292,7 +292,7 @@ OutputCard::OutputCard(SceneController& scene, QWidget* parent)
       terms_(new ElidedLabel(this)) {
   number_->setTextFormat(Qt::PlainText);
   title_->setFont(theme::headingFont());
-  title_->setFullText(labelOf(variable_));
+  title_->setFullText(labelOf(variable_), shortLabelOf(variable_));
   terms_->setFont(theme::smallFont());
   terms_->setIndent(MembershipPlot::kLeftMargin - theme::kGrid);
 

@@ -339,7 +339,7 @@ bool ForceMapController::computeNow(std::size_t level, const std::function<bool(
   const double begun_ns = threadCpuNs();
   ForceMap map = request_->begin(kSides[level]);
   if (request_->compute(map, goes_on) < map.side) return false;
-  take(std::move(map), level, threadCpuNs() - begun_ns);
+  setMap(std::move(map), level, threadCpuNs() - begun_ns);
   return true;
 }
 
@@ -351,14 +351,14 @@ void ForceMapController::computeBehind() {
     if (request->compute(*map, [&stop] { return !stop.stop_requested(); }) < map->side) return {};
     const double cpu_ns = threadCpuNs() - begun_ns;
     return [this, level, cpu_ns, map = std::move(map)] {
-      take(std::move(*map), level, cpu_ns);
+      setMap(std::move(*map), level, cpu_ns);
       if (!isFinest()) computeBehind();
       emit mapChanged();
     };
   });
 }
 
-void ForceMapController::take(ForceMap map, std::size_t level, double cpu_ns) {
+void ForceMapController::setMap(ForceMap map, std::size_t level, double cpu_ns) {
   const std::size_t places = map.side * map.side;
   place_ns_ = cpu_ns / static_cast<double>(places);
   scene_.countEvaluations(places * request_->forcesOfAPlace());

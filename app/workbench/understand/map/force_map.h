@@ -130,7 +130,7 @@ class ForceMapController : public QObject {
   std::optional<std::size_t> finestWithin(double ms) const;
   bool computeNow(std::size_t level, const std::function<bool()>& goes_on);
   void computeBehind();
-  void take(ForceMap map, std::size_t level, double cpu_ns);
+  void setMap(ForceMap map, std::size_t level, double cpu_ns);
 
   const SceneController& scene_;
   std::size_t x_input_ = 0;

@@ -284,8 +284,8 @@ class Builder {
     const QLineF lead(name.bar, {name.bar.x(), bottom});
     const TurnedBox lead_box = boxOf(lead, 1.5);
     if (!board.isFree(box) || !board.isFree(lead_box)) return false;
-    board.take(box);
-    board.take(lead_box);
+    board.occupy(box);
+    board.occupy(lead_box);
     placed.texts.push_back({name.text, box});
     placed.leads << lead;
     return true;

@@ -157,7 +157,7 @@ PullCard::PullCard(PullController& pull, std::vector<PullWish> references, QWidg
   connect(all_, &QCheckBox::toggled, this, &PullCard::listOffers);
   connect(close, &QToolButton::clicked, &pull_, &PullController::cancel);
   connect(cancel, &QPushButton::clicked, &pull_, &PullController::cancel);
-  connect(take_, &QPushButton::clicked, this, &PullCard::take);
+  connect(take_, &QPushButton::clicked, this, &PullCard::makeEdit);
   connect(&pull_, &PullController::changed, this, &PullCard::adoptAnswer);
   window_.installEventFilter(this);
   adoptAnswer();
@@ -357,7 +357,7 @@ void PullCard::showOffers() {
   take_->setEnabled(choice_->checkedButton() != nullptr && !pull_.isSearching());
 }
 
-void PullCard::take() {
+void PullCard::makeEdit() {
   const int chosen = choice_->checkedId();
   if (chosen >= 0) pull_.take(static_cast<std::size_t>(chosen));
 }
@@ -386,7 +386,7 @@ void PullCard::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Escape: pull_.cancel(); break;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      if (take_->isEnabled()) take();
+      if (take_->isEnabled()) makeEdit();
       break;
     default: Card::keyPressEvent(event);
   }

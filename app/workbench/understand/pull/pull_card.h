@@ -49,7 +49,7 @@ class PullCard : public Card {
   void listOffers();
   void showOffers();
   void fit();
-  void take();
+  void makeEdit();
 
   PullController& pull_;
   std::vector<PullWish> references_;
