@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/planning/simulated_studies.h"
+#include "core/base/in_parallel.h"
 #include "core/base/statistics.h"
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/model/model_builder.h"
@@ -114,8 +115,8 @@ Result<BandTrial> tryBands(const Questions& questions, const NurseSource& source
   const auto one = [&](std::size_t number) {
     studies[number] = statementsOf(questions, source, settings, number, points, truth);
   };
-  if (!inParallel(studies.size(), settings.plan.threads, one,
-                  [&](double share) { return !go_on || go_on(kTruthShare + (1 - kTruthShare) * share); }))
+  if (!base::inParallel(studies.size(), settings.plan.threads, one,
+                        [&](double share) { return !go_on || go_on(kTruthShare + (1 - kTruthShare) * share); }))
     return fail(ErrorCode::kCancelled, "trial", "canceled", "the whole run");
   BandTrial out;
   for (std::size_t r = 0; r < regions.size(); ++r)

@@ -1,10 +1,8 @@
 #include "app/planning/simulated_studies.h"
 
-#include <atomic>
-#include <chrono>
 #include <numeric>
-#include <thread>
 
+#include "core/base/in_parallel.h"
 #include "core/fuzzy/compiled_model.h"
 
 namespace tactus::planning {
@@ -18,28 +16,6 @@ std::uint64_t seedOf(std::uint64_t seed, std::uint64_t number) {
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
   return z ^ (z >> 31U);
-}
-
-bool inParallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
-                const std::function<bool(double)>& go_on) {
-  std::atomic<std::size_t> next{0};
-  std::atomic<std::size_t> done{0};
-  std::atomic<bool> stop{false};
-  std::vector<std::thread> team;
-  for (unsigned i = 0; i < threads; ++i) {
-    team.emplace_back([&] {
-      for (std::size_t one = next++; one < count && !stop; one = next++) {
-        work(one);
-        ++done;
-      }
-    });
-  }
-  while (done < count && !stop) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    if (go_on && !go_on(static_cast<double>(done) / static_cast<double>(count))) stop = true;
-  }
-  for (auto& one : team) one.join();
-  return !stop;
 }
 
 std::vector<NurseData> peopleOf(const Questions& questions, const NurseSource& source, const PlanSettings& settings,
@@ -84,7 +60,7 @@ Result<std::vector<double>> truthOf(const Questions& questions, const NurseSourc
     int silent = 0;
     if (!forcesOf(modelOf(questions, {&*data, 1}, all, *output), points, forces[who], silent)) forces[who].clear();
   };
-  if (!inParallel(settings.population, settings.threads, one, go_on))
+  if (!base::inParallel(settings.population, settings.threads, one, go_on))
     return fail(ErrorCode::kCancelled, "simulated studies", "canceled", "the whole run");
   std::vector<double> truth(points.size(), 0);
   double count = 0;

@@ -1,4 +1,4 @@
-// What all runs of simulated studies share: a seed for each study, threads, the forces of a model, and the truth.
+// What all runs of simulated studies share: a seed for each study, the forces of a model, and the truth.
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,6 @@ namespace tactus::planning {
 
 /// A seed of its own for each number (Steele, Lea, Flood 2014).
 std::uint64_t seedOf(std::uint64_t seed, std::uint64_t number);
-
-/// Runs `work` for 0 to count - 1 on `threads` threads; the caller's thread asks `go_on` with the share that is done.
-/// False: canceled.
-bool inParallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work,
-                const std::function<bool(double)>& go_on);
 
 /// The participants of study `number`, N1, N2 and so on: the same nurses whatever the number of strokes, and the first
 /// ones whatever the number of nurses. Empty if the strokes of one cannot be clustered.

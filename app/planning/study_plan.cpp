@@ -6,6 +6,7 @@
 
 #include "app/planning/simulated_people.h"
 #include "app/planning/simulated_studies.h"
+#include "core/base/in_parallel.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
@@ -237,8 +238,8 @@ Result<StudyPlan> planStudy(const Questions& questions, const NurseSource& sourc
       }
     }
   };
-  if (!inParallel(settings.studies, settings.threads, study,
-                  [&](double share) { return !go_on || go_on(kTruthShare + (1 - kTruthShare) * share); }))
+  if (!base::inParallel(settings.studies, settings.threads, study,
+                        [&](double share) { return !go_on || go_on(kTruthShare + (1 - kTruthShare) * share); }))
     return fail(ErrorCode::kCancelled, "plan", "canceled", "the whole run");
 
   for (std::size_t i = 0; i < designs.size(); ++i)

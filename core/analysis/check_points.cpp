@@ -70,18 +70,14 @@ fuzzy::Evaluation countingAbstentions(const fuzzy::CompiledModel& model, std::sp
 class ProductReader {
  public:
   explicit ProductReader(const fuzzy::ForceModel& model) : model_(model), weights_(normalizedWeights(model)) {
-    for (const fuzzy::Expert& expert : model.experts) {
-      Words& words = words_.emplace_back();
-      for (const fuzzy::Term& term : termsFor(expert, model.output))
-        words.push_back(fuzzy::MembershipFunction::of(term));
-    }
+    for (const fuzzy::Expert& expert : model.experts) experts_.push_back(readOf(expert));
   }
 
   fuzzy::Evaluation operator()(std::span<const double> point) const {
     double sum = 0;
     double weights = 0;
-    for (std::size_t e = 0; e < model_.experts.size(); ++e) {
-      const auto offset = weights_[e] > 0 ? offsetOf(e, point) : std::nullopt;
+    for (std::size_t e = 0; e < experts_.size(); ++e) {
+      const auto offset = weights_[e] > 0 ? offsetOf(experts_[e], point) : std::nullopt;
       if (!offset) continue;
       sum += weights_[e] * *offset;
       weights += weights_[e];
@@ -91,42 +87,60 @@ class ProductReader {
   }
 
  private:
-  using Words = std::vector<fuzzy::MembershipFunction>;
+  struct Rule {
+    std::size_t then = 0;
+    double weight = 1;
+    std::vector<std::pair<std::size_t, fuzzy::MembershipFunction>> conditions;  ///< with the place of the input
+  };
+  struct Expert {
+    std::vector<fuzzy::MembershipFunction> words;
+    std::vector<Rule> rules;
+  };
 
-  double strengthOf(const fuzzy::Expert& expert, const fuzzy::Rule& rule, std::span<const double> point) const {
-    double strength = rule.weight;
-    for (const fuzzy::Condition& condition : rule.conditions) {
-      for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-        const fuzzy::Variable& input = model_.inputs[i];
-        if (input.id != condition.input) continue;
-        const auto& term = *findTerm(termsFor(expert, input), condition.term);
-        strength *= fuzzy::MembershipFunction::of(term)(std::clamp(point[i], input.min, input.max));
+  Expert readOf(const fuzzy::Expert& expert) const {
+    const auto& terms = termsFor(expert, model_.output);
+    Expert out;
+    for (const fuzzy::Term& term : terms) out.words.push_back(fuzzy::MembershipFunction::of(term));
+    for (const fuzzy::Rule& rule : expert.rules) {
+      if (!fuzzy::takesPart(rule)) continue;
+      Rule& read = out.rules.emplace_back();
+      read.then = static_cast<std::size_t>(findTerm(terms, rule.then) - terms.data());
+      read.weight = rule.weight;
+      for (const fuzzy::Condition& condition : rule.conditions) {
+        const auto input = std::find_if(model_.inputs.begin(), model_.inputs.end(),
+                                        [&](const auto& one) { return one.id == condition.input; });
+        const auto& term = *findTerm(termsFor(expert, *input), condition.term);
+        read.conditions.emplace_back(input - model_.inputs.begin(), fuzzy::MembershipFunction::of(term));
       }
+    }
+    return out;
+  }
+
+  double strengthOf(const Rule& rule, std::span<const double> point) const {
+    double strength = rule.weight;
+    for (const auto& [i, membership] : rule.conditions) {
+      strength *= membership(std::clamp(point[i], model_.inputs[i].min, model_.inputs[i].max));
+      if (strength == 0) break;
     }
     return strength;
   }
 
-  std::optional<double> offsetOf(std::size_t e, std::span<const double> point) const {
-    const fuzzy::Expert& expert = model_.experts[e];
-    const auto& terms = termsFor(expert, model_.output);
-    std::vector<double> strengths(terms.size(), 0);
-    for (const fuzzy::Rule& rule : expert.rules) {
-      if (!fuzzy::takesPart(rule)) continue;
-      double& strength = strengths[static_cast<std::size_t>(findTerm(terms, rule.then) - terms.data())];
-      strength = std::max(strength, strengthOf(expert, rule, point));
-    }
+  std::optional<double> offsetOf(const Expert& expert, std::span<const double> point) const {
+    std::vector<double> strengths(expert.words.size(), 0);
+    for (const Rule& rule : expert.rules)
+      strengths[rule.then] = std::max(strengths[rule.then], strengthOf(rule, point));
     const double largest = *std::max_element(strengths.begin(), strengths.end());
     if (largest <= 0) return std::nullopt;
     std::vector<fuzzy::ActiveTerm> active;
-    for (std::size_t t = 0; t < terms.size(); ++t) {
-      if (strengths[t] > 0) active.push_back({&words_[e][t], strengths[t], strengths[t] / largest});
+    for (std::size_t t = 0; t < strengths.size(); ++t) {
+      if (strengths[t] > 0) active.push_back({&expert.words[t], strengths[t], strengths[t] / largest});
     }
     return centroidOffset(active, model_.implication, model_.output.min, model_.output.max);
   }
 
   const fuzzy::ForceModel& model_;
   std::vector<double> weights_;
-  std::vector<Words> words_;
+  std::vector<Expert> experts_;
 };
 
 /// Where only experts of weight 0 have a rule, their force stands for a mean that there is not.

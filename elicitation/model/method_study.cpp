@@ -8,6 +8,7 @@
 #include "core/analysis/force_difference.h"
 #include "core/analysis/term_conversion.h"
 #include "core/base/error.h"
+#include "core/base/in_parallel.h"
 #include "core/base/text.h"
 #include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/noticeable_force.h"
@@ -325,20 +326,24 @@ Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study
   const auto all = choices.all();
   MethodStudy out;
   out.points = unchanged.points.size();
-  for (const auto& choice : all) {
-    if (run.stop.stop_requested()) {
-      return base::fail(base::ErrorCode::kCancelled, "method study", "a request to stop", "time to end");
-    }
-    auto& variant = out.variants.emplace_back();
-    variant.factor = choice.factor;
-    variant.value = choice.value;
-    const auto model = choice.model();
+  out.variants.resize(all.size());
+  const auto look = [&](std::size_t which) {
+    auto& variant = out.variants[which];
+    variant.factor = all[which].factor;
+    variant.value = all[which].value;
+    const auto model = all[which].model();
     if (!model) {
       variant.unavailable = model.error().message();
     } else if (auto ok = compare(unchanged, *model, variant); !ok) {
       variant.unavailable = ok.error().message();
     }
-    if (run.progress) run.progress(static_cast<double>(out.variants.size()) / static_cast<double>(all.size()));
+  };
+  const auto go_on = [&run](double share) {
+    if (run.progress) run.progress(share);
+    return !run.stop.stop_requested();
+  };
+  if (run.stop.stop_requested() || !base::inParallel(all.size(), base::spareThreads(), look, go_on)) {
+    return base::fail(base::ErrorCode::kCancelled, "method study", "a request to stop", "time to end");
   }
   out.factors = factorsOf(out.variants, choices);
   return out;

@@ -313,7 +313,7 @@ Result<BuiltModel> termsOf(const study::Study& study, const BuildSettings& setti
   return out;
 }
 
-/// Everything of buildModel but the influences.
+/// Everything of buildModel but the influences and the checks.
 Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::Form> forms, const BuildSettings& settings,
                            KnownClusters known, const GoOn& go_on = {}) {
   auto terms = termsOf(study, settings, known, go_on);
@@ -332,7 +332,6 @@ Result<BuiltModel> modelOf(const study::Study& study, std::span<const study::For
   out.model.renderer = fuzzy::RendererParameters{};
   out.model.events = out.about().events;
   if (!out.model.provenance->notes.empty()) out.notes.push_back(out.model.provenance->notes);
-  if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
   if (auto ok = fuzzy::validate(out.model); !ok) return tl::unexpected(ok.error());
   return out;
 }
@@ -356,6 +355,7 @@ Result<BuiltModel> buildModel(const study::Study& study, std::span<const study::
   auto made = modelOf(study, forms, settings, clustered, go_on);
   if (!made) return made;
   BuiltModel out = std::move(*made);
+  if (auto ok = setChecks(out.model); !ok) return tl::unexpected(ok.error());
   TACTUS_TRY(auto influences, expertInfluence(out.model, between(go_on, kWithRules, 1)));
   out.influences = std::move(influences);
   append(out.notes, influenceNotes(out.model, out.influences));
@@ -381,7 +381,8 @@ Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::
     out.inputs[built.about().rate().value()] = averagedSpeed(*built.about().rateInput(), built.speeds, ramps);
   }
   out.provenance = modelProvenance(study, built.experts, settings);
-  if (auto ok = setChecks(out); !ok) return tl::unexpected(ok.error());
+  out.checks.clear();
+  if (auto ok = fuzzy::validate(out); !ok) return tl::unexpected(ok.error());
   return out;
 }
 

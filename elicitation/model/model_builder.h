@@ -132,8 +132,8 @@ bool hasRules(const study::Study& study);
 base::Result<BuiltModel> buildTerms(const study::Study& study, const BuildSettings& settings);
 
 /// The model of `built` with other expert weights (`settings.weights`) and everything else unchanged, with the same
-/// `study` and `settings`. Reuses the clusters. Averages the speed terms again only if the ramps are a weighted mean.
-/// Returns the error of `expertWeights`.
+/// `study` and `settings`; to be compared, so without checks. Reuses the clusters. Averages the speed terms again only
+/// if the ramps are a weighted mean. Returns the error of `expertWeights`.
 base::Result<fuzzy::ForceModel> reweightedModel(const BuiltModel& built, const study::Study& study,
                                                 const BuildSettings& settings);
 

@@ -22,8 +22,8 @@ enum class SpeedsOf {
   kStudy,  ///< clustered again
 };
 
-/// The model of buildModel for other settings, without what leaving out an expert changes: many of them are compared
-/// with `built`, which is from the same study.
+/// The model of buildModel for other settings, without what leaving out an expert changes and without checks: many of
+/// them are compared with `built`, which is from the same study.
 base::Result<fuzzy::ForceModel> rebuiltModel(const BuiltModel& built, const study::Study& study,
                                              std::span<const study::Form> forms, const BuildSettings& settings,
                                              SpeedsOf speeds);

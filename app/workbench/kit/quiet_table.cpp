@@ -1,6 +1,8 @@
 #include "app/workbench/kit/quiet_table.h"
 
 #include <QHeaderView>
+#include <QPainter>
+#include <QStyle>
 #include <QStyledItemDelegate>
 
 #include "app/workbench/base/theme.h"
@@ -56,6 +58,10 @@ void readWhole(QTableView& view) {
   view.setWordWrap(true);
   view.setItemDelegate(new RoomyRows(&view));
   view.verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+}
+
+void paintGround(QPainter& painter, const QStyleOptionViewItem& option) {
+  option.widget->style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, &painter, option.widget);
 }
 
 }  // namespace tactus::workbench

@@ -107,10 +107,10 @@ class Validator {
   json schema_;
 };
 
-const json kSchema = load(std::string(TACTUS_SOURCE_DIR) + "/core/model_io/model_file.schema.json");
+const json kModelSchema = load(std::string(TACTUS_SOURCE_DIR) + "/core/model_io/model_file.schema.json");
 
 TEST(ModelSchema, TakesWhatTheProgramWrites) {
-  const Validator validator(kSchema);
+  const Validator validator(kModelSchema);
   base::Random random(21);
   for (int i = 0; i < 300; ++i) {
     const auto model = support::randomModel(random, {.gaussians = i % 2 == 0});
@@ -122,7 +122,7 @@ TEST(ModelSchema, TakesWhatTheProgramWrites) {
 }
 
 TEST(ModelSchema, RefusesWhatTheReaderRefusesForItsShape) {
-  const Validator validator(kSchema);
+  const Validator validator(kModelSchema);
   const json whole = load(std::string(TACTUS_GOLDEN_DIR) + "/models/example.tactus.json");
   ASSERT_TRUE(parseModel(whole.dump(), "whole"));
   const auto refused = [&](const std::string& pointer, const json& value) {
@@ -157,7 +157,7 @@ TEST(ModelSchema, RefusesWhatTheReaderRefusesForItsShape) {
 }
 
 TEST(ModelSchema, HasTheRangesOfTheRenderer) {
-  const json& renderer = kSchema["properties"]["renderer"]["properties"];
+  const json& renderer = kModelSchema["properties"]["renderer"]["properties"];
   EXPECT_EQ(renderer.size(), std::size(fuzzy::kRendererFields) + 1);
   for (const auto& field : fuzzy::kRendererFields) {
     const json& range = renderer.at(field.key);

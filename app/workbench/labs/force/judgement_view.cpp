@@ -57,7 +57,7 @@ JudgementDelegate::JudgementDelegate(const JudgementGrid& grid, QObject* parent)
     : QStyledItemDelegate(parent), grid_(grid) {}
 
 void JudgementDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
-  QStyledItemDelegate::paint(painter, option, QModelIndex());
+  paintGround(*painter, option);
   const auto judgements = grid_.at(index);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);

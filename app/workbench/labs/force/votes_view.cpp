@@ -30,7 +30,7 @@ void VoteDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
     QStyledItemDelegate::paint(painter, option, index);
     return;
   }
-  QStyledItemDelegate::paint(painter, option, QModelIndex());
+  paintGround(*painter, option);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
   painter->setFont(option.font);
@@ -137,7 +137,7 @@ void VotesView::setVotes(const ForceVotes& votes) {
   view_->setVisible(votes.refusal.isEmpty());
   if (first) {
     const QFontMetrics metrics(theme::smallFont());
-    view_->setColumnWidth(VoteTable::kForce, metrics.horizontalAdvance(QStringLiteral("0.00 N")) + 3 * theme::kGrid);
+    view_->setColumnWidth(VoteTable::kForce, metrics.horizontalAdvance(QStringLiteral("0.00 N")) + 2 * theme::kGrid);
     for (int column = VoteTable::kFirstWord; column < table_->winnerColumn(); ++column) {
       view_->setColumnWidth(column, kVoteColumn);
     }
