@@ -300,6 +300,15 @@ Result<void> compare(const Unchanged& unchanged, const ForceModel& changed, Meth
   return {};
 }
 
+/// What `study`, which may be null, has of this choice; null: nothing.
+const MethodVariant* variantOf(const MethodStudy* study, const Choice& choice) {
+  if (study == nullptr) return nullptr;
+  const auto found = std::find_if(study->variants.begin(), study->variants.end(), [&](const MethodVariant& one) {
+    return one.factor == choice.factor && one.value == choice.value;
+  });
+  return found == study->variants.end() ? nullptr : &*found;
+}
+
 std::vector<MethodFactor> factorsOf(const std::vector<MethodVariant>& variants, const Choices& choices) {
   std::vector<MethodFactor> out;
   for (std::size_t v = 0; v < variants.size(); ++v) {
@@ -323,12 +332,17 @@ Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study
   for (const auto& point : unchanged.points) unchanged.forces.push_back(compiled.evaluate(point));
 
   Choices choices(study, forms, settings, built);
-  const auto all = choices.all();
+  auto all = choices.all();
+  if (run.wanted) std::erase_if(all, [&run](const Choice& one) { return !run.wanted(one.factor); });
   MethodStudy out;
   out.points = unchanged.points.size();
   out.variants.resize(all.size());
   const auto look = [&](std::size_t which) {
     auto& variant = out.variants[which];
+    if (const auto* const known = variantOf(run.known, all[which])) {
+      variant = *known;
+      return;
+    }
     variant.factor = all[which].factor;
     variant.value = all[which].value;
     const auto model = all[which].model();

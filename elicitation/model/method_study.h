@@ -50,6 +50,10 @@ struct MethodStudy {
 struct MethodStudyRun {
   std::stop_token stop;
   std::function<void(double share_done)> progress;  ///< called in the thread of the call
+  /// Choices that are compared; empty: all.
+  std::function<bool(std::string_view factor)> wanted = {};
+  /// An earlier result for the same arguments: what it has is not compared again. May be null.
+  const MethodStudy* known = nullptr;
 };
 
 /// Compares shapes of the terms (triangles, Gaussians), implication, the depths of the regions (template, measured),

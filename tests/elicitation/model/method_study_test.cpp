@@ -85,6 +85,28 @@ TEST(MethodStudy, ByHand) {
   EXPECT_EQ(progress.back(), 1);
 }
 
+TEST(MethodStudy, WhatIsKnownIsNotComparedAgain) {
+  const auto study = smallAndMedium(3, 1);
+  const auto built = buildModel(study, {}, {});
+  ASSERT_TRUE(built) << built.error().message();
+  MethodStudyRun some;
+  some.wanted = [](std::string_view factor) { return factor == "weights"; };
+  auto known = methodStudy(study, {}, {}, *built, some).value();
+  ASSERT_EQ(known.factors.size(), 1U);
+  for (auto& one : known.variants) one.largest_n += 100;  // so that it can be told from what is compared
+  MethodStudyRun others;
+  others.known = &known;
+  const auto all = methodStudy(study, {}, {}, *built, others).value();
+  const auto alone = methodStudy(study, {}, {}, *built).value();
+  ASSERT_EQ(all.variants.size(), alone.variants.size());
+  for (std::size_t v = 0; v < all.variants.size(); ++v) {
+    EXPECT_EQ(all.variants[v].factor, alone.variants[v].factor);
+    EXPECT_EQ(all.variants[v].value, alone.variants[v].value);
+    const double more = all.variants[v].factor == "weights" ? 100 : 0;
+    EXPECT_EQ(all.variants[v].largest_n, alone.variants[v].largest_n + more) << all.variants[v].value;
+  }
+}
+
 TEST(MethodStudy, ASmallChangeDoesNotMatter) {
   // Two years to one: .45 to .41667 N, half a just-noticeable difference.
   const auto study = smallAndMedium(2, 1);

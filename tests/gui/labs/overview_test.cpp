@@ -34,7 +34,8 @@ class OverviewTest : public testing::Test {
   std::vector<BuildPart> found;
 };
 
-// The tab Method takes what the overview has compared already, for the same study and settings.
+// The tab Method takes what the overview has compared already, for the same study and settings, and adds the choices
+// that no card shows.
 TEST_F(OverviewTest, TheMethodIsStudiedOnce) {
   ASSERT_NO_FATAL_FAILURE(open(tests::demoStudyIn(folder)));
   ASSERT_TRUE(comesTrue([this] { return overview.studied().has_value(); }));
@@ -42,7 +43,17 @@ TEST_F(OverviewTest, TheMethodIsStudiedOnce) {
   method.setWanted(true);
   method.compare();
   ASSERT_TRUE(comesTrue([&] { return method.found() != nullptr; }));
-  EXPECT_EQ(method.found(), overview.studied()->choices.get());
+  const auto known = overview.studied()->choices;
+  EXPECT_EQ(known->factors.size() + 2, method.found()->factors.size()) << "without the shapes and the implication";
+  for (const auto& one : known->variants) {
+    const auto& all = method.found()->variants;
+    const auto same = std::find_if(all.begin(), all.end(), [&](const auto& other) {
+      return other.factor == one.factor && other.value == one.value;
+    });
+    ASSERT_NE(same, all.end()) << one.factor;
+    EXPECT_EQ(same->largest_n, one.largest_n);
+    EXPECT_EQ(same->at, one.at);
+  }
   EXPECT_FALSE(method.isOld());
   // With another setting it is another comparison.
   overview.setSeen(false);

@@ -131,16 +131,19 @@ std::optional<MethodLab::Order> MethodLab::orderNow() const {
 }
 
 MethodLab::FoundCell::Answer MethodLab::compareChoices(const Order& order, const RunOf<Found>& run) {
-  if (order.known) return std::make_shared<const Found>(*order.known);
   const LabInputs& from = order.from;
   const elicitation::BuildSettings settings = stoppable(from.settings, run.stop);
-  auto built = elicitation::buildModel(from.study->study, from.study->forms, settings);
-  if (!built) return tl::unexpected(text(built.error().message()));
-  auto study =
-      elicitation::methodStudy(from.study->study, from.study->forms, settings, *built, {run.stop, run.progress});
+  Found found = order.known.value_or(Found());
+  if (!order.known) {
+    auto built = elicitation::buildModel(from.study->study, from.study->forms, settings);
+    if (!built) return tl::unexpected(text(built.error().message()));
+    found.built = std::make_shared<const elicitation::BuiltModel>(std::move(*built));
+  }
+  auto study = elicitation::methodStudy(from.study->study, from.study->forms, settings, *found.built,
+                                        {run.stop, run.progress, {}, found.study.get()});
   if (!study) return tl::unexpected(text(study.error().message()));
-  return std::make_shared<const Found>(Found{std::make_shared<const elicitation::BuiltModel>(std::move(*built)),
-                                             std::make_shared<const elicitation::MethodStudy>(std::move(*study))});
+  found.study = std::make_shared<const elicitation::MethodStudy>(std::move(*study));
+  return std::make_shared<const Found>(std::move(found));
 }
 
 void MethodLab::markOld() {

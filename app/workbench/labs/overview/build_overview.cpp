@@ -17,7 +17,7 @@ struct OverviewText {
 };
 
 /// The part that a choice of the method belongs to.
-std::optional<PartKind> partOf(const std::string& factor) {
+std::optional<PartKind> partOf(std::string_view factor) {
   if (factor == "depths") return PartKind::kDepth;
   if (factor == "force_terms") return PartKind::kForce;
   if (factor == "weights") return PartKind::kExperts;
@@ -152,8 +152,10 @@ BuildOverview::BuildOverview(LabModel& model, QObject* parent)
           [](const BuiltStudy& built,
              const RunOf<elicitation::MethodStudy>& run) -> Computed<BuiltStudy, elicitation::MethodStudy>::Answer {
             const auto settings = stoppable(built.settings, run.stop);
+            // Terms in other shapes take longer than all the others together, and no card has them.
+            const auto wanted = [](std::string_view factor) { return partOf(factor).has_value(); };
             auto study = elicitation::methodStudy(built.study->study, built.study->forms, settings, *built.model,
-                                                  {run.stop, run.progress});
+                                                  {run.stop, run.progress, wanted, nullptr});
             if (!study) return tl::unexpected(text(study.error().message()));
             return std::make_shared<const elicitation::MethodStudy>(std::move(*study));
           }) {
