@@ -26,16 +26,23 @@ std::optional<PartKind> partOf(std::string_view factor) {
   return speed ? std::optional(PartKind::kSpeed) : std::nullopt;
 }
 
-void raise(BuildPart& part, double newtons, const QString& effect) {
+/// `effect`: gives the words for these newtons, if they are the most.
+template <class Effect>
+void raise(BuildPart& part, double newtons, Effect effect) {
   if (newtons <= part.stake_n.value_or(0)) return;
   part.stake_n = newtons;
-  part.effect = effect;
+  part.effect = effect();
 }
 
 QString speedSentence(const BuiltStudy& built) {
-  std::set<std::tuple<std::string, std::string, int>> strokes;
-  std::set<std::string> people;
+  std::set<std::tuple<std::string_view, std::string_view, int>> strokes;
+  std::set<std::string_view> people;
+  const study::SpeedSample* before = nullptr;  // the samples of a stroke stand together
   for (const auto& sample : built.study->study.speeds) {
+    const bool same = before != nullptr && before->stroke == sample.stroke && before->level == sample.level &&
+                      before->participant == sample.participant;
+    before = &sample;
+    if (same) continue;
     strokes.insert({sample.participant, sample.level, sample.stroke});
     people.insert(sample.participant);
   }
@@ -115,19 +122,22 @@ std::vector<BuildPart> buildParts(const BuiltStudy& built, const elicitation::Me
   const auto part = [&parts](PartKind kind) -> BuildPart& { return parts[static_cast<std::size_t>(kind)]; };
   for (const auto& pair : model.influences.pairs) {
     if (pair.largest)
-      raise(part(PartKind::kRules), pair.largest->newtons,
-            OverviewText::tr("%1 and %2 are so far apart").arg(text(pair.first), text(pair.second)));
+      raise(part(PartKind::kRules), pair.largest->newtons, [&pair] {
+        return OverviewText::tr("%1 and %2 are so far apart").arg(text(pair.first), text(pair.second));
+      });
   }
   for (const auto& one : model.influences.experts) {
     if (one.largest)
-      raise(part(PartKind::kExperts), one.largest->newtons, OverviewText::tr("leaving %1 out").arg(text(one.expert)));
+      raise(part(PartKind::kExperts), one.largest->newtons,
+            [&one] { return OverviewText::tr("leaving %1 out").arg(text(one.expert)); });
   }
   if (choices != nullptr) {
     for (const auto& variant : choices->variants) {
       const auto kind = partOf(variant.factor);
       if (!kind || !variant.unavailable.empty()) continue;
-      raise(part(*kind), variant.largest_n,
-            OverviewText::tr("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), spelled(variant.value)));
+      raise(part(*kind), variant.largest_n, [&variant] {
+        return OverviewText::tr("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), spelled(variant.value));
+      });
     }
   }
   addWarnings(model, parts);
