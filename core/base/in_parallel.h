@@ -13,8 +13,8 @@
 
 namespace tactus::base {
 
-/// Threads for work that somebody waits for, while one processor is left for what that person does: at least 1.
-inline unsigned spareThreads() { return std::max(2U, std::thread::hardware_concurrency()) - 1; }
+/// Threads for work that somebody waits for: all processors but one for what that person does meanwhile, at least two.
+inline unsigned spareThreads() { return std::max(3U, std::thread::hardware_concurrency()) - 1; }
 
 /// Runs `work` for 0 to count - 1 on `threads` threads, on the caller's alone if that is 1. The caller's thread asks
 /// `go_on`, unless empty, with the share that is done, [0, 1], whenever more is, on several threads now and then too.

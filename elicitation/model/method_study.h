@@ -60,7 +60,7 @@ struct MethodStudyRun {
 /// alpha, m, trimming, centers, averaging, whose speed terms, force terms (vote, frequency, thresholds) and weights
 /// with the model of `settings`, one at a time. `built`: from `study` with `settings`. A choice that has no data
 /// (speeds, judgements, weights) is not tried, or says why it cannot be made. Four participants take a few seconds.
-/// Returns kCancelled after a stop request. Thread: any; works on all processors but one.
+/// Returns kCancelled after a stop request. Thread: any; works on several (base::spareThreads).
 base::Result<MethodStudy> methodStudy(const study::Study& study, std::span<const study::Form> forms,
                                       const BuildSettings& settings, const BuiltModel& built,
                                       const MethodStudyRun& run = {});
