@@ -204,8 +204,7 @@ std::string unmistakable(const std::string& id, const ForceModel& model) {
 double rounded(double value, int digits) {
   std::array<char, 40> text{};
   const auto end = std::to_chars(text.begin(), text.end(), value, std::chars_format::general, digits).ptr;
-  std::from_chars(text.begin(), end, value);
-  return value;
+  return base::parseNumber(std::string_view(text.data(), end)).value_or(value);
 }
 
 /// Ends of an input's terms, of all experts. Those of Gaussians have seventeen digits, which a person cannot read.

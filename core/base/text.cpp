@@ -6,6 +6,15 @@
 
 #include "core/base/error.h"
 
+#ifndef __cpp_lib_to_chars
+#include <cerrno>
+#include <clocale>
+#include <cstdlib>
+#ifdef __APPLE__
+#include <xlocale.h>
+#endif
+#endif
+
 namespace tactus::base {
 namespace {
 
@@ -72,6 +81,7 @@ std::string formatFixed(double value, int decimals) {
   return {buffer.data(), end};
 }
 
+#ifdef __cpp_lib_to_chars
 std::optional<double> parseNumber(std::string_view text) noexcept {
   double value = 0;
   const char* const last = text.data() + text.size();
@@ -80,6 +90,23 @@ std::optional<double> parseNumber(std::string_view text) noexcept {
   if (status == std::errc::result_out_of_range) return std::nullopt;
   return value;
 }
+#else
+// libc++ before 20 has no std::from_chars for double. strtod takes a plus, white space and hexadecimal digits, too.
+std::optional<double> parseNumber(std::string_view text) noexcept {
+  const std::string_view digits = text.substr(text.starts_with('-') ? 1 : 0);
+  if (digits.empty() || std::string_view(".0123456789iInN").find(digits.front()) == std::string_view::npos)
+    return std::nullopt;
+  if (digits.size() > 1 && (digits[1] == 'x' || digits[1] == 'X')) return std::nullopt;
+  static const locale_t kPlain = newlocale(LC_ALL_MASK, "C", nullptr);
+  const std::string ended(text);
+  char* end = nullptr;
+  errno = 0;
+  const double value = strtod_l(ended.c_str(), &end, kPlain);
+  if (end != ended.c_str() + ended.size()) return std::nullopt;
+  if (errno == ERANGE && (value == 0 || std::isinf(value))) return std::nullopt;
+  return value;
+}
+#endif
 
 std::optional<long long> parseInteger(std::string_view text) noexcept {
   long long value = 0;
