@@ -165,7 +165,7 @@ void ParticipantController::look() {
   state_.simulated = plan_.simulated || (device_.device() && device_.device()->simulated);
   state_.device = deviceStep();
   state_.armed = device_.user() == this && device_.state() != DeviceSession::State::kStopped;
-  state_.virtual_device = device_.device() && device_.device()->simulated;
+  state_.virtual_device = device_.device() && device_.device()->backend == "virtual";
   state_.hold = holdMeans();
   state_.waits = HoldWait::kNot;
   if (at() != nullptr) {

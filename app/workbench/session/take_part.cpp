@@ -167,9 +167,10 @@ void SessionRun::fail(const QString& sentence) {
 }
 
 QString deviceToFeel(const devices::DeviceList& list) {
-  const auto real = std::find_if(list.devices.begin(), list.devices.end(),
-                                 [](const auto& device) { return device.usable && !device.simulated; });
-  return text(real != list.devices.end() ? real->id : list.devices.back().id);
+  const auto first = [&list](auto fits) { return std::find_if(list.devices.begin(), list.devices.end(), fits); };
+  auto found = first([](const auto& device) { return device.usable && !device.simulated; });
+  if (found == list.devices.end()) found = first([](const auto& device) { return device.usable; });
+  return text(found != list.devices.end() ? found->id : list.devices.back().id);
 }
 
 TakePartStart::TakePartStart(DeviceAccess devices) : device_(std::move(devices)) {

@@ -62,7 +62,8 @@ class TakePart : public QObject {
 
 // `tactus-workbench --take-part STUDY`: opens the study and shows the nurse's screens, without the research mode.
 
-/// The first device with a motor that can be used, else the virtual one.
+/// The first device that can be used and is no simulation, else a double that somebody has started, else the virtual
+/// one.
 QString deviceToFeel(const devices::DeviceList& list);
 
 class TakePartStart : public QObject {

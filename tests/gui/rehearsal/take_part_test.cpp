@@ -5,6 +5,8 @@
 #include <QLineEdit>
 #include <algorithm>
 
+#include "app/devices/device_list.h"
+
 #include "tests/gui/rehearsal/take_part_session.h"
 
 namespace tactus::workbench {
@@ -87,6 +89,25 @@ class TouchSession : public TakePartTest {
  private:
   QPointingDevice* finger_ = QTest::createTouchDevice();
 };
+
+TEST(DeviceToFeel, ARealOneBeforeADoubleBeforeTheVirtualOne) {
+  devices::DeviceList list;
+  const auto add = [&list](const char* id, bool usable, bool simulated) {
+    devices::ListedDevice& device = list.devices.emplace_back();
+    device.id = id;
+    device.usable = usable;
+    device.simulated = simulated;
+  };
+  add("simulated-haply:SIM-1", true, true);
+  add("haply:1", false, false);
+  add("haply:2", true, false);
+  add("virtual", true, true);
+  EXPECT_EQ(deviceToFeel(list), QStringLiteral("haply:2"));
+  list.devices[2].usable = false;
+  EXPECT_EQ(deviceToFeel(list), QStringLiteral("simulated-haply:SIM-1"));
+  list.devices[0].usable = false;
+  EXPECT_EQ(deviceToFeel(list), QStringLiteral("virtual"));
+}
 
 TEST_F(KeyboardSession, IsWholeAndInTheFile) {
   ASSERT_NO_FATAL_FAILURE(begin());
