@@ -13,7 +13,8 @@
 
 namespace tactus::base {
 
-/// Threads for work that somebody waits for: all processors but one for what that person does meanwhile, at least two.
+/// How many threads compute what the user waits for: one fewer than there are processors, which leaves one for the
+/// window, but at least two.
 inline unsigned spareThreads() { return std::max(3U, std::thread::hardware_concurrency()) - 1; }
 
 /// Runs `work` for 0 to count - 1 on `threads` threads, on the caller's alone if that is 1. The caller's thread asks

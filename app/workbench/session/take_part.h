@@ -62,8 +62,8 @@ class TakePart : public QObject {
 
 // `tactus-workbench --take-part STUDY`: opens the study and shows the nurse's screens, without the research mode.
 
-/// The first device that can be used and is no simulation, else a double that somebody has started, else the virtual
-/// one.
+/// The device of a session: the first usable one that is not simulated; without one, a running double such as that of
+/// `tactus emulate haply`; without that, the virtual device.
 QString deviceToFeel(const devices::DeviceList& list);
 
 class TakePartStart : public QObject {

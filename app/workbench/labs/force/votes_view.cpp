@@ -141,7 +141,6 @@ void VotesView::setVotes(const ForceVotes& votes) {
     for (int column = VoteTable::kFirstWord; column < table_->winnerColumn(); ++column) {
       view_->setColumnWidth(column, kVoteColumn);
     }
-    view_->setColumnWidth(table_->winnerColumn(), kWinnerColumn);
     view_->setColumnWidth(table_->reasonColumn(), kReasonColumn);
     view_->horizontalHeader()->setStretchLastSection(true);
   }

@@ -61,7 +61,7 @@ class BuildOverview : public QObject {
   /// One sentence: why there is no model; empty: there is one, or it is being built.
   QString failure() const { return model_.failure(); }
   Computation& work() { return choices_; }
-  /// What was compared last; nothing before the first time.
+  /// What was compared last, the choices of the cards alone; nothing before the first time.
   std::optional<StudiedMethod> studied() const;
 
  signals:
