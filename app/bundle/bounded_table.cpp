@@ -3,8 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <thread>
 #include <utility>
 #include <vector>
+
+#include "app/bundle/force_enclosure.h"
+#include "core/base/in_parallel.h"
 
 namespace tactus::bundle {
 namespace {
@@ -80,51 +84,57 @@ class Sampled {
         for (std::size_t k = 0; k < count; ++k) half_offset_.push_back(half_offset_[k] + digit * half_stride_[i]);
       }
     }
-    table_at_.resize(half_offset_.size());
-    forEachIndex(0, [&](const Index& node) { table_.force_n[nodeOf(node)] = halves_.force_n[halfOf(node)]; });
+    for (std::size_t c = 0; c < corners(); ++c) {
+      corner_offset_.push_back(offset(c, stride_));
+      upper_offset_.push_back(offset(c, upper_));
+    }
+    forEachIndex(
+        0, [&](const Index& node, std::size_t number) { table_.force_n[number] = halves_.force_n[halfOf(node)]; });
   }
 
   /// Spreads the errors to both sides: a node moves by the mean of the largest and the smallest error in the cells
   /// around it, at most `most_n` in all.
   void spread(double most_n) {
     constexpr int kRounds = 2;
-    const ForceTable exact = table_;
+    const std::vector<double> exact_n = table_.force_n;
     double best_n = kInfinity;
-    ForceTable best;
+    std::vector<double> best_force_n;
+    std::vector<Range> best_errors;
     for (int round = 0; round <= kRounds; ++round) {
-      std::vector<double> largest(table_.force_n.size(), 0);
-      std::vector<double> smallest(table_.force_n.size(), 0);
+      findErrors();
       double worst_n = 0;
-      forEachIndex(1, [&](const Index& cell) {
-        const auto [lo, hi] = errorsOf(cell);
-        worst_n = std::max({worst_n, -lo, hi});
-        const std::size_t first = nodeOf(cell);
-        for (std::size_t c = 0; c < corners(); ++c) {
-          const std::size_t node = first + offset(c, stride_);
-          largest[node] = std::max(largest[node], hi);
-          smallest[node] = std::min(smallest[node], lo);
-        }
-      });
+      for (const Range& cell : errors_) worst_n = std::max({worst_n, -cell.lo, cell.hi});
       if (worst_n < best_n) {
         best_n = worst_n;
-        best = table_;
+        best_force_n = table_.force_n;
+        best_errors = errors_;
       }
       if (round == kRounds) break;
-      for (std::size_t node = 0; node < largest.size(); ++node) {
-        const double moved = table_.force_n[node] + (largest[node] + smallest[node]) / 2;
-        table_.force_n[node] = std::clamp(moved, exact.force_n[node] - most_n, exact.force_n[node] + most_n);
+      std::vector<Range> around(table_.force_n.size());  // each node
+      forEachIndex(1, [&](const Index& cell, std::size_t number) {
+        const Range& error = errors_[number];
+        const std::size_t first = nodeOf(cell);
+        for (const std::size_t corner : corner_offset_) {
+          Range& node = around[first + corner];
+          node = {std::min(node.lo, error.lo), std::max(node.hi, error.hi)};
+        }
+      });
+      for (std::size_t node = 0; node < around.size(); ++node) {
+        const double moved = table_.force_n[node] + (around[node].hi + around[node].lo) / 2;
+        table_.force_n[node] = std::clamp(moved, exact_n[node] - most_n, exact_n[node] + most_n);
       }
     }
-    table_ = std::move(best);
+    table_.force_n = std::move(best_force_n);
+    errors_ = std::move(best_errors);
   }
 
-  /// How much finer the cells of each line must be for the error `most_n` at the points sampled; 1: they are fine.
+  /// After `spread`: how much finer the cells of each line must be for the error `most_n` at the points sampled; 1:
+  /// they are fine.
   Factors finer(double most_n) const {
     Factors out;
     for (const auto& line : table_.lines) out.emplace_back(line.size() - 1, 1.0);
-    forEachIndex(1, [&](const Index& cell) {
-      const auto [lo, hi] = errorsOf(cell);
-      const double off_n = std::max(-lo, hi);
+    forEachIndex(1, [&](const Index& cell, std::size_t number) {
+      const double off_n = std::max(-errors_[number].lo, errors_[number].hi);
       if (off_n <= most_n) return;
       std::array<double, fuzzy::kMostInputs> bend{};
       for (std::size_t i = 0; i < inputs(); ++i) bend[i] = bendAlong(cell, i);
@@ -163,44 +173,61 @@ class Sampled {
     return out;
   }
 
-  /// `less`: 0 for the nodes, 1 for the cells.
+  /// `less`: 0 for the nodes, 1 for the cells. `visit(index, number)`: in order, the number counts from 0.
   template <class Visit>
   void forEachIndex(std::size_t less, Visit&& visit) const {
+    std::size_t count = 1;
+    for (const auto& line : table_.lines) count *= line.size() - less;
+    forEachIndex(less, 0, count, visit);
+  }
+  /// Those with the numbers from `first` up to `last`, without the last.
+  template <class Visit>
+  void forEachIndex(std::size_t less, std::size_t first, std::size_t last, Visit&& visit) const {
     Index index{};
-    for (bool more = true; more;) {
-      visit(index);
-      more = false;
-      for (std::size_t i = inputs(); i-- > 0 && !more;) {
-        more = ++index[i] < table_.lines[i].size() - less;
-        if (!more) index[i] = 0;
+    std::size_t rest = first;
+    for (std::size_t i = inputs(); i-- > 0; rest /= table_.lines[i].size() - less)
+      index[i] = rest % (table_.lines[i].size() - less);
+    for (std::size_t number = first; number < last; ++number) {
+      visit(index, number);
+      for (std::size_t i = inputs(); i-- > 0;) {
+        if (++index[i] < table_.lines[i].size() - less) break;
+        index[i] = 0;
       }
     }
   }
 
-  /// The smallest and the largest of force minus table at the corners, the middle, and half-way between corners.
-  std::pair<double, double> errorsOf(const Index& cell) const {
+  /// Of each cell the smallest and the largest of force minus table at the corners, the middle, and half-way between
+  /// corners.
+  void findErrors() {
+    constexpr std::size_t kAtOnce = 8192;
+    std::size_t cells = 1;
+    for (const auto& line : table_.lines) cells *= line.size() - 1;
+    errors_.resize(cells);
+    base::inParallel((cells + kAtOnce - 1) / kAtOnce, std::thread::hardware_concurrency(), [&](std::size_t part) {
+      std::vector<double> table_at(half_offset_.size());
+      const std::size_t first = part * kAtOnce;
+      forEachIndex(1, first, std::min(first + kAtOnce, cells),
+                   [&](const Index& cell, std::size_t number) { errors_[number] = errorsOf(cell, table_at); });
+    });
+  }
+
+  /// `table_at`: room for the table at each of the 3^inputs points.
+  Range errorsOf(const Index& cell, std::vector<double>& table_at) const {
     const std::size_t node = nodeOf(cell);
     const std::size_t half = halfOf(cell);
     // The table at the corners and half-way: digits 0, 1, 2 of each input are the lower end, the middle, the upper end.
-    for (std::size_t c = 0; c < corners(); ++c)
-      table_at_[offset(c, upper_)] = table_.force_n[node + offset(c, stride_)];
+    for (std::size_t c = 0; c < corners(); ++c) table_at[upper_offset_[c]] = table_.force_n[node + corner_offset_[c]];
     std::size_t done = 1;  // 3^i
     for (std::size_t i = 0; i < inputs(); ++i, done *= 3) {
       // The digits of later inputs are 0 or 2 so far.
       for (std::size_t c = 0; c < corners() >> (i + 1); ++c) {
-        const std::size_t start = offset(c << (i + 1), upper_);
-        for (std::size_t k = 0; k < done; ++k)
-          table_at_[start + done + k] = (table_at_[start + k] + table_at_[start + 2 * done + k]) / 2;
+        double* const start = table_at.data() + upper_offset_[c << (i + 1)];
+        for (std::size_t k = 0; k < done; ++k) start[done + k] = (start[k] + start[2 * done + k]) / 2;
       }
     }
-    double lo = kInfinity;
-    double hi = -kInfinity;
-    for (std::size_t p = 0; p < done; ++p) {
-      const double off_n = halves_.force_n[half + half_offset_[p]] - table_at_[p];
-      lo = std::min(lo, off_n);
-      hi = std::max(hi, off_n);
-    }
-    return {lo, hi};
+    Range out{kInfinity, -kInfinity};
+    for (std::size_t p = 0; p < done; ++p) include(out, halves_.force_n[half + half_offset_[p]] - table_at[p]);
+    return out;
   }
 
   /// How far the force is from a line along input `i`, in the middle of it, with the others at either end or their
@@ -224,9 +251,11 @@ class Sampled {
   ForceTable halves_;
   Index stride_{};
   Index half_stride_{};
-  Index upper_{};                         ///< 2 * 3^i
-  std::vector<std::size_t> half_offset_;  ///< of each of the 3^inputs points of a cell
-  mutable std::vector<double> table_at_;  ///< the same points
+  Index upper_{};                           ///< 2 * 3^i
+  std::vector<std::size_t> half_offset_;    ///< of each of the 3^inputs points of a cell
+  std::vector<std::size_t> corner_offset_;  ///< of each of its corners, in the table
+  std::vector<std::size_t> upper_offset_;   ///< likewise, among the 3^inputs points
+  std::vector<Range> errors_;               ///< of each cell
 };
 
 /// The factors of the stretches between vertices.

@@ -62,11 +62,6 @@ Membership over(const MembershipFunction& f, double lo, double hi) {
   return out;
 }
 
-void include(Range& range, double value) {
-  range.lo = std::min(range.lo, value);
-  range.hi = std::max(range.hi, value);
-}
-
 namespace {
 
 template <bool clip>
@@ -203,48 +198,50 @@ std::size_t ForceEnclosure::strengthsOf(const std::vector<const RuleLook*>& rule
                                         const std::vector<std::vector<Membership>>& memberships,
                                         std::span<Strength> strengths) const {
   std::size_t count = 0;
-  const auto range_of = [&](const RuleLook& rule) {
-    Range range{1, 1};
-    for (const auto& [bank, term] : rule.conditions) {
-      range.lo = std::min(range.lo, memberships[bank][term].value.lo);
-      range.hi = std::min(range.hi, memberships[bank][term].value.hi);
-    }
-    return Range{range.lo * rule.weight, range.hi * rule.weight};
-  };
-  const auto strength_of = [&](std::size_t term) -> Strength& {
+  const auto number_of = [&](std::size_t term) {
     for (std::size_t k = 0; k < count; ++k) {
-      if (strengths[k].term == term) return strengths[k];
+      if (strengths[k].term == term) return k;
     }
     strengths[count] = {term, {0, 0}, {}, true};
-    return strengths[count++];
+    return count++;
   };
+  struct Firing {
+    const RuleLook* rule;
+    Range range;
+    std::size_t strength;  ///< the number of its own
+  };
+  static thread_local std::vector<Firing> firing;
+  firing.clear();
   for (const RuleLook* const rule : rules) {
-    const Range range = range_of(*rule);
+    Range range{1, 1};
+    for (const auto& [bank, term] : rule->conditions) {
+      const Range& value = memberships[bank][term].value;
+      range = {std::min(range.lo, value.lo), std::min(range.hi, value.hi)};
+    }
+    range = {range.lo * rule->weight, range.hi * rule->weight};
     if (range.hi <= 0) continue;
-    Range& value = strength_of(rule->then).value;
+    firing.push_back({rule, range, number_of(rule->then)});
+    Range& value = strengths[firing.back().strength].value;
     value = {std::max(value.lo, range.lo), std::max(value.hi, range.hi)};
   }
   std::array<bool, fuzzy::kMostTerms> begun{};
-  for (const RuleLook* const rule : rules) {
-    const Range range = range_of(*rule);
-    if (range.hi <= 0) continue;
-    Strength& strength = strength_of(rule->then);
+  const std::size_t inputs = model_.inputs.size();
+  for (const auto& [rule, range, k] : firing) {
+    Strength& strength = strengths[k];
     if (range.hi < strength.value.lo) continue;
-    const auto k = static_cast<std::size_t>(&strength - strengths.data());
     for (const auto& [bank, term] : rule->conditions) {
       const Membership& membership = memberships[bank][term];
       strength.smooth = strength.smooth && !membership.jumps;
       // Another condition is always smaller.
       if (membership.value.lo * rule->weight > range.hi) continue;
-      for (std::size_t i = 0; i < model_.inputs.size(); ++i) {
-        const Range slope = i == banks_[bank].input
-                                ? Range{membership.slope.lo * rule->weight, membership.slope.hi * rule->weight}
-                                : Range{0, 0};
+      const std::size_t own = banks_[bank].input;
+      const Range slope{membership.slope.lo * rule->weight, membership.slope.hi * rule->weight};
+      for (std::size_t i = 0; i < inputs; ++i) {
+        const Range one = i == own ? slope : Range{0, 0};
         if (!begun[k]) {
-          strength.slopes[i] = slope;
+          strength.slopes[i] = one;
         } else {
-          include(strength.slopes[i], slope.lo);
-          include(strength.slopes[i], slope.hi);
+          strength.slopes[i] = {std::min(strength.slopes[i].lo, one.lo), std::max(strength.slopes[i].hi, one.hi)};
         }
       }
       begun[k] = true;

@@ -1,6 +1,7 @@
 // The force and its derivatives over a box of the inputs, enclosed by interval arithmetic.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -25,6 +26,12 @@ struct Range {
     return *this;
   }
 };
+
+/// Lets `range` reach `value`.
+inline void include(Range& range, double value) {
+  range.lo = std::min(range.lo, value);
+  range.hi = std::max(range.hi, value);
+}
 
 /// A membership and its derivative over an open interval.
 struct Membership {
@@ -146,8 +153,5 @@ class ForceEnclosure {
   std::vector<ExpertLook> experts_;
   static inline thread_local std::vector<Strength> scratch_;
 };
-
-/// Lets `range` reach `value`.
-void include(Range& range, double value);
 
 }  // namespace tactus::bundle

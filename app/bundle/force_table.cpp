@@ -1,12 +1,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <thread>
 
 #include "app/bundle/bounded_table.h"
 #include "core/analysis/sample_points.h"
 #include "core/base/error.h"
+#include "core/base/in_parallel.h"
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
+#include "core/fuzzy/batch.h"
 
 namespace tactus::bundle {
 namespace {
@@ -92,11 +96,25 @@ std::vector<std::vector<double>> vertexLines(const fuzzy::ForceModel& model, std
 }
 
 ForceTable forceTable(const fuzzy::CompiledModel& compiled, std::vector<std::vector<double>> lines) {
+  constexpr std::size_t kAtOnce = 4096;
   ForceTable table;
   table.lines = std::move(lines);
-  table.force_n.reserve(nodesOf(table.lines));
-  forEachNode(table.lines,
-              [&](const std::vector<double>& point) { table.force_n.push_back(compiled.evaluate(point).force_n); });
+  const std::size_t nodes = nodesOf(table.lines);
+  table.force_n.resize(nodes);
+  base::inParallel((nodes + kAtOnce - 1) / kAtOnce, std::thread::hardware_concurrency(), [&](std::size_t part) {
+    const std::size_t first = part * kAtOnce;
+    const std::size_t count = std::min(kAtOnce, nodes - first);
+    std::vector<std::vector<double>> inputs(table.lines.size(), std::vector<double>(count));
+    std::size_t stride = nodes;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const auto& line = table.lines[i];
+      stride /= line.size();
+      for (std::size_t k = 0; k < count; ++k) inputs[i][k] = line[(first + k) / stride % line.size()];
+    }
+    const std::vector<std::span<const double>> columns(inputs.begin(), inputs.end());
+    std::vector<std::uint8_t> fired(count);
+    fuzzy::evaluateBatch(compiled, columns, {std::span(table.force_n).subspan(first, count), fired});
+  });
   return table;
 }
 

@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <future>
 #include <limits>
 #include <span>
 #include <thread>
 
 #include "app/bundle/bounded_table.h"
 #include "app/bundle/force_enclosure.h"
+#include "core/base/in_parallel.h"
 
 namespace tactus::bundle {
 namespace {
@@ -17,8 +16,8 @@ using fuzzy::MembershipFunction;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kInside = 1e-9;  // of a cell's width: from an edge on which the force may jump into the cell
-constexpr std::size_t kMostBoxesOfCell = 4'000;
-constexpr std::size_t kMostBoxes = 200'000'000;  // of all cells and experts
+constexpr std::size_t kMostLooksOfCell = 8'000;
+constexpr std::size_t kMostLooks = 200'000'000;  // of all cells and experts
 constexpr double kSharp = 1.02;                  // how close a bound comes to the error that was found
 
 /// A part of a cell. Corner c lies at the upper end of input i where bit i of c is set.
@@ -27,7 +26,9 @@ struct Box {
   std::array<double, fuzzy::kMostInputs> hi{};
   std::vector<double> force_n;
   std::vector<double> table_n;
-  double bound_n = 0;  ///< on the error in it
+  ForceRange range;        ///< of it, or of the box of which it is a part
+  bool looked_at = false;  ///< `range` is its own
+  double bound_n = 0;      ///< on the error in it
   bool jumps = false;
   std::size_t longest = 0;  ///< the input along which to split it
   double longest_share = 0;
@@ -37,13 +38,13 @@ struct Box {
 class CellSearch {
  public:
   CellSearch(const fuzzy::CompiledModel& compiled, const ForceTable& table, const ForceEnclosure& enclosure,
-             double wanted_n, std::size_t most_boxes)
+             double wanted_n, std::size_t most_looks)
       : compiled_(compiled),
         table_(table),
         enclosure_(enclosure),
         wanted_n_(wanted_n),
         enough_n_(wanted_n),
-        most_boxes_(most_boxes) {
+        most_looks_(most_looks) {
     for (const auto& line : table.lines) out_.finer.emplace_back(line.size() - 1, 1.0);
   }
 
@@ -54,11 +55,14 @@ class CellSearch {
     Box root = rootOf(cell, inside);
     findMemberships(root, cell.size());
     enclosure_.cellOf(memberships_, rules_);
-    add(std::move(root), cell);
+    lookAt(root, cell);
+    keep(std::move(root));
     // Once the work for all is spent, a cell gets a bound from one look. The worst box comes first.
-    for (std::size_t left = boxes_ < most_boxes_ ? kMostBoxesOfCell : 0; !open_.empty(); --left) {
+    const std::size_t last = looks_ + (looks_ < most_looks_ ? kMostLooksOfCell : 0);
+    while (!open_.empty()) {
       const Box& worst = open_.front();
-      if (worst.bound_n <= enough_n_ || left == 0 || worst.longest_share <= (worst.jumps ? kThin : 0)) {
+      const bool splits = worst.longest_share > (worst.jumps ? kThin : 0);
+      if (worst.bound_n <= enough_n_ || looks_ >= last || (worst.looked_at && !splits)) {
         out_.bound_n = std::max(out_.bound_n, worst.bound_n);
         out_.jumps = out_.jumps || worst.jumps;
         if (worst.bound_n > wanted_n_ && !worst.jumps) wantFiner(worst, cell);
@@ -67,7 +71,12 @@ class CellSearch {
       std::pop_heap(open_.begin(), open_.end(), isBetter);
       Box box = std::move(open_.back());
       open_.pop_back();
-      split(std::move(box), cell);
+      if (box.looked_at) {
+        split(std::move(box), cell);
+      } else {
+        lookAt(box, cell);
+        keep(std::move(box));
+      }
     }
   }
 
@@ -83,31 +92,35 @@ class CellSearch {
   }
 
   void wantFiner(const Box& worst, const std::vector<std::size_t>& cell) {
-    findMemberships(worst, cell.size());
-    const ForceRange range = enclosure_.enclose(rules_, memberships_);
     for (std::size_t i = 0; i < cell.size(); ++i) {
-      if (range.slopes[i].lo == range.slopes[i].hi) continue;
+      if (worst.range.slopes[i].lo == worst.range.slopes[i].hi) continue;
       double& finer = out_.finer[i][cell[i]];
       finer = std::max(finer, worst.bound_n / wanted_n_);
     }
   }
 
-  /// Bounds the error in the box, and keeps it for a closer look.
-  void add(Box box, const std::vector<std::size_t>& cell) {
-    ++boxes_;
+  /// Encloses the force in the box.
+  void lookAt(Box& box, const std::vector<std::size_t>& cell) {
+    ++looks_;
     findMemberships(box, cell.size());
-    const ForceRange range = enclosure_.enclose(rules_, memberships_);
-    box.jumps = range.fires && !range.smooth;
+    box.range = enclosure_.enclose(rules_, memberships_);
+    box.looked_at = true;
+    box.jumps = box.range.fires && !box.range.smooth;
+    bound(box, cell);
+  }
+
+  /// Bounds the error in the box by what is known of the force there.
+  void bound(Box& box, const std::vector<std::size_t>& cell) {
     double off_n = 0;
     for (std::size_t c = 0; c < box.force_n.size(); ++c)
       off_n = std::max(off_n, std::abs(box.force_n[c] - box.table_n[c]));
     const auto [table_lo, table_hi] = std::minmax_element(box.table_n.begin(), box.table_n.end());
-    box.bound_n = std::max(range.force_n.hi - *table_lo, *table_hi - range.force_n.lo);
+    box.bound_n = std::max(box.range.force_n.hi - *table_lo, *table_hi - box.range.force_n.lo);
     box.longest_share = 0;
     double rest_n = 0;
     for (std::size_t i = 0; i < cell.size(); ++i) {
       const double width = box.hi[i] - box.lo[i];
-      const double slope = range.slopes[i].hi - range.slopes[i].lo;
+      const double slope = box.range.slopes[i].hi - box.range.slopes[i].lo;
       double share = slope * width;
       if (box.jumps) share = isFlat(i) ? 0 : width / (table_.lines[i][cell[i] + 1] - table_.lines[i][cell[i]]);
       rest_n += slope * width / 4;
@@ -120,6 +133,9 @@ class CellSearch {
       out_.found_n = std::max(out_.found_n, off_n);
       enough_n_ = std::max(enough_n_, kSharp * off_n);
     }
+  }
+
+  void keep(Box box) {
     open_.push_back(std::move(box));
     std::push_heap(open_.begin(), open_.end(), isBetter);
   }
@@ -179,8 +195,16 @@ class CellSearch {
       lower.force_n[c | bit] = box.force_n[c] = force_n;
       lower.table_n[c | bit] = box.table_n[c] = table_n;
     }
-    add(std::move(box), cell);
-    add(std::move(lower), cell);
+    for (Box* const half : {&box, &lower}) {
+      half->looked_at = false;
+      // Beside a jump nothing is known of a part before it is looked at.
+      if (half->jumps) {
+        lookAt(*half, cell);
+      } else {
+        bound(*half, cell);
+      }
+      keep(std::move(*half));
+    }
   }
 
   const fuzzy::CompiledModel& compiled_;
@@ -188,8 +212,8 @@ class CellSearch {
   const ForceEnclosure& enclosure_;
   double wanted_n_;
   double enough_n_;
-  std::size_t most_boxes_;
-  std::size_t boxes_ = 0;
+  std::size_t most_looks_;
+  std::size_t looks_ = 0;
   TableBound out_;
   std::vector<Box> open_;  ///< a heap, the worst first
   std::vector<std::vector<Membership>> memberships_;
@@ -255,10 +279,10 @@ TableBound tableBound(const fuzzy::ForceModel& model, const fuzzy::CompiledModel
   TableBound out;
   for (const auto& line : table.lines) out.finer.emplace_back(line.size() - 1, 1.0);
   const std::size_t slabs = cells[slabs_along].size();
-  const std::size_t most_boxes = kMostBoxes / std::max<std::size_t>(1, enclosure.experts() * slabs);
+  const std::size_t most_looks = kMostLooks / std::max<std::size_t>(1, enclosure.experts() * slabs);
   // Each slab for itself, so that the result does not depend on how many are looked at at once.
   const auto slab = [&](std::size_t number) {
-    CellSearch search(compiled, table, enclosure, wanted_n, most_boxes);
+    CellSearch search(compiled, table, enclosure, wanted_n, most_looks);
     auto own = cells;
     own[slabs_along] = {cells[slabs_along][number]};
     std::vector<std::size_t> index(own.size(), 0);
@@ -274,16 +298,9 @@ TableBound tableBound(const fuzzy::ForceModel& model, const fuzzy::CompiledModel
     }
     return std::move(search).result();
   };
-  std::atomic<std::size_t> next = 0;
   std::vector<TableBound> found(slabs);
-  const auto work = [&] {
-    for (std::size_t number = next++; number < slabs; number = next++) found[number] = slab(number);
-  };
-  std::vector<std::future<void>> helpers;
-  for (unsigned h = 1; h < std::max(1U, std::thread::hardware_concurrency()); ++h)
-    helpers.push_back(std::async(std::launch::async, work));
-  work();
-  for (auto& helper : helpers) helper.get();
+  base::inParallel(slabs, std::thread::hardware_concurrency(),
+                   [&](std::size_t number) { found[number] = slab(number); });
   for (const TableBound& one : found) merge(out, one);
   return out;
 }
