@@ -197,20 +197,21 @@ void SessionProxy::open(Opening opening) {
 
 bool SessionProxy::answer(SessionStep step, Call call) {
   if (!snapshot_ || isMovingOn() || step != snapshot_->step || !study_.takesOrders()) return false;
-  order(std::move(call), Asks::kNext);
+  send(room_, Asks::kNext, onSession(std::move(call), Asks::kNext));
   return true;
 }
 
 void SessionProxy::instruct(Call call, Asks asks) {
   if (room_ && study_.takesOrders()) {
-    order(std::move(call), asks);
+    send(room_, asks, onSession(std::move(call), asks));
   } else {
     emit refused(tr("There is no session for this."));
   }
 }
 
-void SessionProxy::order(Call call, Asks asks) {
-  send(room_, asks, [call = std::move(call), asks](LiveSession& room, store::StudyFile&) -> Result<void> {
+/// The work of `call`.
+SessionProxy::Work SessionProxy::onSession(Call call, Asks asks) {
+  return [call = std::move(call), asks](LiveSession& room, store::StudyFile&) -> Result<void> {
     if (!room.session) {
       return base::fail(base::ErrorCode::kValue, "session", "none, it has ended or could not begin", "an open session");
     }
@@ -218,11 +219,10 @@ void SessionProxy::order(Call call, Asks asks) {
     if (asks == Asks::kNext) ++room.step;
     room.look();
     return {};
-  });
+  };
 }
 
-void SessionProxy::send(std::shared_ptr<LiveSession> room, Asks asks,
-                        std::function<Result<void>(LiveSession&, store::StudyFile&)> work) {
+void SessionProxy::send(std::shared_ptr<LiveSession> room, Asks asks, Work work) {
   ++unanswered_;
   if (asks == Asks::kNext) ++moving_on_;
   const auto seen = std::make_shared<std::shared_ptr<const SessionSnapshot>>();

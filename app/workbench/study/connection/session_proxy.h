@@ -87,15 +87,16 @@ class SessionProxy : public QObject {
  private:
   struct LiveSession;
   using Call = std::function<base::Result<void>(session::Session&)>;
+  /// In the thread of the study.
+  using Work = std::function<base::Result<void>(LiveSession&, store::StudyFile&)>;
   using Opening = std::function<base::Result<session::Session>(store::StudyFile&, session::SessionTools)>;
   enum class Asks { kSame, kNext };
 
   void open(Opening opening);
   bool answer(SessionStep step, Call call);
   void instruct(Call call, Asks asks = Asks::kNext);
-  void order(Call call, Asks asks);
-  void send(std::shared_ptr<LiveSession> room, Asks asks,
-            std::function<base::Result<void>(LiveSession&, store::StudyFile&)> work);
+  void send(std::shared_ptr<LiveSession> room, Asks asks, Work work);
+  static Work onSession(Call call, Asks asks);
   void forgetSession();
 
   StudyConnection& study_;
