@@ -146,9 +146,6 @@ Result<void> checkRehearsal(const store::StudyFile& file, const NurseMemory& mem
 
 // How far a rehearsal has come, for programs that watch it from outside: a line for each thing that a screen asks.
 
-/// `welcome`, `device_check`, `question`: a screen by name.
-QString screenId(ParticipantScreen screen);
-
 /// A JSON object on one line: the screen, what the nurse knows to be stored (`insertions`, `judgements`, `answers`,
 /// `ratings`), `position` of a question (else 0), and `failed` while the disk refuses. `at`: null before the session.
 QByteArray progressLine(const ParticipantState& state, const SessionSnapshot* at, const NurseMemory& memory);
@@ -173,31 +170,9 @@ int answers(const SessionSnapshot* at) {
 
 }  // namespace
 
-QString screenId(ParticipantScreen screen) {
-  switch (screen) {
-    case Screen::kWelcome: return QStringLiteral("welcome");
-    case Screen::kConsent: return QStringLiteral("consent");
-    case Screen::kAboutYou: return QStringLiteral("about_you");
-    case Screen::kDeviceCheck: return QStringLiteral("device_check");
-    case Screen::kPractice: return QStringLiteral("practice");
-    case Screen::kSpeed: return QStringLiteral("speed");
-    case Screen::kForce: return QStringLiteral("force");
-    case Screen::kRest: return QStringLiteral("rest");
-    case Screen::kRating: return QStringLiteral("rating");
-    case Screen::kGlossary: return QStringLiteral("glossary");
-    case Screen::kQuestion: return QStringLiteral("question");
-    case Screen::kReview: return QStringLiteral("review");
-    case Screen::kScale: return QStringLiteral("scale");
-    case Screen::kOwnModel: return QStringLiteral("own_model");
-    case Screen::kThanks: return QStringLiteral("thanks");
-    case Screen::kStopped: break;
-  }
-  return QStringLiteral("stopped");
-}
-
 QByteArray progressLine(const ParticipantState& state, const SessionSnapshot* at, const NurseMemory& memory) {
   const QJsonObject line = {
-      {QStringLiteral("screen"), screenId(state.screen)},
+      {QStringLiteral("screen"), QString::fromLatin1(nameOf(state.screen).id)},
       {QStringLiteral("insertions"), insertions(state, memory)},
       {QStringLiteral("judgements"), static_cast<int>(memory.judgements.size())},
       {QStringLiteral("answers"), answers(at)},

@@ -14,24 +14,7 @@ struct NurseViewText {
 };
 
 QString screenText(const ParticipantState& state) {
-  switch (state.screen) {
-    case Screen::kWelcome: return NurseViewText::tr("Welcome");
-    case Screen::kConsent: return NurseViewText::tr("Consent");
-    case Screen::kAboutYou: return NurseViewText::tr("About the participant");
-    case Screen::kDeviceCheck: return NurseViewText::tr("Device check");
-    case Screen::kPractice: return NurseViewText::tr("Practice");
-    case Screen::kSpeed: return NurseViewText::tr("Speed");
-    case Screen::kForce: return NurseViewText::tr("Forces");
-    case Screen::kRest: return NurseViewText::tr("Rest");
-    case Screen::kRating: return NurseViewText::tr("Effort and comfort");
-    case Screen::kGlossary: return NurseViewText::tr("The words of the questions");
-    case Screen::kQuestion: return NurseViewText::tr("Questions");
-    case Screen::kReview: return NurseViewText::tr("Review");
-    case Screen::kScale: return NurseViewText::tr("Usability form");
-    case Screen::kOwnModel: return NurseViewText::tr("Own model");
-    case Screen::kThanks: return NurseViewText::tr("Done");
-    case Screen::kStopped: break;
-  }
+  if (state.screen != Screen::kStopped) return QCoreApplication::translate("ScreenName", nameOf(state.screen).title);
   switch (state.stop) {
     case StopReason::kForToday: return NurseViewText::tr("Stopped for today");
     case StopReason::kWithdrawn: return NurseViewText::tr("Withdrawn");

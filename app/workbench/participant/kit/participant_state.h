@@ -4,7 +4,9 @@
 
 #include <QPointF>
 #include <QString>
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -31,6 +33,36 @@ enum class ParticipantScreen {
   kThanks,       ///< the end, with her own curve
   kStopped,      ///< stopped for today, withdrawn, or no consent
 };
+
+struct ScreenName {
+  ParticipantScreen screen;
+  const char* id;     ///< `about_you`
+  const char* title;  ///< for the researcher, context `ScreenName`
+};
+
+inline constexpr ScreenName kScreenNames[] = {
+    {ParticipantScreen::kWelcome, "welcome", QT_TRANSLATE_NOOP("ScreenName", "Welcome")},
+    {ParticipantScreen::kConsent, "consent", QT_TRANSLATE_NOOP("ScreenName", "Consent")},
+    {ParticipantScreen::kAboutYou, "about_you", QT_TRANSLATE_NOOP("ScreenName", "About the participant")},
+    {ParticipantScreen::kDeviceCheck, "device_check", QT_TRANSLATE_NOOP("ScreenName", "Device check")},
+    {ParticipantScreen::kPractice, "practice", QT_TRANSLATE_NOOP("ScreenName", "Practice")},
+    {ParticipantScreen::kSpeed, "speed", QT_TRANSLATE_NOOP("ScreenName", "Speed")},
+    {ParticipantScreen::kForce, "force", QT_TRANSLATE_NOOP("ScreenName", "Forces")},
+    {ParticipantScreen::kRest, "rest", QT_TRANSLATE_NOOP("ScreenName", "Rest")},
+    {ParticipantScreen::kRating, "rating", QT_TRANSLATE_NOOP("ScreenName", "Effort and comfort")},
+    {ParticipantScreen::kGlossary, "glossary", QT_TRANSLATE_NOOP("ScreenName", "The words of the questions")},
+    {ParticipantScreen::kQuestion, "question", QT_TRANSLATE_NOOP("ScreenName", "Questions")},
+    {ParticipantScreen::kReview, "review", QT_TRANSLATE_NOOP("ScreenName", "Review")},
+    {ParticipantScreen::kScale, "scale", QT_TRANSLATE_NOOP("ScreenName", "Usability form")},
+    {ParticipantScreen::kOwnModel, "own_model", QT_TRANSLATE_NOOP("ScreenName", "Own model")},
+    {ParticipantScreen::kThanks, "thanks", QT_TRANSLATE_NOOP("ScreenName", "Done")},
+    {ParticipantScreen::kStopped, "stopped", QT_TRANSLATE_NOOP("ScreenName", "Stopped")},
+};
+
+inline const ScreenName& nameOf(ParticipantScreen screen) {
+  return *std::find_if(std::begin(kScreenNames), std::end(kScreenNames),
+                       [screen](const ScreenName& one) { return one.screen == screen; });
+}
 
 /// What lies over the screen while the force is off. The force stays off until kNone.
 enum class ForceOffOverlay {
