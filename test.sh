@@ -15,13 +15,13 @@ install_missing git ccache clang-format locales libgtest-dev libgmp-dev qemu-sys
 install_wanted "${wanted_packages[@]}"
 spent packages
 
-# A fresh clone may belong to somebody else than the one who tests it.
-sources() { git -c safe.directory='*' ls-files -co --exclude-standard -- '*.h' '*.cpp'; }
+# A fresh clone may belong to another user than the one who tests it.
+files() { git -c safe.directory='*' ls-files -co --exclude-standard -- "$@"; }
 # Each version formats a little otherwise.
 wanted_format=$(sed -n 's/^# clang-format \([0-9]*\)$/\1/p' .clang-format)
 found_format=$(clang-format --version | sed 's/.*version \([0-9]*\).*/\1/')
 if [ "$found_format" = "$wanted_format" ]; then
-  quietly xargs -r -a <(sources) clang-format --dry-run --Werror
+  quietly xargs -r -a <(files '*.h' '*.cpp') clang-format --dry-run --Werror
 else
   echo "Not checked: the format (clang-format $found_format is here, $wanted_format is wanted)"
 fi
@@ -46,17 +46,32 @@ if [ ! -d "$LOCPATH/de_DE.UTF-8" ]; then
   quietly localedef -i de_DE -f UTF-8 "$LOCPATH/de_DE.UTF-8"
 fi
 
+# The tests of a program that passed are not run again before it changes, what it starts, a file that is no source, or the day,
+# which chooses their random models. Without build/dev/stamps all are run.
+mkdir -p build/dev/stamps
+data=$({ date +%F; files ':!*.h' ':!*.cpp' ':(exclude,top,glob)*.md' | xargs -d '\n' sha256sum 2>/dev/null || true; } | sha256sum)
+declare -A state=()
+passed=()
+while read -r program its_files; do
+  # shellcheck disable=SC2086  # several files
+  state[$program]=$({ echo "$data"; sha256sum $its_files; } | sha256sum)
+  [ "${state[$program]}" != "$(cat "build/dev/stamps/$program" 2>/dev/null)" ] || passed+=("$program")
+done <build/dev/tests/programs
+left_out=()
+[ ${#passed[@]} = 0 ] || left_out=(-LE "^($(IFS='|' && echo "${passed[*]}"))\$")
+
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-if ! ctest --preset dev -j "$(nproc)" >"$log" 2>&1; then
+if ! ctest --preset dev -j "$(nproc)" "${left_out[@]}" >"$log" 2>&1; then
   cat "$log" >&2
   exit 1
 fi
+for program in "${!state[@]}"; do echo "${state[$program]}" >"build/dev/stamps/$program"; done
 spent tests
 grep 'tests passed' "$log"
 echo "Time: $phases"
 grep -ah '^House: ' build/dev/Testing/Temporary/LastTest.log || true
-unchanged=$(sed -n 's/^Unchanged since it passed: //p' build/dev/Testing/Temporary/LastTest.log | sort | paste -sd ' ')
+unchanged=$({ sed -n 's/^Unchanged since it passed: //p' build/dev/Testing/Temporary/LastTest.log; printf '%s\n' "${passed[@]}"; } | sort | xargs)
 [ -z "$unchanged" ] || echo "Not run again, as nothing they use has changed since they passed: $unchanged"
 # A test that cannot run here says why.
 grep -a '^SKIPPED' build/dev/Testing/Temporary/LastTest.log || true
