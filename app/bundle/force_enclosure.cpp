@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::bundle {
 namespace {

@@ -3,8 +3,8 @@
 #include <tuple>
 
 #include "app/editing/edit_impact.h"
-#include "core/fuzzy/support.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::editing {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/editing/term_list.h"
 #include "core/analysis/coverage.h"
 #include "core/analysis/finding_place.h"
-#include "core/fuzzy/support.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::editing {
 namespace {

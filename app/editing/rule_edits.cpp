@@ -9,7 +9,7 @@
 #include "app/editing/term_list.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::editing {
 namespace {

@@ -11,7 +11,7 @@
 #include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::editing {
 namespace {

@@ -13,8 +13,8 @@
 #include "core/analysis/coverage.h"
 #include "core/analysis/force_steps.h"
 #include "core/base/text.h"
+#include "core/fuzzy/force_model.h"
 #include "core/fuzzy/membership.h"
-#include "core/fuzzy/takes_part.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::editing {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/check.h"
-#include "core/fuzzy/every_expert.h"
+#include "core/fuzzy/compiled_model.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::figures {

@@ -13,8 +13,8 @@
 #include "core/base/check.h"
 #include "core/base/random.h"
 #include "core/fuzzy/centroid.h"
+#include "core/fuzzy/force_model.h"
 #include "core/fuzzy/model_checks.h"
-#include "core/fuzzy/takes_part.h"
 
 namespace tactus::analysis {
 namespace {

@@ -17,7 +17,6 @@
 #include "core/base/check.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
-#include "core/fuzzy/support.h"
 
 namespace tactus::analysis {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "core/analysis/smallest_move.h"
 #include "core/fuzzy/centroid.h"
+#include "core/fuzzy/force_model.h"
 #include "core/fuzzy/gaussian_pieces.h"
-#include "core/fuzzy/support.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::analysis {
 namespace {

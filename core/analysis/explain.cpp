@@ -6,7 +6,7 @@
 
 #include "core/base/check.h"
 #include "core/base/text.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {
 namespace {

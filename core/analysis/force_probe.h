@@ -8,7 +8,6 @@
 
 #include "core/analysis/sample_points.h"
 #include "core/fuzzy/compiled_model.h"
-#include "core/fuzzy/every_expert.h"
 #include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/fuzzy/force_model.h"
 #include "core/fuzzy/membership.h"
-#include "core/fuzzy/takes_part.h"
 
 namespace tactus::analysis {
 namespace {

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "core/contracts/cell_tables.h"
-#include "core/fuzzy/support.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
+#include "core/fuzzy/membership.h"
 
 namespace tactus::contracts {
 namespace {

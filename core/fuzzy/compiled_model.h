@@ -68,4 +68,13 @@ class CompiledModel {
 /// Validates `model` and compiles it. Returns the error of `validate` if the model is invalid.
 base::Result<CompiledModel> compile(const ForceModel& model);
 
+// The separate forces of all experts at one point.
+
+/// The force of every expert at `inputs` (as in CompiledModel::evaluate), in one pass over the model. With hundreds of
+/// experts this takes about 1/100 of the time of one call per expert. `experts`: model.expertCount() results, written
+/// here. The forces agree with CompiledModel::evaluateExpert to 4 ulp, `fired` exactly.
+/// Thread: any. Real-time safe: yes.
+void evaluateEveryExpert(const CompiledModel& model, std::span<const double> inputs,
+                         std::span<Evaluation> experts) noexcept;
+
 }  // namespace tactus::fuzzy

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/fuzzy/every_expert.h"
+#include "core/fuzzy/compiled_model.h"
 #include "core/fuzzy/general_path.h"
 #include "core/fuzzy/kernels.h"
 #include "core/fuzzy/model_tables.h"

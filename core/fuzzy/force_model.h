@@ -242,4 +242,9 @@ const std::vector<Term>& termsFor(const Expert& expert, const Variable& variable
 std::vector<double> normalizedWeights(std::span<const double> weights);
 std::vector<double> normalizedWeights(const ForceModel& model);
 
+// Which rules of a model count.
+
+/// Whether `rule` can fire: it is enabled and has a weight.
+inline bool takesPart(const Rule& rule) { return rule.enabled && rule.weight > 0; }
+
 }  // namespace tactus::fuzzy

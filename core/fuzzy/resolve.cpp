@@ -7,7 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/fuzzy/flat_map.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::fuzzy {
 namespace {

@@ -10,7 +10,6 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/fuzzy/compiled_model.h"
-#include "core/fuzzy/every_expert.h"
 #include "elicitation/force/noticeable_force.h"
 
 namespace tactus::elicitation {

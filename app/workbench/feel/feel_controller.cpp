@@ -7,7 +7,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/scene_controller.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 #include "core/haptics/sources/servo_scene.h"
 #include "core/render/low_pass.h"
 

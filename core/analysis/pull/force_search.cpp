@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/analysis/directions.h"
-#include "core/fuzzy/takes_part.h"
+#include "core/fuzzy/force_model.h"
 
 namespace tactus::analysis {
 namespace {
