@@ -17,7 +17,7 @@
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
 #include "core/procedure/procedure.h"
-#include "core/store/fresh_file.h"
+#include "core/store/copies.h"
 #include "core/store/study_file.h"
 #include "core/study/csv_tables.h"
 #include "questionnaires/published_rules.h"

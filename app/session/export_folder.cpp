@@ -19,7 +19,7 @@
 #include "app/session/trials.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
-#include "core/store/fresh_file.h"
+#include "core/store/copies.h"
 #include "core/study/record_id.h"
 #include "core/study/table_line.h"
 

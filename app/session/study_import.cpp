@@ -15,7 +15,6 @@
 #include "core/store/batch.h"
 #include "core/store/copies.h"
 #include "core/store/entries.h"
-#include "core/store/fresh_file.h"
 #include "core/store/persons.h"
 #include "core/store/sessions.h"
 #include "core/store/study_info.h"

@@ -6,10 +6,20 @@
 #include <vector>
 
 #include "core/base/error.h"
+#include "core/store/connection.h"
 #include "core/store/study_file.h"
 #include "core/store/study_info.h"
 
 namespace tactus::store {
+
+// Records that contradict each other, which only two copies of a study can cause. Private to core/store.
+
+/// One sentence per conflict: missing or duplicate numbers in the order of a session, codes of two persons, records
+/// with two corrections, circular corrections. Throws as Query does.
+std::vector<std::string> conflicts(Connection& connection);
+
+/// The conflicts that are circular corrections.
+std::vector<std::string> circles(Connection& connection);
 
 struct Merge {
   std::vector<TableCount> added;  ///< number of new rows in each table that has some

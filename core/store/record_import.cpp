@@ -22,7 +22,6 @@
 #include "core/base/text.h"
 #include "core/store/connection.h"
 #include "core/store/copies.h"
-#include "core/store/fresh_file.h"
 #include "core/store/migrations.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"

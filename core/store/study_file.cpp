@@ -8,12 +8,11 @@
 #include "core/base/check.h"
 #include "core/base/error.h"
 #include "core/store/connection.h"
-#include "core/store/fresh_file.h"
+#include "core/store/copies.h"
 #include "core/store/migrations.h"
 #include "core/store/opening.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"
-#include "core/store/sqlite_errors.h"
 
 namespace tactus::store {
 

@@ -3,10 +3,10 @@
 #include <utility>
 
 #include "core/base/files/checksums.h"
-#include "core/store/conflicts.h"
 #include "core/store/duel_records.h"
 #include "core/store/entries.h"
 #include "core/store/feel_records.h"
+#include "core/store/merge.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"

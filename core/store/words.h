@@ -5,7 +5,7 @@
 #include <string_view>
 #include <utility>
 
-#include "core/store/sqlite_errors.h"
+#include "core/store/connection.h"
 #include "core/study/session_records.h"
 
 namespace tactus::store {

@@ -8,7 +8,7 @@
 #include "core/base/files/unfinished.h"
 #include "core/base/tables/csv.h"
 #include "core/model_io/model_file.h"
-#include "core/store/fresh_file.h"
+#include "core/store/copies.h"
 #include "core/store/study_file.h"
 
 #include "tests/app/cli/run_program.h"
