@@ -7,7 +7,6 @@
 
 #include "app/cli/study_commands.h"
 #include "app/cli/study_text.h"
-#include "app/session/protocol_values.h"
 #include "app/session/study_protocol.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"

@@ -4,8 +4,8 @@
 #include <memory>
 #include <utility>
 
-#include "app/session/protocol_values.h"
 #include "app/session/study_procedure.h"
+#include "app/session/study_protocol.h"
 #include "app/workbench/base/display_text.h"
 #include "core/base/error.h"
 #include "core/store/research_key.h"

@@ -15,7 +15,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/session/protocol_values.h"
+#include "app/session/study_protocol.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/collect/protocol_controller.h"

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "app/session/simulated_nurse.h"
-#include "app/session/simulated_recording.h"
+#include "app/session/simulated_strokes.h"
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "core/base/random.h"

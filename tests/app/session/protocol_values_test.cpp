@@ -1,8 +1,8 @@
-#include "app/session/protocol_values.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "app/session/study_protocol.h"
 
 namespace tactus::session {
 namespace {

@@ -1,8 +1,8 @@
-#include "app/session/simulated_recording.h"
-
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "app/session/simulated_strokes.h"
 
 namespace tactus::session {
 namespace {
