@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "app/bundle/zip.h"
+#include "core/analysis/centroid_bound.h"
 #include "core/analysis/check_points.h"
-#include "core/analysis/sampled_centroid.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/text.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/sampled_centroid.h"
+#include "core/analysis/centroid_bound.h"
 #include "core/base/error.h"
 #include "elicitation/depth/depth_measurement.h"
 #include "elicitation/force/force_terms.h"

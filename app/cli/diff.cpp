@@ -1,7 +1,6 @@
 #include "app/cli/commands.h"
 #include "app/cli/model_arguments.h"
 #include "core/analysis/force_difference.h"
-#include "core/analysis/model_difference.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/text.h"

@@ -12,7 +12,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/edit_controller.h"
 #include "app/workbench/model/shown_procedure.h"
-#include "core/analysis/model_difference.h"
+#include "core/analysis/force_difference.h"
 #include "core/base/clock.h"
 
 namespace tactus::workbench {

@@ -6,8 +6,8 @@
 #include <map>
 #include <string>
 
+#include "core/analysis/centroid_bound.h"
 #include "core/analysis/check_points.h"
-#include "core/analysis/sampled_centroid.h"
 #include "core/model_io/model_file.h"
 
 #include "tests/reference/exact_model.h"

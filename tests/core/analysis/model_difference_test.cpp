@@ -1,6 +1,6 @@
-#include "core/analysis/model_difference.h"
-
 #include <gtest/gtest.h>
+
+#include "core/analysis/force_difference.h"
 
 #include "tests/support/ngt_model.h"
 

@@ -1,7 +1,7 @@
-#include "core/analysis/sampled_centroid.h"
-
 #include <cmath>
 #include <gtest/gtest.h>
+
+#include "core/analysis/centroid_bound.h"
 
 #include "tests/support/ngt_model.h"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "core/analysis/sampled_centroid.h"
+#include "core/analysis/centroid_bound.h"
 #include "core/base/random.h"
 #include "core/exchange/import/import_model.h"
 #include "core/fuzzy/compiled_model.h"

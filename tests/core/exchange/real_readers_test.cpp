@@ -5,7 +5,7 @@
 #include <iostream>
 #include <string>
 
-#include "core/analysis/sampled_centroid.h"
+#include "core/analysis/centroid_bound.h"
 #include "core/base/random.h"
 #include "core/base/text.h"
 #include "core/exchange/dialect.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 
-#include "core/analysis/sampled_centroid.h"
+#include "core/analysis/centroid_bound.h"
 #include "core/base/random.h"
 #include "core/fuzzy/batch.h"
 #include "core/fuzzy/compiled_model.h"

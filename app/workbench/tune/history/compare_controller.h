@@ -14,7 +14,7 @@
 #include "app/workbench/base/worker.h"
 #include "app/workbench/model/open_model.h"
 #include "app/workbench/model/shown_impact.h"
-#include "core/analysis/model_difference.h"
+#include "core/analysis/force_difference.h"
 
 namespace tactus::workbench {
 
