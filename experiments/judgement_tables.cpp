@@ -6,7 +6,6 @@
 #include <unordered_map>
 #include <utility>
 
-#include "core/base/close_match.h"
 #include "core/base/text.h"
 #include "core/study/data_finding.h"
 #include "experiments/force_series.h"

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/close_match.h"
 #include "core/base/statistics.h"
 #include "core/base/text.h"
 #include "experiments/table_findings.h"

@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "core/base/close_match.h"
 #include "core/base/text.h"
 #include "core/study/data_finding.h"
 

@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "app/cli/study_build.h"
-#include "core/base/close_match.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {

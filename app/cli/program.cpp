@@ -20,7 +20,6 @@
 #include "app/cli/commands.h"
 #include "app/session/simulated_study.h"
 #include "app/version.h"
-#include "core/base/close_match.h"
 #include "core/base/text.h"
 #include "elicitation/clustering/fcm.h"
 #include "questionnaires/published_rules.h"

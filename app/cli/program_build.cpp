@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "app/cli/command_line.h"
-#include "core/base/close_match.h"
 #include "core/base/text.h"
 
 namespace tactus::cli {

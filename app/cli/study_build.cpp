@@ -10,7 +10,6 @@
 #include "app/session/study_source.h"
 #include "app/version.h"
 #include "core/base/clock.h"
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/json/json_writer.h"
 #include "core/base/tables/csv.h"

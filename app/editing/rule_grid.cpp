@@ -8,7 +8,6 @@
 #include "app/editing/edit_text.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_list.h"
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 #include "core/fuzzy/force_model.h"

@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/json/json_document.h"

@@ -24,7 +24,7 @@
 #include "core/base/error.h"
 #include "core/base/files/checksums.h"
 #include "core/base/files/descriptor.h"
-#include "core/base/files/system_reason.h"
+#include "core/base/files/file.h"
 
 namespace tactus::link {
 

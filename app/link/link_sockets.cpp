@@ -19,7 +19,6 @@
 #include "core/base/error.h"
 #include "core/base/files/descriptor.h"
 #include "core/base/files/file.h"
-#include "core/base/files/system_reason.h"
 #include "core/base/files/unfinished.h"
 #include "core/base/text.h"
 

@@ -8,7 +8,6 @@
 
 #include "app/session/judged_forces.h"
 #include "app/session/study_procedure.h"
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"

@@ -15,7 +15,7 @@
 #include <unistd.h>
 #include <utility>
 
-#include "core/base/files/system_reason.h"
+#include "core/base/files/file.h"
 #include "core/base/text.h"
 #include "core/store/journal_file.h"
 #include "core/store/opening.h"

@@ -15,7 +15,6 @@
 
 #include "core/base/error.h"
 #include "core/base/files/file.h"
-#include "core/base/files/system_reason.h"
 #include "core/base/files/unfinished.h"
 #include "core/store/connection.h"
 #include "core/store/opening.h"

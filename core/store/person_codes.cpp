@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "core/base/check.h"
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/tables/csv.h"
+#include "core/base/text.h"
 #include "core/store/persons.h"
 #include "core/store/query.h"
 #include "core/store/record_checksum.h"

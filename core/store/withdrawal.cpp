@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "core/base/clock.h"
-#include "core/base/files/system_reason.h"
+#include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"
 #include "core/store/connection.h"
 #include "core/store/copies.h"

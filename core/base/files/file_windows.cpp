@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/base/files/file.h"
-#include "core/base/files/system_reason.h"
 
 namespace tactus::base {
 namespace {

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/base/check.h"
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/tables/csv_splitter.h"

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/close_match.h"
 #include "core/base/text.h"
 #include "core/exchange/import/foreign_model.h"
 #include "core/exchange/import/readers.h"

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/base/close_match.h"
 #include "core/base/error.h"
 #include "core/base/text.h"
 

@@ -1,7 +1,7 @@
-#include "core/base/close_match.h"
-
 #include <gtest/gtest.h>
 #include <vector>
+
+#include "core/base/text.h"
 
 namespace tactus::base {
 namespace {

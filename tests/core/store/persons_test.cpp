@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "core/base/close_match.h"
+#include "core/base/text.h"
 #include "core/store/person_codes.h"
 
 #include "tests/core/store/plain_sql.h"

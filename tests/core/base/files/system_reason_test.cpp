@@ -1,4 +1,3 @@
-#include "core/base/files/system_reason.h"
 
 #include <cerrno>
 #include <csignal>
