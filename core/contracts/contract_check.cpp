@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/contracts/interval.h"
+#include "core/contracts/force_cells.h"
 #include "core/contracts/prover.h"
 #include "core/contracts/worst_case.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/render/state_bytes.h"
+#include "core/render/renderer_state.h"
 
 namespace tactus::render {
 namespace {

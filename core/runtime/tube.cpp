@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/base/files/checksums.h"
-#include "core/render/state_bytes.h"
+#include "core/render/renderer_state.h"
 #include "core/runtime/handles.h"
 #include "core/runtime/message.h"
 
