@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/step_fixes.h"
 #include "app/editing/term_edits.h"

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
 #include "app/editing/term_list.h"
 #include "core/base/check.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
 #include "core/analysis/term_conversion.h"
 #include "core/base/check.h"

@@ -2,7 +2,7 @@
 #include <set>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/rebase.h"
 #include "core/base/check.h"
 #include "core/base/text.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/term_list.h"
 #include "core/base/error.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
 #include "app/editing/term_list.h"
 #include "core/analysis/coverage.h"

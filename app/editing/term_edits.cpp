@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "core/analysis/term_conversion.h"
 #include "core/base/error.h"
 #include "core/base/text.h"

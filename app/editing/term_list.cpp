@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/term_edits.h"
 #include "core/base/error.h"
 #include "core/base/text.h"

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/labs/data/corrections.h"
 #include "core/fuzzy/compiled_model.h"

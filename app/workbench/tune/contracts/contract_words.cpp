@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/model/open_model.h"
 #include "app/workbench/tune/contracts/contracts_controller.h"

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/rule_edits.h"
 #include "app/editing/rule_grid.h"
 #include "app/editing/term_list.h"

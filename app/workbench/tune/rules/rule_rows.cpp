@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/editing/rule_edits.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/tune/rules/rule_list_model.h"

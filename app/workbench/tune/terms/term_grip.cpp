@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "core/fuzzy/membership.h"
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"

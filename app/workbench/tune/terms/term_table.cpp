@@ -15,7 +15,6 @@
 #include <vector>
 
 #include "app/editing/edit.h"
-#include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/buttons.h"

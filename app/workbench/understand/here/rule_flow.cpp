@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/editing/edit_text.h"
+#include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/plot/term_colors.h"

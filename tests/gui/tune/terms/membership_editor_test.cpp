@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "app/editing/edit.h"
-#include "app/editing/edit_text.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/kit/buttons.h"
 #include "app/workbench/kit/cards.h"
