@@ -10,7 +10,6 @@
 #include "core/base/text.h"
 #include "core/exchange/import/fis_lines.h"
 #include "core/exchange/import/foreign_model.h"
-#include "core/exchange/import/readers.h"
 
 namespace tactus::exchange {
 namespace {

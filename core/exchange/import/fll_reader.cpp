@@ -9,7 +9,6 @@
 
 #include "core/base/text.h"
 #include "core/exchange/import/foreign_model.h"
-#include "core/exchange/import/readers.h"
 #include "core/exchange/import/rule_parser.h"
 
 namespace tactus::exchange {

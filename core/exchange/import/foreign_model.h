@@ -170,4 +170,12 @@ bool isHedge(std::string_view word);
 /// The hedge that stands in the place of a term and always holds: `x is any`.
 bool isAny(std::string_view word);
 
+// The readers of the three formats. Nothing outside this folder includes this; `importModel` (import_model.h) does.
+
+/// Reads a text completely. An error has line and column: what was found, and what was wanted. What the text says but
+/// Tactus need not know becomes a warning of `source`.
+base::Result<ForeignModel> readFll(const std::shared_ptr<SourceText>& source);
+base::Result<ForeignModel> readFcl(const std::shared_ptr<SourceText>& source);
+base::Result<ForeignModel> readFis(const std::shared_ptr<SourceText>& source);
+
 }  // namespace tactus::exchange

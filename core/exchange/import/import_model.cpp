@@ -11,7 +11,6 @@
 #include "core/base/text.h"
 #include "core/exchange/import/convert.h"
 #include "core/exchange/import/foreign_model.h"
-#include "core/exchange/import/readers.h"
 
 namespace tactus::exchange {
 
