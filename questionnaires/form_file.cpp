@@ -4,7 +4,6 @@
 
 #include "core/base/check.h"
 #include "core/base/json/json_members.h"
-#include "questionnaires/embedded_data.h"
 
 namespace tactus::questionnaires {
 namespace {

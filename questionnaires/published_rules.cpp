@@ -7,7 +7,7 @@
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
 #include "questionnaires/aliases.h"
-#include "questionnaires/embedded_data.h"
+#include "questionnaires/form_file.h"
 #include "questionnaires/rule_sentence.h"
 
 namespace tactus::questionnaires {

@@ -7,7 +7,6 @@
 #include "core/base/check.h"
 #include "core/base/json/json_members.h"
 #include "core/base/text.h"
-#include "questionnaires/embedded_data.h"
 #include "questionnaires/form_file.h"
 
 namespace tactus::questionnaires {

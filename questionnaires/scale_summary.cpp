@@ -8,7 +8,7 @@
 #include "core/base/check.h"
 #include "core/base/statistics.h"
 #include "core/base/tables/csv.h"
-#include "questionnaires/embedded_data.h"
+#include "questionnaires/form_file.h"
 
 namespace tactus::questionnaires {
 namespace {

@@ -1,6 +1,7 @@
 // How far the forces of a bundle's files are from the model's.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,19 @@
 #include "core/model_io/bundle_check.h"
 
 namespace tactus::bundle {
+
+// Runs another program, without a shell, with its input and output in files.
+
+enum class Ran {
+  kNotThere,  ///< no such program
+  kEnded,     ///< by the limit of time, or by a request to stop
+  kFailed,    ///< with another exit status than 0
+  kWell,
+};
+
+/// Runs the program `words[0]`, found in PATH. It reads the file `in` of `folder` and writes `out` and, for its errors,
+/// `err` there.
+Ran runProgram(std::vector<std::string> words, const std::string& folder, const std::stop_token& stop = {});
 
 // The work of `tactus verify`: reads a bundle back and compares each of its files with its model.
 

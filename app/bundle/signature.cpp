@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/bundle/bundle.h"
-#include "app/bundle/program_run.h"
+#include "app/bundle/file_errors.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <utility>
 
-#include "app/bundle/program_run.h"
+#include "app/bundle/file_errors.h"
 #include "core/base/check.h"
 #include "core/base/files/file.h"
 #include "core/base/files/unfinished.h"

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/haptics/device/calibration_procedure.h"
 #include "core/haptics/device/device.h"
-#include "core/haptics/safety/trip.h"
+#include "core/haptics/safety/safety.h"
 #include "core/haptics/servo/sample.h"
 #include "core/haptics/servo/servo_core.h"
 #include "core/haptics/simulated/virtual_device.h"

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "core/base/tables/csv.h"
-#include "questionnaires/embedded_data.h"
+#include "questionnaires/form_file.h"
 
 #include "tests/questionnaires/paper_table.h"
 

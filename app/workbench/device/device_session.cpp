@@ -13,7 +13,7 @@
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/device/servo_loop.h"
 #include "core/base/error.h"
-#include "core/haptics/safety/trip.h"
+#include "core/haptics/safety/safety.h"
 #include "core/haptics/servo/servo.h"
 #include "core/haptics/simulated/virtual_device.h"
 

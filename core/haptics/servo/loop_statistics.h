@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "core/haptics/safety/limit_settings.h"
+#include "core/haptics/safety/safety.h"
 #include "core/haptics/safety/thermal_budget.h"
-#include "core/haptics/safety/trip.h"
 #include "core/haptics/servo/sample.h"
 
 namespace tactus::haptics {

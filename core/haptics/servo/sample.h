@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "core/haptics/safety/limit_settings.h"
-#include "core/haptics/safety/trip.h"
+#include "core/haptics/safety/safety.h"
 #include "core/haptics/sources/force_source.h"
 #include "core/render/renderer_state.h"
 

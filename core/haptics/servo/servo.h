@@ -13,8 +13,8 @@
 
 #include "core/base/error.h"
 #include "core/haptics/device/device.h"
+#include "core/haptics/safety/safety.h"
 #include "core/haptics/safety/thermal_budget.h"
-#include "core/haptics/safety/trip.h"
 #include "core/haptics/servo/loop_statistics.h"
 #include "core/haptics/servo/mailbox.h"
 #include "core/haptics/servo/sample.h"

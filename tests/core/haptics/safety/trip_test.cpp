@@ -1,8 +1,8 @@
 // What is said of a trip.
-#include "core/haptics/safety/trip.h"
-
 #include <gtest/gtest.h>
 #include <string>
+
+#include "core/haptics/safety/safety.h"
 
 namespace tactus::haptics {
 namespace {
