@@ -8,10 +8,9 @@
 
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/look.h"
-#include "app/workbench/participant/screens/about_you_screen.h"
-#include "app/workbench/participant/screens/force_screen.h"
-#include "app/workbench/participant/screens/question_screen.h"
-#include "app/workbench/participant/screens/scale_screen.h"
+#include "app/workbench/participant/screens/arrival_screens.h"
+#include "app/workbench/participant/screens/device_screens.h"
+#include "app/workbench/participant/screens/question_screens.h"
 
 namespace tactus::workbench::nurse {
 namespace {

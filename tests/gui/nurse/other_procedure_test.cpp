@@ -12,9 +12,8 @@
 #include "app/workbench/anatomy/body_view.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/kit/choices.h"
-#include "app/workbench/participant/screens/force_screen.h"
-#include "app/workbench/participant/screens/glossary_screen.h"
-#include "app/workbench/participant/screens/question_screen.h"
+#include "app/workbench/participant/screens/device_screens.h"
+#include "app/workbench/participant/screens/question_screens.h"
 #include "app/workbench/participant/screens/review_screen.h"
 #include "app/workbench/participant/screens/sample_screens.h"
 

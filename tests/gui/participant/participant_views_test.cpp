@@ -14,7 +14,7 @@
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/participant/screens/panels.h"
-#include "app/workbench/participant/screens/question_screen.h"
+#include "app/workbench/participant/screens/question_screens.h"
 #include "core/store/entries.h"
 #include "core/store/sessions.h"
 

@@ -5,10 +5,10 @@
 #include <QWidget>
 #include <vector>
 
+#include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
-#include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
 

@@ -5,10 +5,10 @@
 #include <QWidget>
 
 #include "app/workbench/participant/kit/choices.h"
+#include "app/workbench/participant/kit/label.h"
 #include "app/workbench/participant/kit/look.h"
 #include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/screen_frame.h"
-#include "app/workbench/participant/screens/text_block.h"
 
 namespace tactus::workbench::nurse {
 
@@ -81,6 +81,49 @@ class WelcomeScreen : public ScreenFrame {
   Button* meant_;
   Button* have_code_;
   Button* teach_;
+};
+
+// Consent: what she agrees to, as pages. Without consent there is no session.
+
+class ConsentScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit ConsentScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const ParticipantState& state) override;
+
+ signals:
+  void declined();
+
+ protected:
+  bool turnPage(int by) override;
+  bool hasPageBefore() const override { return text_->page() > 0; }
+
+ private:
+  void showPage();
+
+  PagedText* text_;
+};
+
+// About you: one question at a time, nothing chosen at the start, and no answer is forced.
+
+/// The cards of a question, with the ids of AboutYouState::chosen.
+std::vector<Answer> answersTo(AboutYouState::Question question);
+
+class AboutYouScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit AboutYouScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const ParticipantState& state) override;
+
+ private:
+  TextBlock* texts_;
+  Label* lead_;
+  Label* unwell_;
+  Choices* choices_;
 };
 
 }  // namespace tactus::workbench::nurse

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "app/workbench/anatomy/body_view.h"
+#include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/label.h"
+#include "app/workbench/participant/kit/participant_state.h"
 #include "app/workbench/participant/kit/pictures.h"
 #include "app/workbench/participant/kit/screen_frame.h"
 
@@ -63,6 +65,62 @@ class GlossaryScreen : public ScreenFrame {
   void addWords(const fuzzy::Variable& input);
 
   QStackedWidget* pages_;
+};
+
+// One of the questions: a plain sentence, the picture with the region lit and the pose as it is, small pictures of the
+// other conditions, the words of the form and "I can't tell".
+
+class QuestionScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit QuestionScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const ParticipantState& state) override;
+
+ protected:
+  /// From 1 the words, 0 "I can't tell".
+  QString idOfKey(int key) const override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void show();
+  void showUsual();
+  void showConditions();
+
+  QuestionState state_;
+  TextBlock* texts_;
+  Label* situation_;
+  Label* ask_;
+  Label* usual_;
+  Choices* choices_;
+  anatomy::BodyView* picture_;
+  QWidget* condition_pictures_;
+  QHBoxLayout* corner_;
+};
+
+// A sentence with seven points between two ends: the effort and comfort of a part, and what clinical teachers say of
+// the simulator.
+
+class ScaleScreen : public ScreenFrame {
+  Q_OBJECT
+
+ public:
+  explicit ScaleScreen(const Look& look, QWidget* parent = nullptr);
+
+  void setState(const ParticipantState& state) override;
+
+ protected:
+  /// 1 to 7; 0: she would rather not say.
+  QString idOfKey(int key) const override;
+
+ private:
+  TextBlock* texts_;
+  Label* instructions_;
+  Label* lead_;
+  Label* low_;
+  Label* high_;
+  Choices* choices_;
 };
 
 }  // namespace tactus::workbench::nurse
