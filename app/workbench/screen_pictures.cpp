@@ -33,7 +33,7 @@
 #include "app/workbench/participant/screens/panels.h"
 #include "app/workbench/participant/screens/sample_screens.h"
 #include "app/workbench/shell/command_search.h"
-#include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/menus.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/tune/history/carry_dialog.h"
 #include "app/workbench/tune/history/history_panel.h"

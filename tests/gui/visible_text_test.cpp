@@ -9,7 +9,7 @@
 
 #include "app/editing/membership_edits.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/menus.h"
 #include "app/workbench/workbench.h"
 #include "core/procedure/procedure.h"
 

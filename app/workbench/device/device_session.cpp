@@ -11,7 +11,7 @@
 
 #include "app/devices/device_list.h"
 #include "app/workbench/base/display_text.h"
-#include "app/workbench/device/servo_loop.h"
+#include "app/workbench/device/device_search.h"
 #include "core/base/error.h"
 #include "core/haptics/safety/safety.h"
 #include "core/haptics/servo/servo.h"

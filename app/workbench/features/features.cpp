@@ -3,8 +3,7 @@
 #include <QAction>
 
 #include "app/workbench/features/bench.h"
-#include "app/workbench/shell/help_menu.h"
-#include "app/workbench/shell/view_menu.h"
+#include "app/workbench/shell/menus.h"
 
 namespace tactus::workbench {
 

@@ -5,15 +5,34 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QSettings>
 #include <algorithm>
 #include <utility>
 
+#include "app/workbench/model/edit_controller.h"
 #include "core/base/error.h"
 #include "core/base/files/file.h"
 #include "core/model_io/model_file.h"
 #include "core/procedure/procedure.h"
 
 namespace tactus::workbench {
+namespace {
+
+constexpr auto kKey = "author";
+
+}  // namespace
+
+AuthorName::AuthorName(QSettings& settings, EditController& edits, QObject* parent)
+    : QObject(parent), settings_(settings), edits_(edits) {
+  edits_.setAuthor(name());
+}
+
+QString AuthorName::name() const { return settings_.value(QLatin1String(kKey)).toString(); }
+
+void AuthorName::setName(const QString& name) {
+  settings_.setValue(QLatin1String(kKey), name.trimmed());
+  edits_.setAuthor(name);
+}
 
 QString freshModelPath(const QString& stem) {
   QString fresh = stem + QStringLiteral(".tactus.json");

@@ -1,6 +1,7 @@
 // A model that is open in the workbench: the contents of its file, and its compiled form.
 #pragma once
 
+#include <QObject>
 #include <QString>
 #include <QStringList>
 #include <cstddef>
@@ -16,7 +17,30 @@
 #include "core/procedure/procedure.h"
 #include "core/study/record_id.h"
 
+// The author of edits, as the history shows it. The program asks for the name once and keeps it in the settings. It
+// never guesses a name.
+
+class QSettings;
+
 namespace tactus::workbench {
+
+class EditController;
+
+class AuthorName : public QObject {
+  Q_OBJECT
+
+ public:
+  AuthorName(QSettings& settings, EditController& edits, QObject* parent = nullptr);
+
+  /// Empty until the user gives a name; edits are then marked `unnamed`.
+  QString name() const;
+  /// Sets the author of all later edits. Earlier edits keep their author.
+  void setName(const QString& name);
+
+ private:
+  QSettings& settings_;
+  EditController& edits_;
+};
 
 // Names for model files that do not exist yet.
 

@@ -8,7 +8,7 @@
 
 #include "app/figures/colors.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/understand/curves/curve_legend.h"
 
 namespace tactus::workbench {

@@ -15,7 +15,7 @@
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/shell/command_search.h"
-#include "app/workbench/shell/help_menu.h"
+#include "app/workbench/shell/menus.h"
 #include "app/workbench/workbench.h"
 
 #include "tests/gui/cut_texts.h"

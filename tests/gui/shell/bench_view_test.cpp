@@ -7,8 +7,8 @@
 #include <map>
 
 #include "app/workbench/base/refresh.h"
-#include "app/workbench/shell/help_menu.h"
 #include "app/workbench/shell/main_window.h"
+#include "app/workbench/shell/menus.h"
 #include "app/workbench/shell/operating_strip.h"
 #include "app/workbench/shell/panel_area.h"
 #include "app/workbench/understand/map/force_map.h"

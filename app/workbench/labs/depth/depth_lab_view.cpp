@@ -34,9 +34,7 @@
 #include "app/workbench/labs/depth/length_page.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
-#include "app/workbench/plot/term_labels.h"
-#include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/term_marks.h"
 #include "core/store/study_records.h"
 #include "elicitation/depth/depth_measurement.h"
 

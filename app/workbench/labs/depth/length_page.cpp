@@ -14,7 +14,7 @@
 #include "app/workbench/labs/depth/depth_settings.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "elicitation/depth/depth_measurement.h"
 
 namespace tactus::workbench {

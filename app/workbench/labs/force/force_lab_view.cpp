@@ -25,7 +25,7 @@
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/term_marks.h"
 #include "elicitation/force/force_terms.h"
 
 namespace tactus::workbench {

@@ -16,8 +16,7 @@
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
-#include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/term_marks.h"
 
 namespace tactus::workbench {
 namespace {

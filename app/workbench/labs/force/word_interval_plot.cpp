@@ -9,7 +9,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/force/force_lab_view.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 
 namespace tactus::workbench {
 namespace {

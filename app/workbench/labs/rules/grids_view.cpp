@@ -17,7 +17,7 @@
 #include "app/workbench/kit/force_word.h"
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/labs/rules/expert_grids.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "elicitation/agreement/conflict_map.h"
 
 class QPainter;

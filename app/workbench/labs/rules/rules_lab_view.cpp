@@ -24,7 +24,7 @@
 #include "app/workbench/labs/rules/grids_view.h"
 #include "app/workbench/labs/rules/rules_lab.h"
 #include "app/workbench/model/finding_words.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 
 namespace tactus::workbench {
 namespace {

@@ -18,8 +18,8 @@
 #include "app/workbench/base/refresh.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
-#include "app/workbench/model/author_name.h"
 #include "app/workbench/model/edit_controller.h"
+#include "app/workbench/model/open_model.h"
 #include "app/workbench/tune/history/compare_controller.h"
 #include "app/workbench/tune/history/history_model.h"
 

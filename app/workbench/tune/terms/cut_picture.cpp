@@ -8,7 +8,7 @@
 #include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "core/fuzzy/membership.h"
 

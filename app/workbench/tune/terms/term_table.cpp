@@ -22,7 +22,7 @@
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/tune/terms/membership_editor.h"
 #include "app/workbench/tune/terms/term_controller.h"
 #include "core/fuzzy/membership.h"

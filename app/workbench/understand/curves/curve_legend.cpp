@@ -15,7 +15,7 @@
 #include "app/workbench/base/theme.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/understand/curves/curve_plot.h"
 #include "app/workbench/understand/curves/force_spread.h"
 #include "app/workbench/understand/curves/reading_model.h"

@@ -14,8 +14,7 @@
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_bands.h"
-#include "app/workbench/plot/term_labels.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/understand/curves/curves_panel.h"
 
 namespace tactus::workbench {

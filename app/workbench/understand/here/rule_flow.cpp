@@ -10,7 +10,7 @@
 #include "app/editing/edit.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/understand/here/rule_panel.h"
 #include "app/workbench/understand/here/variable_row.h"
 

@@ -24,9 +24,7 @@
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_colors.h"
-#include "app/workbench/plot/term_labels.h"
-#include "app/workbench/plot/term_outline.h"
+#include "app/workbench/plot/term_marks.h"
 #include "core/base/text.h"
 #include "core/fuzzy/membership.h"
 

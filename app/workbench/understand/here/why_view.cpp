@@ -12,7 +12,7 @@
 #include "app/figures/colors.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
-#include "app/workbench/plot/term_colors.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/understand/here/rule_panel.h"
 #include "core/fuzzy/membership.h"
 

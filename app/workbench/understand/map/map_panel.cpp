@@ -15,7 +15,7 @@
 #include "app/workbench/plot/label_board.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_style.h"
-#include "app/workbench/plot/term_labels.h"
+#include "app/workbench/plot/term_marks.h"
 #include "app/workbench/understand/map/force_map.h"
 #include "app/workbench/understand/map/map_view_panel.h"
 

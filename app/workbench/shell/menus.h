@@ -1,6 +1,8 @@
 // The menu View: stages, panels, look, and the way back to the first layout.
 #pragma once
 
+#include <QCoreApplication>
+#include <QDialog>
 #include <QObject>
 
 class QMenu;
@@ -27,5 +29,25 @@ class ViewMenu : public QObject {
   MainWindow& window_;
   QSettings& settings_;
 };
+
+}  // namespace tactus::workbench
+
+// The menu Help: the list of shortcuts, and what this program is.
+
+class QMenuBar;
+
+namespace tactus::workbench {
+
+/// The list of all shortcuts: those of the menus, read from their actions, and the mouse and key functions of plots.
+class ShortcutSheet : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ShortcutSheet(const QMenuBar& menus, QWidget* parent = nullptr);
+};
+
+class MainWindow;
+
+void addHelpMenu(MainWindow& window);
 
 }  // namespace tactus::workbench
