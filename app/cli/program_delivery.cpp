@@ -1,9 +1,13 @@
 // The commands that hand a model to other programs.
 #include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/certify/foreign_program.h"
 #include "app/cli/command_line.h"
 #include "app/cli/commands.h"
+#include "core/exchange/dialect.h"
 
 namespace tactus::cli {
 
@@ -160,9 +164,10 @@ void addDeliveryCommands(CLI::App& app, Chosen& chosen) {
   addCommand(app, chosen, "convert", "A model for other fuzzy programs, one file per expert, or as C source", convert,
              [](CLI::App& command, ConvertOptions& o) {
                addModel(command, o.model);
-               command.add_option("--to", o.to, "Format")
-                   ->required()
-                   ->check(oneOf({"fll", "fcl", "fcl-fuzzylite", "fis", "fml", "c"}));
+               std::vector<std::string> formats;
+               for (const exchange::Dialect dialect : exchange::kDialects) formats.emplace_back(name(dialect));
+               formats.emplace_back("c");
+               command.add_option("--to", o.to, "Format")->required()->check(oneOf(std::move(formats)));
                command.add_option("--out", o.out, "Folder for the files")->required()->check(outputFolder());
                command.add_option("--fix", o.fixed, "INPUT=VALUE: C source with this input fixed; may be repeated");
                addJson(command, o.json);
