@@ -138,8 +138,8 @@ class VoteTable : public Columns<elicitation::VoteStep> {
  public:
   static constexpr int kForce = 0;
   static constexpr int kFirstWord = 1;
-  static constexpr int kShareRole = Qt::UserRole;     ///< double: share of the votes at this force
-  static constexpr int kWinsRole = Qt::UserRole + 1;  ///< bool: the word of this column won
+  static constexpr int kShareRole = kOrderRole + 1;  ///< double: share of the votes at this force
+  static constexpr int kWinsRole = kOrderRole + 2;   ///< bool: the word of this column won
 
   explicit VoteTable(QObject* parent = nullptr) : Columns(parent) {}
 

@@ -23,7 +23,7 @@ struct ParticipantChecks {
 std::vector<ParticipantChecks> judgementChecks(const fuzzy::Variable& words,
                                                const std::vector<session::JudgedForce>& all);
 
-inline constexpr int kNotableRole = Qt::UserRole;  ///< bool: deserves attention
+inline constexpr int kNotableRole = kOrderRole + 1;  ///< bool: deserves attention
 std::vector<Column<ParticipantChecks>> checkColumns();
 
 /// A participant with the judgements of each force, in their order.

@@ -10,10 +10,12 @@
 #include <QProxyStyle>
 #include <QSignalBlocker>
 #include <QSlider>
+#include <QSortFilterProxyModel>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "app/workbench/base/columns.h"
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/labels.h"
@@ -111,12 +113,19 @@ QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString
   return view;
 }
 
-void sortByHeads(QTableView& view) {
-  QHeaderView* const head = view.horizontalHeader();
+QTableView* makeSortedLabTable(QAbstractItemModel& model, int stretched, const QString& accessible_name,
+                               QWidget* parent) {
+  auto* const sorted = new QSortFilterProxyModel;
+  sorted->setSourceModel(&model);
+  sorted->setSortRole(kOrderRole);
+  QTableView* const view = makeLabTable(*sorted, stretched, accessible_name, parent);
+  sorted->setParent(view);
+  QHeaderView* const head = view->horizontalHeader();
   head->setSectionsClickable(true);
   head->setSortIndicatorClearable(true);
   head->setSortIndicator(-1, Qt::AscendingOrder);  // newer Qt reverses what is not sorted, too
-  view.setSortingEnabled(true);
+  view->setSortingEnabled(true);
+  return view;
 }
 
 namespace {

@@ -60,8 +60,10 @@ class SettingRow : public QWidget {
 /// column has its width and the last one takes the rest.
 QTableView* makeLabTable(QAbstractItemModel& model, int stretched, const QString& accessible_name, QWidget* parent);
 
-/// Lets a click on a head sort the rows of `view`; at first, and after a third click, they stand in the model's order.
-void sortByHeads(QTableView& view);
+/// The same over a QSortFilterProxyModel: a click on a head sorts the rows by `kOrderRole`; at first, and after a third
+/// click, they stand in the order of `model`.
+QTableView* makeSortedLabTable(QAbstractItemModel& model, int stretched, const QString& accessible_name,
+                               QWidget* parent);
 
 // The caption of a picture or table of a lab: the study, what is shown, and whose data are simulated.
 

@@ -72,8 +72,7 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
       title_(makeWords(this)),
       notes_(makeWords(this)),
       table_(new Columns<OriginRow>(originColumns(finder), this)),
-      sorted_(new QSortFilterProxyModel(this)),
-      view_(nullptr),
+      view_(makeSortedLabTable(*table_, 1, tr("Records behind the number"), this)),
       moved_(makeWords(this)),
       lead_(new QPushButton(tr("Show in the lab"), this)),
       participant_(new QPushButton(this)) {
@@ -82,11 +81,7 @@ OriginWindow::OriginWindow(OriginFinder& finder, QWidget* parent)
   title_->setFont(theme::headingFont());
   setMuted(*notes_);
   setMuted(*moved_);
-  sorted_->setSourceModel(table_);
-  sorted_->setSortRole(kOrderRole);
-  view_ = makeLabTable(*sorted_, 1, tr("Records behind the number"), this);
   view_->verticalHeader()->setDefaultSectionSize(kRow);
-  sortByHeads(*view_);
   view_->sortByColumn(kMovesColumn, Qt::DescendingOrder);
   moved_->setFixedHeight(3 * QFontMetrics(moved_->font()).lineSpacing() + theme::kGrid / 2);
   moved_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -124,7 +119,7 @@ void OriginWindow::setPreview(QWidget* preview, std::function<bool(const OriginR
 }
 
 int OriginWindow::chosenRow() const {
-  const QModelIndex at = sorted_->mapToSource(view_->currentIndex());
+  const QModelIndex at = qobject_cast<QSortFilterProxyModel*>(view_->model())->mapToSource(view_->currentIndex());
   return at.isValid() ? at.row() : -1;
 }
 

@@ -9,7 +9,6 @@
 
 class QLabel;
 class QPushButton;
-class QSortFilterProxyModel;
 class QTableView;
 
 namespace tactus::workbench {
@@ -54,7 +53,6 @@ class OriginWindow : public QDialog {
   QLabel* title_;
   QLabel* notes_;
   Columns<OriginRow>* table_;
-  QSortFilterProxyModel* sorted_;
   QTableView* view_;
   QLabel* moved_;
   QWidget* preview_ = nullptr;

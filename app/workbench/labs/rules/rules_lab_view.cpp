@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 #include <QHeaderView>
 #include <QLabel>
-#include <QSortFilterProxyModel>
 #include <QTabWidget>
 #include <QTableView>
 #include <algorithm>
@@ -259,12 +258,8 @@ QWidget* RulesLabView::makeCell() {
   cell_title_->setFont(theme::headingFont());
   cell_title_->setTextFormat(Qt::PlainText);
   cell_summary_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  auto* const sorted = new QSortFilterProxyModel(this);
-  sorted->setSourceModel(cell_);
-  sorted->setSortRole(kOrderRole);
-  experts_ = makeLabTable(*sorted, cell_->columnCount() - 1, tr("Experts in the chosen cell"), page);
+  experts_ = makeSortedLabTable(*cell_, cell_->columnCount() - 1, tr("Experts in the chosen cell"), page);
   experts_->verticalHeader()->setDefaultSectionSize(kExpertRow);
-  sortByHeads(*experts_);
   makeRow(page, {{makeColumn({cell_title_, {cell_summary_, 1}}), 1}, {experts_, 2}}, 2 * theme::kGrid,
           {theme::kGrid, theme::kGrid / 2, theme::kGrid, 0});
   return page;
