@@ -25,7 +25,8 @@ using tests::literalsOf;
 // dates, the widest text of a field, names of classes, objects and styles. Errors are English sentences, made by
 // core/base/error.h. `phrase` and `counted` take ids of the nurse's texts, of which an unknown one stops the program.
 constexpr std::string_view kNotShown =
-    " tr translate toString horizontalAdvance inherits setObjectName create fail inFile refuse too_many qputenv phrase "
+    " tr translate QT_TRANSLATE_NOOP toString horizontalAdvance inherits setObjectName create fail inFile refuse "
+    "too_many qputenv phrase "
     "counted ";
 
 // Give a text to the screen: a literal with letters in it is seen.

@@ -225,17 +225,6 @@ std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed) {
 
 bool isUsability(const SessionSnapshot& at) { return at.record && at.record->kind == study::SessionKind::kUsability; }
 
-bool usesDevice(ParticipantScreen screen) {
-  switch (screen) {
-    case ParticipantScreen::kDeviceCheck:
-    case ParticipantScreen::kPractice:
-    case ParticipantScreen::kSpeed:
-    case ParticipantScreen::kForce:
-    case ParticipantScreen::kOwnModel: return true;
-    default: return false;
-  }
-}
-
 ParticipantScreen screenOf(const SessionSnapshot* at, const CoursePassed& passed) {
   if (passed.stopped) return ParticipantScreen::kStopped;
   if (at == nullptr) return passed.code ? ParticipantScreen::kConsent : ParticipantScreen::kWelcome;

@@ -252,9 +252,6 @@ std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed);
 /// A clinical teacher's session with the usability form.
 bool isUsability(const SessionSnapshot& at);
 
-/// Whether the screen gives a force, or reads the hand.
-bool usesDevice(ParticipantScreen screen);
-
 /// `at`: null before the session has begun.
 ParticipantScreen screenOf(const SessionSnapshot* at, const CoursePassed& passed);
 

@@ -25,7 +25,7 @@ void ParticipantController::onAsked() {
   if (state_.screen != Screen::kRating && !correcting_) rating_.begin();
   if (over) return;
   const bool opens = device_.user() == this && device_.state() == DeviceSession::State::kOpening;
-  if (!correcting_ && usesDevice(state_.screen) && !hasDevice() && !opens && !device_lost_) startDevice();
+  if (!correcting_ && factsOf(state_.screen).uses_device && !hasDevice() && !opens && !device_lost_) startDevice();
   step().ask();
 }
 
@@ -107,7 +107,7 @@ void ParticipantController::onDevice() {
     device_.start(plan_.device, {}, this);
     return;
   }
-  if (!runs && std::exchange(passed_.device, false) && at() != nullptr && usesDevice(state_.screen)) {
+  if (!runs && std::exchange(passed_.device, false) && at() != nullptr && factsOf(state_.screen).uses_device) {
     proxy_.note(session::deviceLost(device_.trip() ? device_.trip()->sentence.toStdString() : std::string()));
   }
   look();

@@ -172,7 +172,7 @@ int answers(const SessionSnapshot* at) {
 
 QByteArray progressLine(const ParticipantState& state, const SessionSnapshot* at, const NurseMemory& memory) {
   const QJsonObject line = {
-      {QStringLiteral("screen"), QString::fromLatin1(nameOf(state.screen).id)},
+      {QStringLiteral("screen"), QString::fromLatin1(factsOf(state.screen).id)},
       {QStringLiteral("insertions"), insertions(state, memory)},
       {QStringLiteral("judgements"), static_cast<int>(memory.judgements.size())},
       {QStringLiteral("answers"), answers(at)},

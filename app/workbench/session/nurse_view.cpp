@@ -14,7 +14,7 @@ struct NurseViewText {
 };
 
 QString screenText(const ParticipantState& state) {
-  if (state.screen != Screen::kStopped) return QCoreApplication::translate("ScreenName", nameOf(state.screen).title);
+  if (state.screen != Screen::kStopped) return QCoreApplication::translate("ScreenFacts", factsOf(state.screen).title);
   switch (state.stop) {
     case StopReason::kForToday: return NurseViewText::tr("Stopped for today");
     case StopReason::kWithdrawn: return NurseViewText::tr("Withdrawn");
@@ -79,16 +79,11 @@ QString deviceText(DeviceStep step) {
   return {};
 }
 
-bool needsDevice(Screen screen) {
-  return screen == Screen::kDeviceCheck || screen == Screen::kPractice || screen == Screen::kSpeed ||
-         screen == Screen::kForce || screen == Screen::kOwnModel;
-}
-
 }  // namespace
 
 NurseView nurseView(const ParticipantState& state, const experiments::ForcePlan* force) {
   NurseView view;
-  const bool needs = needsDevice(state.screen);
+  const bool needs = factsOf(state.screen).uses_device;
   view.code = state.code;
   view.screen = screenText(state);
   view.now = nowText(state, force);

@@ -5,6 +5,7 @@
 #include <QPointF>
 #include <QString>
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <memory>
@@ -34,35 +35,39 @@ enum class ParticipantScreen {
   kStopped,      ///< stopped for today, withdrawn, or no consent
 };
 
-struct ScreenName {
+struct ScreenFacts {
   ParticipantScreen screen;
-  const char* id;     ///< `about_you`
-  const char* title;  ///< for the researcher, context `ScreenName`
+  const char* id;            ///< `about_you`
+  const char* title;         ///< for the researcher, context `ScreenFacts`
+  bool uses_device = false;  ///< gives a force, or reads the hand
 };
 
-inline constexpr ScreenName kScreenNames[] = {
-    {ParticipantScreen::kWelcome, "welcome", QT_TRANSLATE_NOOP("ScreenName", "Welcome")},
-    {ParticipantScreen::kConsent, "consent", QT_TRANSLATE_NOOP("ScreenName", "Consent")},
-    {ParticipantScreen::kAboutYou, "about_you", QT_TRANSLATE_NOOP("ScreenName", "About the participant")},
-    {ParticipantScreen::kDeviceCheck, "device_check", QT_TRANSLATE_NOOP("ScreenName", "Device check")},
-    {ParticipantScreen::kPractice, "practice", QT_TRANSLATE_NOOP("ScreenName", "Practice")},
-    {ParticipantScreen::kSpeed, "speed", QT_TRANSLATE_NOOP("ScreenName", "Speed")},
-    {ParticipantScreen::kForce, "force", QT_TRANSLATE_NOOP("ScreenName", "Forces")},
-    {ParticipantScreen::kRest, "rest", QT_TRANSLATE_NOOP("ScreenName", "Rest")},
-    {ParticipantScreen::kRating, "rating", QT_TRANSLATE_NOOP("ScreenName", "Effort and comfort")},
-    {ParticipantScreen::kGlossary, "glossary", QT_TRANSLATE_NOOP("ScreenName", "The words of the questions")},
-    {ParticipantScreen::kQuestion, "question", QT_TRANSLATE_NOOP("ScreenName", "Questions")},
-    {ParticipantScreen::kReview, "review", QT_TRANSLATE_NOOP("ScreenName", "Review")},
-    {ParticipantScreen::kScale, "scale", QT_TRANSLATE_NOOP("ScreenName", "Usability form")},
-    {ParticipantScreen::kOwnModel, "own_model", QT_TRANSLATE_NOOP("ScreenName", "Own model")},
-    {ParticipantScreen::kThanks, "thanks", QT_TRANSLATE_NOOP("ScreenName", "Done")},
-    {ParticipantScreen::kStopped, "stopped", QT_TRANSLATE_NOOP("ScreenName", "Stopped")},
+/// In the order of the enumeration.
+inline constexpr ScreenFacts kScreenFacts[] = {
+    {ParticipantScreen::kWelcome, "welcome", QT_TRANSLATE_NOOP("ScreenFacts", "Welcome")},
+    {ParticipantScreen::kConsent, "consent", QT_TRANSLATE_NOOP("ScreenFacts", "Consent")},
+    {ParticipantScreen::kAboutYou, "about_you", QT_TRANSLATE_NOOP("ScreenFacts", "About the participant")},
+    {ParticipantScreen::kDeviceCheck, "device_check", QT_TRANSLATE_NOOP("ScreenFacts", "Device check"), true},
+    {ParticipantScreen::kPractice, "practice", QT_TRANSLATE_NOOP("ScreenFacts", "Practice"), true},
+    {ParticipantScreen::kSpeed, "speed", QT_TRANSLATE_NOOP("ScreenFacts", "Speed"), true},
+    {ParticipantScreen::kForce, "force", QT_TRANSLATE_NOOP("ScreenFacts", "Forces"), true},
+    {ParticipantScreen::kRest, "rest", QT_TRANSLATE_NOOP("ScreenFacts", "Rest")},
+    {ParticipantScreen::kRating, "rating", QT_TRANSLATE_NOOP("ScreenFacts", "Effort and comfort")},
+    {ParticipantScreen::kGlossary, "glossary", QT_TRANSLATE_NOOP("ScreenFacts", "The words of the questions")},
+    {ParticipantScreen::kQuestion, "question", QT_TRANSLATE_NOOP("ScreenFacts", "Questions")},
+    {ParticipantScreen::kReview, "review", QT_TRANSLATE_NOOP("ScreenFacts", "Review")},
+    {ParticipantScreen::kScale, "scale", QT_TRANSLATE_NOOP("ScreenFacts", "Usability form")},
+    {ParticipantScreen::kOwnModel, "own_model", QT_TRANSLATE_NOOP("ScreenFacts", "Own model"), true},
+    {ParticipantScreen::kThanks, "thanks", QT_TRANSLATE_NOOP("ScreenFacts", "Done")},
+    {ParticipantScreen::kStopped, "stopped", QT_TRANSLATE_NOOP("ScreenFacts", "Stopped")},
 };
 
-inline const ScreenName& nameOf(ParticipantScreen screen) {
-  return *std::find_if(std::begin(kScreenNames), std::end(kScreenNames),
-                       [screen](const ScreenName& one) { return one.screen == screen; });
+inline constexpr const ScreenFacts& factsOf(ParticipantScreen screen) {
+  return kScreenFacts[static_cast<std::size_t>(screen)];
 }
+static_assert(std::size(kScreenFacts) == static_cast<std::size_t>(ParticipantScreen::kStopped) + 1);
+static_assert(std::all_of(std::begin(kScreenFacts), std::end(kScreenFacts),
+                          [](const ScreenFacts& one) { return &factsOf(one.screen) == &one; }));
 
 /// What lies over the screen while the force is off. The force stays off until kNone.
 enum class ForceOffOverlay {
