@@ -1,5 +1,6 @@
 #include "core/model_io/model_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -143,6 +144,22 @@ TEST(ModelFile, UnknownDeeperKeysAreDroppedWithAWarning) {
   EXPECT_EQ(read->warnings, (std::vector<std::string>{"m.json: /inputs/0/terms/0/colour: unknown key, dropped",
                                                       "m.json: /experts/0/rules/0/comment~01: unknown key, dropped"}));
   EXPECT_EQ(formatModel(read->model).find("colour"), std::string::npos);
+}
+
+TEST(ModelFile, AHundredWarningsAreGivenEachAndTheRestIsCounted) {
+  for (const std::size_t count : {99U, 100U, 101U, 250U}) {
+    std::string keys;
+    for (std::size_t k = 0; k < count; ++k) keys += "\"unknown" + std::to_string(k) + "\": 0, ";
+    std::string text = contents(golden("minimal.tactus.json"));
+    text.replace(text.find("\"label\": \"All\""), 0, keys);
+    const auto read = parseModel(text, "m.json");
+    ASSERT_TRUE(read.has_value()) << read.error().message();
+    ASSERT_EQ(read->warnings.size(), std::min<std::size_t>(count, 101));
+    EXPECT_EQ(read->warnings[98], "m.json: /inputs/0/terms/0/unknown98: unknown key, dropped");
+    if (count > 100) {
+      EXPECT_EQ(read->warnings.back(), "m.json: " + std::to_string(count - 100) + " more unknown keys dropped");
+    }
+  }
 }
 
 TEST(ModelFile, UnknownTopLevelKeysKeepOrderAndDigits) {
