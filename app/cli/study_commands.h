@@ -114,7 +114,7 @@ base::Result<Output> studyWithdraw(const StudyWithdrawOptions& options);
 
 struct StudyProtocolOptions {
   std::string file;
-  std::vector<std::string> set;      ///< `NAME=VALUE` (session/protocol_values.h)
+  std::vector<std::string> set;      ///< `NAME=VALUE` (session/study_protocol.h)
   std::vector<std::string> consent;  ///< `LANGUAGE=FILE`, the text in that language
   std::string from;                  ///< a protocol as JSON to begin with; empty: the study's own
   std::string preset;                ///< settings to begin with (session::protocolPresets); empty: none

@@ -88,15 +88,14 @@ void addClusters(HtmlPage& page, const ReportContext& context);
 const fuzzy::Variable& speedVariable(const ReportContext& context);
 // sections_clusters.cpp: the tables of addClusters
 void addClusterTables(HtmlPage& page, const ReportContext& context);
-// sections_votes.cpp
+// sections_agreement.cpp
 void addVotes(HtmlPage& page, const ReportContext& context);
-// sections_frequency.cpp
-void addFrequency(HtmlPage& page, const ReportContext& context);
 // sections_model.cpp
 void addMembershipFunctions(HtmlPage& page, const ReportContext& context);
 void addVertices(HtmlPage& page, const ReportContext& context);
 void addReachableRange(HtmlPage& page, const ReportContext& context);
 // sections_force.cpp
+void addFrequency(HtmlPage& page, const ReportContext& context);
 void addSurface(HtmlPage& page, const ReportContext& context);
 void addInfluences(HtmlPage& page, const ReportContext& context);
 void addExperts(HtmlPage& page, const ReportContext& context);

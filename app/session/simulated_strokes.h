@@ -46,7 +46,7 @@ struct SimulatedLevel {
 
 /// A level for the mean and standard deviation of `target`. A stroke is about 60 mm long: from rest over a ramp
 /// (minimum-jerk in the speed) to a plateau and back, with a slow wander of a few percent and its own duration. A
-/// device records it (simulated_recording.h). The scored speeds are those of a real stroke: between the ends that the
+/// device records it. The scored speeds are those of a real stroke: between the ends that the
 /// segmentation finds with its default settings, from the recorded positions (experiments/stroke_speeds.h). The length
 /// of the ramps sets the standard deviation (n - 1, over all samples of the four). Mean and deviation are met to 0.04
 /// mm/s. `target` must be in the range of Table 1: means of 30 to 300 mm/s, standard deviations of 0.23 to 0.52 of the

@@ -1,4 +1,4 @@
-// FCL of IEC 61131-7: terms as points, `(* *)` comments, ACCU in the rule block.
+// A model as text in each dialect (dialect.h).
 #include "core/exchange/writers.h"
 
 #include <vector>
@@ -7,6 +7,9 @@
 #include "core/base/text.h"
 
 namespace tactus::exchange {
+
+// FCL of IEC 61131-7: terms as points, `(* *)` comments, ACCU in the rule block.
+
 namespace {
 
 using base::formatNumber;

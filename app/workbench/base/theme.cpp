@@ -216,7 +216,7 @@ constexpr Pair kErrorInk{0xFF9B1C1C, 0xFFFF9A94};
 constexpr Pair kErrorFill{0xFFFDECEA, 0xFF4A1F1E};
 constexpr Pair kMean{0xFF2B3540, 0xFFF2F5F8};
 constexpr Pair kFriction{0xFF7B3FA0, 0xFFC79BEA};
-// The card with the band of a region and the range of the experts on it (plot/term_bands.cpp, curve_looks.cpp), where a
+// The card with the band of a region and the range of the experts on it (plot/term_marks.cpp, curve_looks.cpp), where a
 // line of an expert stands out least.
 constexpr Pair kCurveGround{0xFFE2DADF, 0xFF3D4443};
 

@@ -1,5 +1,5 @@
 // The settings of the study's protocol while they are edited: what is stored, the edited one, what is wrong with it,
-// and storing it as a draft or as an amendment. Values go by the names of session/protocol_values.h.
+// and storing it as a draft or as an amendment. Values go by the names of session/study_protocol.h.
 #pragma once
 
 #include <QObject>

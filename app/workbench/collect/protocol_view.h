@@ -60,7 +60,7 @@ class PartList : public QWidget {
 /// How a value is entered.
 struct ProtocolFieldSpec {
   enum class Kind { kNumber, kFlag, kWord, kText, kLongText };
-  std::string name;  ///< session/protocol_values.h
+  std::string name;  ///< session/study_protocol.h
   QString label;
   Kind kind = Kind::kText;
   QString unit;

@@ -1,5 +1,5 @@
-// The names of terms above a plot or to its right, each with a thin line to its place. On request each has a bar over
-// the term's part of the axis. Needs QCustomPlot: only plotting code includes this.
+// What a plot shows of terms: their colors, lines, names and bands. Needs QCustomPlot: only plotting code includes
+// this.
 #pragma once
 
 #include <QColor>
@@ -31,8 +31,7 @@ QColor termLine(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>&
 /// Of small text: contrast 4.5 to a card.
 QColor termText(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms, std::size_t index);
 
-// The line of a membership function over the universe of its variable, as plots draw it. Needs QCustomPlot: only
-// plotting code includes this.
+// The line of a membership function over the universe of its variable, as plots draw it.
 
 struct TermOutline {
   QVector<double> x;
@@ -51,6 +50,8 @@ bool addGhosts(QCustomPlot& plot, const fuzzy::Variable& variable, const std::ve
 /// universe. A Gaussian is sampled over the universe.
 void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms);
 
+/// The names of terms above a plot or to its right, each with a thin line to its place. On request each has a bar over
+/// the term's part of the axis.
 class TermLabels : public QCPLayerable {
   Q_OBJECT
 
@@ -97,8 +98,7 @@ class TermLabels : public QCPLayerable {
   std::vector<Name> names_;
 };
 
-// The terms of the x axis as faint bands behind the curves. A band is as strong as its membership. Needs QCustomPlot:
-// only plotting code includes this.
+// The terms of the x axis as faint bands behind the curves. A band is as strong as its membership.
 
 class TermBands : public QCPLayerable {
   Q_OBJECT

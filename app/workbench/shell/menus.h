@@ -1,4 +1,4 @@
-// The menu View: stages, panels, look, and the way back to the first layout.
+// The menus View and Help.
 #pragma once
 
 #include <QCoreApplication>
@@ -6,12 +6,15 @@
 #include <QObject>
 
 class QMenu;
+class QMenuBar;
 class QSettings;
 
 namespace tactus::workbench {
 
 class MainWindow;
 class ModelController;
+
+// The menu View: stages, panels, look, and the way back to the first layout.
 
 class ViewMenu : public QObject {
   Q_OBJECT
@@ -30,13 +33,7 @@ class ViewMenu : public QObject {
   QSettings& settings_;
 };
 
-}  // namespace tactus::workbench
-
 // The menu Help: the list of shortcuts, and what this program is.
-
-class QMenuBar;
-
-namespace tactus::workbench {
 
 /// The list of all shortcuts: those of the menus, read from their actions, and the mouse and key functions of plots.
 class ShortcutSheet : public QDialog {
@@ -45,8 +42,6 @@ class ShortcutSheet : public QDialog {
  public:
   explicit ShortcutSheet(const QMenuBar& menus, QWidget* parent = nullptr);
 };
-
-class MainWindow;
 
 void addHelpMenu(MainWindow& window);
 

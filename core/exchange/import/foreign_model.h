@@ -1,5 +1,5 @@
 // A model of another fuzzy program as its file states it, before it is decided what Tactus can carry.
-// The three readers (readers.h) make it; `converted` (convert.h) turns it into a ForceModel.
+// The three readers make it; `converted` (convert.h) turns it into a ForceModel.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Welcome: language, size of the text, and the participant's code, new or known.
+// The screens of the arrival: welcome, consent, about you.
 #pragma once
 
 #include <QLineEdit>
@@ -11,6 +11,8 @@
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {
+
+// Welcome: language, size of the text, and the participant's code, new or known.
 
 /// Where a participant types her code.
 class CodeField : public QWidget {

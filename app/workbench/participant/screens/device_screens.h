@@ -1,4 +1,4 @@
-// The device check: one thing to do with the handle, and a traffic light.
+// The screens with the device: its check, strokes, forces, her own model.
 #pragma once
 
 #include <optional>
@@ -11,6 +11,8 @@
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {
+
+// The device check: one thing to do with the handle, and a traffic light.
 
 /// The id of the sentence that says how the tube is held on the device.
 QString holdSentence(HoldMeans hold);

@@ -1,4 +1,4 @@
-// The words of the questions, before the questions: what is asked, and the levels of each condition as pictures.
+// The screens that ask in words: the glossary, the questions, and sentences with a scale.
 #pragma once
 
 #include <QHBoxLayout>
@@ -14,6 +14,8 @@
 #include "app/workbench/participant/kit/screen_frame.h"
 
 namespace tactus::workbench::nurse {
+
+// The words of the questions, before the questions: what is asked, and the levels of each condition as pictures.
 
 /// One page of the glossary: a sentence and a picture of each level.
 class GlossaryPage : public QWidget {
