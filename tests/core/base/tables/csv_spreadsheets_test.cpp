@@ -93,7 +93,8 @@ TEST(CsvSpreadsheets, KindsOfCommas) {
     EXPECT_EQ(DecimalCommas::kindOf(cell), Cell::kDecimal) << cell;
   for (const char* cell : {"1,234", "-12,345", "999,000"})
     EXPECT_EQ(DecimalCommas::kindOf(cell), Cell::kEither) << cell;
-  for (const char* cell : {"1,234,567", "1,234.5"}) EXPECT_EQ(DecimalCommas::kindOf(cell), Cell::kThousands) << cell;
+  for (const char* cell : {"1,234,567", "1,234.5", "123,456.7", "12,345,678"})
+    EXPECT_EQ(DecimalCommas::kindOf(cell), Cell::kThousands) << cell;
   for (const char* cell : {"1.5", "-.5"}) EXPECT_EQ(DecimalCommas::kindOf(cell), Cell::kPoint) << cell;
   for (const char* cell : {"", ",", "1,", ",5", "a,b", "1,b", "1,2,3", "12", "1 2,5", "1.234,5"})
     EXPECT_EQ(DecimalCommas::kindOf(cell), Cell::kOther) << cell;
