@@ -46,8 +46,8 @@ if [ ! -d "$LOCPATH/de_DE.UTF-8" ]; then
   quietly localedef -i de_DE -f UTF-8 "$LOCPATH/de_DE.UTF-8"
 fi
 
-# The tests of a program that passed are not run again before it changes, what it starts, a file that is no source, or the day,
-# which chooses their random models. Without build/dev/stamps all are run.
+# Leaves out the test programs that passed before. One is run again on another day, because the date chooses the random models,
+# or when it has changed, a program that it starts, or any file that is not C++ source. Delete build/dev/stamps to run all.
 mkdir -p build/dev/stamps
 data=$({ date +%F; files ':!*.h' ':!*.cpp' ':(exclude,top,glob)*.md' | xargs -d '\n' sha256sum 2>/dev/null || true; } | sha256sum)
 declare -A state=()

@@ -146,10 +146,6 @@ class Verifier {
   SourceRuns runs_{sources_, points_, felt_};
 };
 
-}  // namespace
-
-namespace {
-
 base::Result<model_io::BundleCheck> verifyFolder(const std::string& folder, std::string_view generator) {
   auto bundle = model_io::checkBundle(folder);
   if (!bundle) return bundle;

@@ -347,8 +347,6 @@ base::Result<Certificate> certify(const Target& target, const Questions& questio
 
 namespace {
 
-using base::ErrorCode;
-
 base::Result<std::vector<Point>> pointsAt(const fuzzy::ForceModel& model, std::vector<std::vector<double>> points) {
   TACTUS_TRY(const auto compiled, fuzzy::compile(model));
   std::vector<Point> out;

@@ -263,10 +263,7 @@ ProtocolLoad loadOf(const StudyProtocol& protocol) {
 
 namespace {
 
-using base::ErrorCode;
-using base::fail;
 using base::JsonMembers;
-using base::Result;
 using Json = nlohmann::ordered_json;
 
 bool has(const SessionSettings& settings, Block block) {

@@ -110,8 +110,6 @@ base::Result<std::string> fclIecText(const ExpertView& view) {
 
 namespace {
 
-using base::formatNumber;
-
 /// Octave wants a < b and c < d. A shoulder at the end of the universe is moved out by the universe's width, where
 /// nothing is evaluated; a vertical edge inside stays, for the readers that take it.
 Corners withSlopes(Corners f, const fuzzy::Variable& variable) {
@@ -176,8 +174,6 @@ std::string fisText(const ExpertView& view) {
 
 namespace {
 
-using base::formatNumber;
-
 std::string escaped(std::string_view text) { return base::xmlEscaped(base::oneLine(text)); }
 
 std::string termName(const NamedVariable& variable, std::size_t term) {
@@ -238,8 +234,6 @@ std::string fmlText(const ExpertView& view) {
 // FLL and the FCL that fuzzylite reads. fuzzylite is line based; words and order: docs/exchange.md.
 
 namespace {
-
-using base::formatNumber;
 
 std::string weightText(const IndexedRule& rule) {
   return rule.weight == 1 ? std::string() : " with " + formatNumber(rule.weight);

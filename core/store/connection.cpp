@@ -210,9 +210,6 @@ bool StudyLock::renew() const {
 
 namespace {
 
-using base::Error;
-using base::ErrorCode;
-
 /// Instructions of SQLite's machine, some hundred million of which take a second. A study needs about one per byte for
 /// its dearest query.
 constexpr int kStepsBetweenLooks = 100'000;

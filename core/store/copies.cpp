@@ -162,9 +162,6 @@ base::Result<void> removeCopies(const std::string& path) {
 
 namespace {
 
-using base::ErrorCode;
-using base::Result;
-
 /// Copies all pages in one go; SQLite syncs the copy when it is complete. It needs no journal: where the copying fails,
 /// the whole file is thrown away. (SQLiteCpp's Backup does not tell why it failed.)
 void copyPages(Connection& from, Connection& to) {

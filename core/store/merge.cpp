@@ -149,7 +149,6 @@ void requireNoMixedImports(Connection& ours, Connection& theirs) {
 
 using base::ErrorCode;
 using base::Result;
-using study::RecordId;
 
 /// A table to merge: which column tells rows apart, and the order in which rows may be added.
 struct MergedTable {

@@ -261,7 +261,6 @@ Result<StudyTables> readStudyFolder(const std::string& folder, const std::vector
 namespace {
 
 using base::CsvWriter;
-using base::Result;
 
 CsvWriter& amount(CsvWriter& csv, const std::optional<double>& value) {
   return value ? csv.cell(*value) : csv.cell(std::string_view());
