@@ -28,9 +28,9 @@
 #include "app/workbench/labs/depth/depth_lab_view.h"
 #include "app/workbench/labs/frame/lab_screen.h"
 #include "app/workbench/labs/speed/speed_lab_view.h"
+#include "app/workbench/participant/kit/pages.h"
 #include "app/workbench/participant/participant_window.h"
-#include "app/workbench/participant/screens/closing_screens.h"
-#include "app/workbench/participant/screens/panels.h"
+#include "app/workbench/participant/screens/page_screen.h"
 #include "app/workbench/participant/screens/sample_screens.h"
 #include "app/workbench/shell/command_search.h"
 #include "app/workbench/shell/menus.h"
@@ -126,13 +126,17 @@ base::Result<void> addParticipantPictures(PictureAlbum& album, const PictureSett
   for (const nurse::SampleScreen& sample : nurse::sampleScreens(look)) {
     ParticipantWindow window(look, [] {});
     window.resize(size);
-    window.setArmed(nurse::isWithDevice(sample.name));
+    window.setArmed(sample.armed);
     QWidget* const screen = sample.make(look).release();
-    if (qobject_cast<nurse::PanelCard*>(screen) != nullptr) {
-      window.setScreen(new nurse::RestScreen(look));
-      window.cover(screen);
-    } else {
+    if (sample.screen) {
       window.setScreen(screen);
+    } else {
+      auto* const below = new nurse::PageScreen(look);
+      ParticipantState rests;
+      rests.page = restPage(false);
+      below->setState(rests);
+      window.setScreen(below);
+      window.cover(screen);
     }
     window.show();
     const QString title = titleOf(*screen, sample.name);

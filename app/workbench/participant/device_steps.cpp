@@ -8,7 +8,14 @@
 
 namespace tactus::workbench {
 
-class ParticipantController::Steps::Check final : public Step {
+struct ParticipantController::DeviceSteps {
+  class Check;
+  class Speed;
+  class Force;
+  class Own;
+};
+
+class ParticipantController::DeviceSteps::Check final : public Step {
  public:
   using Step::Step;
 
@@ -37,7 +44,7 @@ class ParticipantController::Steps::Check final : public Step {
   HoldClock clock_;
 };
 
-class ParticipantController::Steps::Speed final : public Step {
+class ParticipantController::DeviceSteps::Speed final : public Step {
  public:
   using Step::Step;
   using Note = SpeedState::Note;
@@ -75,7 +82,7 @@ class ParticipantController::Steps::Speed final : public Step {
   HoldClock clock_;
 };
 
-class ParticipantController::Steps::Force final : public Step {
+class ParticipantController::DeviceSteps::Force final : public Step {
  public:
   using Step::Step;
 
@@ -183,7 +190,7 @@ class ParticipantController::Steps::Force final : public Step {
   }
 };
 
-class ParticipantController::Steps::Own final : public Step {
+class ParticipantController::DeviceSteps::Own final : public Step {
  public:
   using Step::Step;
 
@@ -216,11 +223,11 @@ class ParticipantController::Steps::Own final : public Step {
   OwnModelTrial& own() const { return *course_.own_; }
 };
 
-void ParticipantController::Steps::addDevice(ParticipantController& course, All& steps) {
-  steps[ParticipantScreen::kDeviceCheck] = std::make_unique<Check>(course);
-  steps[ParticipantScreen::kSpeed] = std::make_unique<Speed>(course);
-  steps[ParticipantScreen::kForce] = std::make_unique<Force>(course);
-  steps[ParticipantScreen::kOwnModel] = std::make_unique<Own>(course);
+void ParticipantController::addDeviceSteps(ParticipantController& course, Steps& steps) {
+  steps[ParticipantScreen::kDeviceCheck] = std::make_unique<DeviceSteps::Check>(course);
+  steps[ParticipantScreen::kSpeed] = std::make_unique<DeviceSteps::Speed>(course);
+  steps[ParticipantScreen::kForce] = std::make_unique<DeviceSteps::Force>(course);
+  steps[ParticipantScreen::kOwnModel] = std::make_unique<DeviceSteps::Own>(course);
 }
 
 }  // namespace tactus::workbench

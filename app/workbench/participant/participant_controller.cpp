@@ -106,7 +106,7 @@ ParticipantController::ParticipantController(StudyConnection& study, DeviceSessi
       grip_before_(device.grip()),
       trial_(device),
       own_(std::make_unique<OwnModelTrial>(study, device, about().device_scale)),
-      steps_(Steps::all(*this)) {
+      steps_(allSteps(*this)) {
   connect(&proxy_, &SessionProxy::changed, this, &ParticipantController::onProxy);
   connect(&proxy_, &SessionProxy::refused, this, &ParticipantController::onRefused);
   // Her own model is stored beside the session.
@@ -174,6 +174,7 @@ void ParticipantController::look() {
   }
   state_.can_go_on = true;
   state_.can_go_back = false;
+  state_.page = {};
   step().show(state_);
   noteCircumstances();
   // While an answer is being stored nothing else is answered.

@@ -214,8 +214,12 @@ class ParticipantController : public QObject {
   void refused(const QString& sentence);
 
  private:
-  class Step;    // participant_steps.h: what one screen shows, takes and stores
-  struct Steps;  // all of them
+  class Step;          // participant_steps.h: what one screen shows, takes and stores
+  struct PlainSteps;   // participant_steps.cpp: those of the screens without the device
+  struct DeviceSteps;  // device_steps.cpp
+  using Steps = std::map<ParticipantScreen, std::unique_ptr<Step>>;
+  static Steps allSteps(ParticipantController& course);
+  static void addDeviceSteps(ParticipantController& course, Steps& steps);
 
   Step& step() const;
   /// Brings the state up to date, and asks anew where something else is asked.
@@ -292,7 +296,7 @@ class ParticipantController : public QObject {
   BlockRating rating_;
   bool ended_ = false;  ///< she is done; the next participant may sit down
   std::unique_ptr<OwnModelTrial> own_;
-  std::map<ParticipantScreen, std::unique_ptr<Step>> steps_;
+  Steps steps_;
 };
 
 }  // namespace tactus::workbench

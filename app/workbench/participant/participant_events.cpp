@@ -238,7 +238,7 @@ void ParticipantController::startAgain() {
   form_.reset();
   own_ = std::make_unique<OwnModelTrial>(study_, device_, about().device_scale);
   followOwnModel();
-  steps_ = Steps::all(*this);
+  steps_ = allSteps(*this);
   const ParticipantState before = std::exchange(state_, {});
   state_.serial = before.serial;
   state_.procedure = before.procedure;

@@ -3,11 +3,26 @@
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/participant/consent_text.h"
+#include "app/workbench/participant/kit/pages.h"
 #include "app/workbench/participant/questions.h"
 
 namespace tactus::workbench {
 
-class ParticipantController::Steps::Welcome final : public Step {
+/// Inside ParticipantController, so that they reach what the steps share.
+struct ParticipantController::PlainSteps {
+  class Welcome;
+  class Consent;
+  class AboutHer;
+  class Rest;
+  class Glossary;
+  class Question;
+  class Review;
+  class Rating;
+  class Scale;
+  class End;
+};
+
+class ParticipantController::PlainSteps::Welcome final : public Step {
  public:
   using Step::Step;
 
@@ -27,7 +42,7 @@ class ParticipantController::Steps::Welcome final : public Step {
   void back() override { course_.check_in_.forget(); }
 };
 
-class ParticipantController::Steps::Consent final : public Step {
+class ParticipantController::PlainSteps::Consent final : public Step {
  public:
   using Step::Step;
 
@@ -50,13 +65,14 @@ class ParticipantController::Steps::Consent final : public Step {
   nurse::Language language() const { return nurse::Language{course_.state_.language}; }
 };
 
-class ParticipantController::Steps::AboutHer final : public Step {
+class ParticipantController::PlainSteps::AboutHer final : public Step {
  public:
   using Step::Step;
 
   std::string question() const override { return std::to_string(static_cast<int>(about_.state().question)); }
   void show(ParticipantState& state) override {
     state.about = about_.state();
+    state.page = aboutYouPage(state.about);
     state.can_go_on = about_.isAnswered();
     state.can_go_back = !about_.isFirst();
   }
@@ -75,13 +91,14 @@ class ParticipantController::Steps::AboutHer final : public Step {
   AboutYou about_;
 };
 
-class ParticipantController::Steps::Rest final : public Step {
+class ParticipantController::PlainSteps::Rest final : public Step {
  public:
   using Step::Step;
 
   void show(ParticipantState& state) override {
     state.can_go_back = course_.at()->judged.has_value();
     state.begins_to_count = rest() == kBeginsToCount;
+    state.page = restPage(state.begins_to_count);
   }
   void next() override {
     const std::string had = rest();
@@ -95,14 +112,14 @@ class ParticipantController::Steps::Rest final : public Step {
   std::string rest() const { return restBefore(*course_.at(), course_.passed_); }
 };
 
-class ParticipantController::Steps::Glossary final : public Step {
+class ParticipantController::PlainSteps::Glossary final : public Step {
  public:
   using Step::Step;
 
   void next() override { course_.passed_.glossary = true; }
 };
 
-class ParticipantController::Steps::Question final : public Step {
+class ParticipantController::PlainSteps::Question final : public Step {
  public:
   using Step::Step;
 
@@ -135,7 +152,7 @@ class ParticipantController::Steps::Question final : public Step {
   const ItemPage& page() const { return *course_.at()->page; }
 };
 
-class ParticipantController::Steps::Review final : public Step {
+class ParticipantController::PlainSteps::Review final : public Step {
  public:
   using Step::Step;
 
@@ -156,13 +173,14 @@ class ParticipantController::Steps::Review final : public Step {
   bool isSealed() const { return course_.at()->part == session::SessionPart::kFinished; }
 };
 
-class ParticipantController::Steps::Rating final : public Step {
+class ParticipantController::PlainSteps::Rating final : public Step {
  public:
   using Step::Step;
 
   std::string question() const override { return rating().isFirst() ? "effort" : "comfort"; }
   void show(ParticipantState& state) override {
     state.scale = rating().state();
+    state.page = ratingPage(state.scale);
     state.can_go_on = rating().isAnswered();
     state.can_go_back = !rating().isFirst() || course_.passed_.sealing || course_.at()->judged;
   }
@@ -194,7 +212,7 @@ class ParticipantController::Steps::Rating final : public Step {
   BlockRating& rating() const { return course_.rating_; }
 };
 
-class ParticipantController::Steps::Scale final : public Step {
+class ParticipantController::PlainSteps::Scale final : public Step {
  public:
   using Step::Step;
 
@@ -206,6 +224,7 @@ class ParticipantController::Steps::Scale final : public Step {
     if (!page()) return;  // the last answer ends it
     state.scale = {QStringLiteral("u.%1").arg(page()->item), static_cast<int>(page()->position),
                    static_cast<int>(page()->count), course_.chosen_, false};
+    state.page = statementPage(state.scale);
     state.can_go_on = state.can_go_on && course_.at()->part == session::SessionPart::kForm;
     state.can_go_back = page()->position > 1;
   }
@@ -228,29 +247,32 @@ class ParticipantController::Steps::Scale final : public Step {
 };
 
 /// Thanks, or stopped: the device rests, and the next participant may sit down.
-class ParticipantController::Steps::End final : public Step {
+class ParticipantController::PlainSteps::End final : public Step {
  public:
   using Step::Step;
 
   void ask() override { course_.stopDevice(); }
-  void show(ParticipantState& state) override { state.thanks.curve = course_.own_->curve(); }
+  void show(ParticipantState& state) override {
+    state.thanks.curve = course_.own_->curve();
+    state.page = stoppedPage(state.stop, state.code);
+  }
   void next() override { course_.ended_ = true; }
 };
 
-ParticipantController::Steps::All ParticipantController::Steps::all(ParticipantController& course) {
-  All steps;
-  steps[ParticipantScreen::kWelcome] = std::make_unique<Welcome>(course);
-  steps[ParticipantScreen::kConsent] = std::make_unique<Consent>(course);
-  steps[ParticipantScreen::kAboutYou] = std::make_unique<AboutHer>(course);
-  steps[ParticipantScreen::kRest] = std::make_unique<Rest>(course);
-  steps[ParticipantScreen::kGlossary] = std::make_unique<Glossary>(course);
-  steps[ParticipantScreen::kQuestion] = std::make_unique<Question>(course);
-  steps[ParticipantScreen::kReview] = std::make_unique<Review>(course);
-  steps[ParticipantScreen::kRating] = std::make_unique<Rating>(course);
-  steps[ParticipantScreen::kScale] = std::make_unique<Scale>(course);
-  steps[ParticipantScreen::kThanks] = std::make_unique<End>(course);
-  steps[ParticipantScreen::kStopped] = std::make_unique<End>(course);
-  addDevice(course, steps);
+ParticipantController::Steps ParticipantController::allSteps(ParticipantController& course) {
+  Steps steps;
+  steps[ParticipantScreen::kWelcome] = std::make_unique<PlainSteps::Welcome>(course);
+  steps[ParticipantScreen::kConsent] = std::make_unique<PlainSteps::Consent>(course);
+  steps[ParticipantScreen::kAboutYou] = std::make_unique<PlainSteps::AboutHer>(course);
+  steps[ParticipantScreen::kRest] = std::make_unique<PlainSteps::Rest>(course);
+  steps[ParticipantScreen::kGlossary] = std::make_unique<PlainSteps::Glossary>(course);
+  steps[ParticipantScreen::kQuestion] = std::make_unique<PlainSteps::Question>(course);
+  steps[ParticipantScreen::kReview] = std::make_unique<PlainSteps::Review>(course);
+  steps[ParticipantScreen::kRating] = std::make_unique<PlainSteps::Rating>(course);
+  steps[ParticipantScreen::kScale] = std::make_unique<PlainSteps::Scale>(course);
+  steps[ParticipantScreen::kThanks] = std::make_unique<PlainSteps::End>(course);
+  steps[ParticipantScreen::kStopped] = std::make_unique<PlainSteps::End>(course);
+  addDeviceSteps(course, steps);
   return steps;
 }
 

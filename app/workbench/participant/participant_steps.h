@@ -1,6 +1,5 @@
 // The steps of the nurse's course, one for each screen: what it shows, which answers it takes, and what is stored.
-// Private to ParticipantController. Another screen: a step here, a widget in `screens`, and a line in Steps::all and in
-// ParticipantViews.
+// Private to ParticipantController.
 #pragma once
 
 #include <map>
@@ -42,31 +41,6 @@ class ParticipantController::Step {
 
  protected:
   ParticipantController& course_;
-};
-
-/// Inside ParticipantController, so that they reach what the steps share.
-struct ParticipantController::Steps {
-  using All = std::map<ParticipantScreen, std::unique_ptr<Step>>;
-
-  static All all(ParticipantController& course);
-
-  // participant_steps.cpp
-  class Welcome;
-  class Consent;
-  class AboutHer;
-  class Rest;
-  class Glossary;
-  class Question;
-  class Review;
-  class Rating;
-  class Scale;
-  class End;
-  // device_steps.cpp
-  class Check;
-  class Speed;
-  class Force;
-  class Own;
-  static void addDevice(ParticipantController& course, All& steps);
 };
 
 }  // namespace tactus::workbench

@@ -13,11 +13,12 @@
 #include "app/workbench/participant/participant_controller.h"
 #include "app/workbench/participant/participant_window.h"
 #include "app/workbench/participant/screens/arrival_screens.h"
-#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/device_screens.h"
+#include "app/workbench/participant/screens/page_screen.h"
 #include "app/workbench/participant/screens/panels.h"
 #include "app/workbench/participant/screens/question_screens.h"
 #include "app/workbench/participant/screens/review_screen.h"
+#include "app/workbench/participant/screens/thanks_screen.h"
 
 namespace tactus::workbench {
 
@@ -95,7 +96,6 @@ nurse::ScreenFrame* ParticipantViews::made(const ParticipantState& state) {
       connect(consent, &nurse::ConsentScreen::declined, &course_, &ParticipantController::decline);
       return consent;
     }
-    case Screen::kAboutYou: return goesOn(new nurse::AboutYouScreen(look_));
     case Screen::kDeviceCheck: return goesOn(new nurse::DeviceCheckScreen(look_));
     case Screen::kPractice:
     case Screen::kSpeed: {
@@ -108,11 +108,8 @@ nurse::ScreenFrame* ParticipantViews::made(const ParticipantState& state) {
       connect(force, &nurse::ForceScreen::feelAgain, &course_, &ParticipantController::feelAgain);
       return force;
     }
-    case Screen::kRest: return goesOn(new nurse::RestScreen(look_));
     case Screen::kGlossary: return goesOn(new nurse::GlossaryScreen(look_));
     case Screen::kQuestion: return goesOn(new nurse::QuestionScreen(look_));
-    case Screen::kRating:
-    case Screen::kScale: return goesOn(new nurse::ScaleScreen(look_));
     case Screen::kReview: {
       auto* review = goesOn(new nurse::ReviewScreen(look_));
       review->setPage(review_page_);
@@ -130,9 +127,10 @@ nurse::ScreenFrame* ParticipantViews::made(const ParticipantState& state) {
       return own;
     }
     case Screen::kThanks: return ends(new nurse::ThanksScreen(look_));
-    case Screen::kStopped: break;
+    default: break;  // text and cards
   }
-  return ends(new nurse::StoppedScreen(look_));
+  auto* const page = new nurse::PageScreen(look_);
+  return state.page.is_end ? ends(page) : goesOn(page);
 }
 
 void ParticipantViews::end() {

@@ -11,14 +11,13 @@ namespace tactus::workbench {
 namespace {
 
 constexpr auto kNotSaid = "not_say";
-constexpr int kMostPoints = 7;
 
 }  // namespace
 
 std::optional<int> scalePoints(const QString& id) {
   bool number = false;
   const int points = id.toInt(&number);
-  return number && points >= 1 && points <= kMostPoints ? std::optional(points) : std::nullopt;
+  return number && points >= 1 && points <= kScalePoints ? std::optional(points) : std::nullopt;
 }
 
 std::optional<int> BlockRating::points() const { return scalePoints(chosen_); }

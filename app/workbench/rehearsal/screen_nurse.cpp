@@ -198,13 +198,20 @@ void ScreenNurse::act(const ParticipantState& state) {
     case Screen::kScale:
       sent_away_ = true;  // of clinical teachers
       return;
-    case Screen::kGlossary: hands_.press("nav.next"); return wait(3, 6);
     case Screen::kQuestion: return answer(state.question);
     case Screen::kReview: return review(state.review);
     case Screen::kOwnModel: return feelOwnModel(state.own);
     case Screen::kThanks: done_ = hands_.press("thx.done"); return wait(1, 1);
     case Screen::kStopped: sent_away_ = true; return;
+    default: return passPage(state.page);
   }
+}
+
+// Of text and cards, or of text alone: the first card, then on.
+void ScreenNurse::passPage(const PageState& page) {
+  const bool asks = !page.cards.empty() && page.chosen.isEmpty();
+  hands_.press(asks ? page.cards.front().word : page.primary);
+  wait(3, 6);
 }
 
 /// One moment of a hand that holds the handle. False: it does not.

@@ -95,6 +95,7 @@ class ScreenNurse {
   bool moveHand(const haptics::Sample& felt);
   void beginStroke(session::Recording path);
   void wait(double least_s, double most_s);
+  void passPage(const PageState& page);
   void atWelcome(const WelcomeState& welcome);
   void tellAboutHerself(const AboutYouState& about);
   void checkDevice(DeviceStep step);

@@ -8,8 +8,9 @@
 
 #include "app/workbench/participant/kit/choices.h"
 #include "app/workbench/participant/kit/look.h"
-#include "app/workbench/participant/screens/arrival_screens.h"
+#include "app/workbench/participant/kit/pages.h"
 #include "app/workbench/participant/screens/device_screens.h"
+#include "app/workbench/participant/screens/page_screen.h"
 #include "app/workbench/participant/screens/question_screens.h"
 
 namespace tactus::workbench::nurse {
@@ -208,7 +209,7 @@ class AnsweredScreen {
   AnsweredScreen(const Look& look, const ParticipantState& first, const ParticipantState& next)
       : screen(look), now_(first) {
     QObject::connect(&screen, &ScreenFrame::picked, &screen, [this](const QString& id) {
-      now_.question.chosen = now_.scale.chosen = now_.about.chosen = id;
+      now_.question.chosen = now_.page.chosen = id;
       screen.setState(now_);
     });
     QObject::connect(&screen, &ScreenFrame::primary, &screen, [this, next] {
@@ -247,22 +248,22 @@ TEST_F(NurseKit, AfterAnAnswerByMouseNoCardOfTheNextQuestionStandsOut) {
   EXPECT_EQ(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(8))));
 
   ParticipantState first;
-  first.screen = ParticipantScreen::kScale;
-  first.scale.sentence = QStringLiteral("u.1");
-  ParticipantState second = first;
-  second.scale.sentence = QStringLiteral("u.2");
-  AnsweredScreen<ScaleScreen> scale(look, first, second);
+  first.page = statementPage({QStringLiteral("u.1"), 1, 6, {}, false});
+  ParticipantState second;
+  second.page = statementPage({QStringLiteral("u.2"), 2, 6, {}, false});
+  AnsweredScreen<PageScreen> scale(look, first, second);
   QTest::mouseClick(cardOf(scale.screen, "6"), Qt::LeftButton);
   QTest::mouseClick(buttonOf(scale.screen, QStringLiteral("Confirm")), Qt::LeftButton);
-  EXPECT_EQ(scale.screen.grab().toImage(), (untouched<ScaleScreen>(look, second)));
+  EXPECT_EQ(scale.screen.grab().toImage(), (untouched<PageScreen>(look, second)));
 
   ParticipantState years;
+  years.page = aboutYouPage({});
   ParticipantState hand;
-  hand.about.question = AboutYouState::Question::kHand;
-  AnsweredScreen<AboutYouScreen> about(look, years, hand);
+  hand.page = aboutYouPage({AboutYouState::Question::kHand, {}, false});
+  AnsweredScreen<PageScreen> about(look, years, hand);
   QTest::mouseClick(cardOf(about.screen, "years_2"), Qt::LeftButton);
   QTest::mouseClick(buttonOf(about.screen, QStringLiteral("Next")), Qt::LeftButton);
-  EXPECT_EQ(about.screen.grab().toImage(), (untouched<AboutYouScreen>(look, hand)));
+  EXPECT_EQ(about.screen.grab().toImage(), (untouched<PageScreen>(look, hand)));
 }
 
 TEST_F(NurseKit, WhoMovesByKeysSeesTheRingAndTheNextQuestionBeginsWithoutIt) {

@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QLabel>
 #include <gtest/gtest.h>
+#include <set>
 
 #include "app/workbench/participant/kit/button.h"
 #include "app/workbench/participant/kit/label.h"
@@ -84,6 +85,14 @@ TEST_P(NurseScreens, NothingIsCutOrElidedOrTooSmall) {
       EXPECT_TRUE(screen->grab().save(dir.filePath(name + QStringLiteral(".png"))));
     }
   }
+}
+
+TEST_P(NurseScreens, EachHasAPicture) {
+  std::set<ParticipantScreen> shown_there;
+  for (const nurse::SampleScreen& sample : nurse::sampleScreens(look)) {
+    if (sample.screen) shown_there.insert(*sample.screen);
+  }
+  for (const ScreenFacts& facts : kScreenFacts) EXPECT_TRUE(shown_there.contains(facts.screen)) << facts.id;
 }
 
 TEST_P(NurseScreens, NothingOverlaps) {

@@ -11,7 +11,11 @@
 #include <set>
 
 #include "app/session/simulated_study.h"
+#include "app/workbench/participant/kit/pages.h"
 #include "app/workbench/participant/participant_controller.h"
+#include "app/workbench/participant/participant_window.h"
+#include "app/workbench/participant/screens/page_screen.h"
+#include "app/workbench/rehearsal/screen_nurse.h"
 #include "app/workbench/session/rehearse_start.h"
 #include "core/fuzzy/compiled_model.h"
 #include "core/model_io/model_file.h"
@@ -46,6 +50,32 @@ void lookAt(const ParticipantController& course, Seen& seen) {
     });
     if (window->isVisible() && !marked) seen.unmarked.insert(screen);
   }
+}
+
+// A screen that the nurse was not told about: she takes the first card, and goes on.
+TEST(ScreenNurse, PassesAnyScreenOfTextAndCards) {
+  nurse::Look look;
+  ParticipantWindow window(look, [] {});
+  window.resize(1280, 720);
+  auto* const screen = new nurse::PageScreen(look);
+  ParticipantState state;
+  state.screen = ParticipantScreen::kGlossary;
+  state.page = aboutYouPage({});
+  screen->setState(state);
+  window.setScreen(screen);
+  window.show();
+  bool passed = false;
+  QObject::connect(screen, &nurse::ScreenFrame::picked, screen, [&](const QString& id) {
+    state.page.chosen = id;
+    screen->setState(state);
+  });
+  QObject::connect(screen, &nurse::ScreenFrame::primary, screen, [&passed] { passed = true; });
+  ScreenHands hands(window, look);
+  ScreenNurse nurse(hands, session::simulatedNurses(kSeed).front(), kSeed);
+  for (double now_s = 0; !passed && now_s < 60; now_s += 0.1) nurse.live(state, {}, now_s);
+  EXPECT_TRUE(passed);
+  EXPECT_EQ(state.page.chosen, QStringLiteral("years_1"));
+  window.leave();
 }
 
 class RehearsalTest : public testing::Test {

@@ -176,7 +176,33 @@ struct ReviewState {
   bool sealed = false;                ///< they are locked
 };
 
-/// A statement or question with seven points.
+/// A card that answers a screen of text and cards.
+struct PageCard {
+  QString id;
+  nurse::Phrase word;
+  bool apart = false;  ///< not on the scale: stands in a row of its own
+};
+
+/// A screen that is text and cards. It has no widget of its own: PageScreen shows what its step says here.
+struct PageState {
+  enum class Picture { kNone, kCup, kPush };
+
+  nurse::Phrase title;
+  Picture picture = Picture::kNone;
+  nurse::Phrase instructions;  ///< above the sentence; may be empty, as each of the next three
+  nurse::Phrase sentence;      ///< the one of the screen
+  nurse::Phrase remark;        ///< below it
+  nurse::Phrase low, high;     ///< what the ends of a scale mean; its cards are keys from 1, the one apart is 0
+  std::vector<PageCard> cards;
+  QString chosen;        ///< the id of a card; empty: none
+  nurse::Phrase wanted;  ///< what the primary button says instead while no card is chosen
+  nurse::Phrase primary = nurse::phrase(QStringLiteral("nav.next"));
+  bool is_end = false;  ///< the primary button leaves the screens, and is there only while it acts
+};
+
+/// Of a statement or question: `1` to `7`.
+inline constexpr int kScalePoints = 7;
+
 struct ScaleState {
   QString sentence;  ///< id of the word book; `.low` and `.high` of it say the ends, or `u.low` and `u.high`
   int position = 1;
@@ -244,6 +270,7 @@ struct ParticipantState {
   bool begins_to_count = false;  ///< of kRest: the practice of the forces is over
   QuestionState question;
   ReviewState review;
+  PageState page;    ///< of a screen of text and cards
   ScaleState scale;  ///< of kRating and kScale
   OwnModelState own;
   ThanksState thanks;

@@ -1,4 +1,4 @@
-// The screens that ask in words: the glossary, the questions, and sentences with a scale.
+// The screens that ask in words and pictures: the glossary and the questions.
 #pragma once
 
 #include <QHBoxLayout>
@@ -99,30 +99,6 @@ class QuestionScreen : public ScreenFrame {
   anatomy::BodyView* picture_;
   QWidget* condition_pictures_;
   QHBoxLayout* corner_;
-};
-
-// A sentence with seven points between two ends: the effort and comfort of a part, and what clinical teachers say of
-// the simulator.
-
-class ScaleScreen : public ScreenFrame {
-  Q_OBJECT
-
- public:
-  explicit ScaleScreen(const Look& look, QWidget* parent = nullptr);
-
-  void setState(const ParticipantState& state) override;
-
- protected:
-  /// 1 to 7; 0: she would rather not say.
-  QString idOfKey(int key) const override;
-
- private:
-  TextBlock* texts_;
-  Label* instructions_;
-  Label* lead_;
-  Label* low_;
-  Label* high_;
-  Choices* choices_;
 };
 
 }  // namespace tactus::workbench::nurse

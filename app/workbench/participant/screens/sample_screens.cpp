@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "app/workbench/participant/kit/pages.h"
 #include "app/workbench/participant/screens/arrival_screens.h"
-#include "app/workbench/participant/screens/closing_screens.h"
 #include "app/workbench/participant/screens/device_screens.h"
+#include "app/workbench/participant/screens/page_screen.h"
 #include "app/workbench/participant/screens/panels.h"
 #include "app/workbench/participant/screens/question_screens.h"
 #include "app/workbench/participant/screens/review_screen.h"
+#include "app/workbench/participant/screens/thanks_screen.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -32,12 +36,18 @@ ParticipantState offering(ParticipantState state, const Look& look) {
 template <class Screen>
 SampleScreen sample(
     const QString& name, const ParticipantState& state, const std::function<void(Screen&)>& then = [](Screen&) {}) {
-  return {name, [state, then](const Look& look) {
+  return {name, state.screen, factsOf(state.screen).uses_device, [state, then](const Look& look) {
             auto screen = std::make_unique<Screen>(look);
             screen->setState(offering(state, look));
             then(*screen);
             return screen;
           }};
+}
+
+/// Of text and cards.
+SampleScreen sample(const QString& name, ParticipantState state, PageState page) {
+  state.page = std::move(page);
+  return sample<PageScreen>(name, state);
 }
 
 QString code() { return QStringLiteral("thunderstorm marmalade"); }
@@ -169,13 +179,8 @@ SampleScreen strokes(const QString& name, const ParticipantState& state, double 
   return sample<StrokeScreen>(name, state, [depth_mm](StrokeScreen& screen) { screen.setDepth(depth_mm); });
 }
 
-template <class Panel>
-SampleScreen panel(const QString& name) {
-  return {name, [](const Look& look) { return std::make_unique<Panel>(look); }};
-}
-
 SampleScreen choiceAfterForceOff(const QString& name, const ParticipantState& state) {
-  return {name, [state](const Look& look) {
+  return {name, std::nullopt, !state.quiet_pause, [state](const Look& look) {
             const ParticipantState shown = offering(state, look);
             auto choice = std::make_unique<ForceOffPanel>(look, shown.languages);
             choice->setState(shown);
@@ -192,16 +197,14 @@ ParticipantState force(const Subject& about, ForceState::Phase phase, const QStr
   return state;
 }
 
-ParticipantState rated(const char* question, const char* chosen) {
-  ParticipantState state = at(ParticipantScreen::kRating);
-  state.scale = {QString::fromLatin1(question), 1, 2, QString::fromLatin1(chosen), true};
-  return state;
+SampleScreen rating(const QString& name, const QString& question, const QString& chosen) {
+  return sample(name, at(ParticipantScreen::kRating), ratingPage({question, 1, 2, chosen, true}));
 }
 
 SampleScreen statement(int item) {
-  ParticipantState state = at(ParticipantScreen::kScale);
-  state.scale = {QStringLiteral("u.%1").arg(item), item, 6, item > 1 ? QString::number(item) : QString(), false};
-  return sample<ScaleScreen>(QStringLiteral("usability_%1").arg(item), state);
+  const QString chosen = item > 1 ? QString::number(item) : QString();
+  return sample(QStringLiteral("usability_%1").arg(item), at(ParticipantScreen::kScale),
+                statementPage({QStringLiteral("u.%1").arg(item), item, 6, chosen, false}));
 }
 
 ParticipantState device(DeviceStep step, bool can_go_on, bool simulated) {
@@ -212,16 +215,15 @@ ParticipantState device(DeviceStep step, bool can_go_on, bool simulated) {
   return state;
 }
 
-ParticipantState stopped(StopReason reason) {
+SampleScreen stopped(const QString& name, StopReason reason) {
   ParticipantState state = at(ParticipantScreen::kStopped, false);
-  state.stop = reason;
-  state.code = code();
   state.can_go_on = true;
-  return state;
+  return sample(name, state, stoppedPage(reason, code()));
 }
 
 SampleScreen notice(const QString& name, const QString& sentence) {
-  return {name, [sentence](const Look& look) { return std::make_unique<NoticePanel>(look, phrase(sentence)); }};
+  return {name, std::nullopt, false,
+          [sentence](const Look& look) { return std::make_unique<NoticePanel>(look, phrase(sentence)); }};
 }
 
 ParticipantState prepared(WelcomeState::Step step) {
@@ -276,11 +278,11 @@ void addArrival(std::vector<SampleScreen>& all) {
   for (const AboutYouState::Question each :
        {AboutYouState::Question::kYears, AboutYouState::Question::kHand, AboutYouState::Question::kGloves,
         AboutYouState::Question::kHaptic, AboutYouState::Question::kComfort}) {
-    ParticipantState state = at(ParticipantScreen::kAboutYou);
-    state.about.question = each;
-    if (number % 2 == 1) state.about.chosen = answersTo(each).front().id;
-    if (each == AboutYouState::Question::kComfort) state.about.chosen = QStringLiteral("no");
-    all.push_back(sample<AboutYouScreen>(QStringLiteral("about_you_%1").arg(++number), state));
+    AboutYouState about{each, {}, false};
+    if (number % 2 == 1) about.chosen = aboutYouPage(about).cards.front().id;
+    if (each == AboutYouState::Question::kComfort) about.chosen = QStringLiteral("no");
+    const QString name = QStringLiteral("about_you_%1").arg(++number);
+    all.push_back(sample(name, at(ParticipantScreen::kAboutYou), aboutYouPage(about)));
   }
   ParticipantState hold = device(DeviceStep::kHold, false, true);
   hold.virtual_device = true;
@@ -350,12 +352,10 @@ void addForces(const Subject& about, std::vector<SampleScreen>& all) {
 }
 
 void addQuestions(const Subject& about, std::vector<SampleScreen>& all) {
-  all.push_back(sample<ScaleScreen>("rating_effort", rated("rate.effort", "")));
-  all.push_back(sample<ScaleScreen>("rating_comfort", rated("rate.comfort", "6")));
-  all.push_back(sample<RestScreen>("rest", at(ParticipantScreen::kRest, false)));
-  ParticipantState counts = at(ParticipantScreen::kRest, false);
-  counts.begins_to_count = true;
-  all.push_back(sample<RestScreen>("now_it_counts", counts));
+  all.push_back(rating("rating_effort", "rate.effort", ""));
+  all.push_back(rating("rating_comfort", "rate.comfort", "6"));
+  all.push_back(sample("rest", at(ParticipantScreen::kRest, false), restPage(false)));
+  all.push_back(sample("now_it_counts", at(ParticipantScreen::kRest, false), restPage(true)));
   const int words = static_cast<int>(about.procedure.inputs.size()) - 1;
   for (int page = 0; page < 3 + words; ++page) all.push_back(glossary(page));
 
@@ -412,14 +412,14 @@ void addEnd(const Look& look, const Subject& about, std::vector<SampleScreen>& a
         first->from_mm + (last->to_mm - first->from_mm) * place / 440,
         0.25 + 0.7 * std::exp(-std::pow((place - 175.0) / 35, 2)) + 0.2 * std::exp(-std::pow((place - 65.0) / 25, 2)));
   }
-  all.push_back({"thanks", [thanks](const Look& shown_in) {
+  all.push_back({"thanks", thanks.screen, false, [thanks](const Look& shown_in) {
                    auto screen = std::make_unique<ThanksScreen>(shown_in, true);
                    screen->setState(thanks);
                    return screen;
                  }});
   for (const int item : {1, 4, 6}) all.push_back(statement(item));
-  all.push_back(sample<StoppedScreen>("stopped", stopped(StopReason::kForToday)));
-  all.push_back(sample<StoppedScreen>("withdrawn", stopped(StopReason::kWithdrawn)));
+  all.push_back(stopped("stopped", StopReason::kForToday));
+  all.push_back(stopped("withdrawn", StopReason::kWithdrawn));
   all.push_back(notice("paused", QStringLiteral("err.paused")));
   all.push_back(notice("not_saved", QStringLiteral("err.save")));
   all.push_back(choiceAfterForceOff("force_off", {}));
@@ -432,7 +432,8 @@ void addEnd(const Look& look, const Subject& about, std::vector<SampleScreen>& a
   called.monitored = true;
   called.call_seen = true;
   all.push_back(choiceAfterForceOff("force_off_called", called));
-  all.push_back(panel<WithdrawPanel>("withdraw"));
+  all.push_back({"withdraw", std::nullopt, false,
+                 [](const Look& shown_in) { return std::make_unique<WithdrawPanel>(shown_in); }});
 }
 
 }  // namespace
@@ -446,13 +447,6 @@ std::vector<SampleScreen> sampleScreens(const Look& look) {
   addQuestions(about, all);
   addEnd(look, about, all);
   return all;
-}
-
-bool isWithDevice(const QString& name) {
-  for (const char* part : {"device", "practice", "speed", "force", "own_model"}) {
-    if (name.startsWith(QLatin1String(part))) return true;
-  }
-  return false;
 }
 
 }  // namespace tactus::workbench::nurse

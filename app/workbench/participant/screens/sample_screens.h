@@ -5,20 +5,22 @@
 #include <QWidget>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/workbench/participant/kit/look.h"
+#include "app/workbench/participant/kit/participant_state.h"
 
 namespace tactus::workbench::nurse {
 
 struct SampleScreen {
-  QString name;  ///< `question_neck`
+  QString name;                             ///< `question_neck`
+  std::optional<ParticipantScreen> screen;  ///< nothing: a panel over another screen
+  bool armed = false;                       ///< a device is, so that the red button stands in the corner
   std::function<std::unique_ptr<QWidget>(const Look&)> make;
 };
 
 /// Of the procedure and the form of `look`, which outlives them.
 std::vector<SampleScreen> sampleScreens(const Look& look);
-/// Whether a device is armed on the screens of this name, so that the red button stands in their corner.
-bool isWithDevice(const QString& name);
 
 }  // namespace tactus::workbench::nurse

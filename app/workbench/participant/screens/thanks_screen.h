@@ -1,4 +1,4 @@
-// A rest, the end of a session, and the thanks.
+// The thanks at the end, with her own force along the way of the tool.
 #pragma once
 
 #include <QPointF>
@@ -50,37 +50,6 @@ class ThanksScreen : public ScreenFrame {
   Label* curve_title_;
   ForceCurve* curve_;
   Button* print_;
-};
-
-/// The end before the end: stopped for today, withdrawn, or no consent.
-class StoppedScreen : public ScreenFrame {
-  Q_OBJECT
-
- public:
-  explicit StoppedScreen(const Look& look, QWidget* parent = nullptr);
-
-  void setState(const ParticipantState& state) override;
-
- private:
-  TextBlock* texts_;
-  Label* lead_;
-};
-
-/// A rest: the force is off, there is no countdown, she continues whenever she likes. Also the card that says that the
-/// practice is over.
-class RestScreen : public ScreenFrame {
-  Q_OBJECT
-
- public:
-  explicit RestScreen(const Look& look, QWidget* parent = nullptr);
-
-  void setState(const ParticipantState& state) override;
-
- private:
-  TextBlock* texts_;
-  PictureBox* picture_;
-  Label* lead_;
-  Label* body_;
 };
 
 }  // namespace tactus::workbench::nurse

@@ -1,11 +1,17 @@
+#include "app/workbench/participant/screens/thanks_screen.h"
+
 #include <QPainter>
 #include <QPainterPath>
+#include <QPrinter>
+#include <QPrinterInfo>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 
 #include "app/workbench/participant/kit/look.h"
-#include "app/workbench/participant/screens/closing_screens.h"
+#include "app/workbench/participant/kit/participant_state.h"
+#include "app/workbench/participant/kit/pictures.h"
 
 namespace tactus::workbench::nurse {
 namespace {
@@ -125,6 +131,58 @@ void ForceCurve::draw(QPainter& painter, const QRectF& area) const {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(colors::kAccent, line / 10, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.drawPath(curve);
+}
+
+namespace {
+
+constexpr double kHeightShare = 0.6;  // of the width of the page
+constexpr double kTextShare = 0.018;
+
+/// On the default printer, without a dialog: a page with the curve.
+void print(const ForceCurve& curve) {
+  if (!canPrint()) return;
+  QPrinter printer(QPrinterInfo::defaultPrinter(), QPrinter::HighResolution);
+  printer.setPageOrientation(QPageLayout::Landscape);
+  QPainter painter;
+  if (!painter.begin(&printer)) return;
+  const QRectF page(QPointF(), printer.pageRect(QPrinter::DevicePixel).size());
+  QFont font = curve.font();
+  font.setPixelSize(static_cast<int>(page.width() * kTextShare));
+  painter.setFont(font);
+  curve.draw(painter, QRectF(0, 0, page.width(), page.width() * kHeightShare));
+}
+
+}  // namespace
+
+bool canPrint() { return !QPrinterInfo::defaultPrinterName().isEmpty(); }
+
+ThanksScreen::ThanksScreen(const Look& look, bool may_print)
+    : ScreenFrame(look),
+      may_print_(may_print),
+      curve_title_(new Label(look, TextRole::kTitle, phrase(QStringLiteral("thx.curve")))),
+      curve_(new ForceCurve(look)),
+      print_(new Button(look, ButtonKind::kPlain, phrase(QStringLiteral("thx.print")), this)) {
+  auto* main = new QWidget(this);
+  auto* column = new QVBoxLayout(main);
+  keepSpacing(look, *column, 1);
+  column->addWidget(curve_title_);
+  column->addWidget(curve_, 1);
+  setTitle(phrase(QStringLiteral("thx.title")));
+  setHint(phrase(QStringLiteral("thx.line")));
+  setMain(main);
+  addExtra(print_);
+  primaryButton().setPhrase(phrase(QStringLiteral("thx.done")));
+  connect(print_, &QAbstractButton::clicked, this, [this] { print(*curve_); });
+  setState({});
+}
+
+void ThanksScreen::setState(const ParticipantState& state) {
+  const bool drawn = !state.thanks.curve.empty();
+  curve_->setCurve(state.thanks.curve);
+  curve_->setVisible(drawn);
+  curve_title_->setVisible(drawn);
+  print_->setVisible(may_print_ && drawn);
+  ScreenFrame::setState(state);
 }
 
 }  // namespace tactus::workbench::nurse
