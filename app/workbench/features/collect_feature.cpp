@@ -348,6 +348,7 @@ void addLabs(Bench& bench) {
   screen.watch(labs.model, LabsFeature::tr("Building the model"));
   screen.addLab(LabsFeature::tr("Force"), views.force, &labs.corrections);
   screen.watch(labs.force.work(), LabsFeature::tr("Counting the votes"));
+  screen.watch([&force = labs.force] { return force.isComparing(); });
   screen.addLab(LabsFeature::tr("Rules"), views.rules, &labs.corrections);
   screen.watch(labs.rules.work(), LabsFeature::tr("Comparing the experts"));
   screen.watch([&rules = labs.rules] { return rules.isComparing(); });

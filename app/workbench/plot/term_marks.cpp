@@ -80,20 +80,40 @@ TermOutline outlineOf(const fuzzy::Term& term, double low, double high) {
   return outline;
 }
 
-bool addGhosts(QCustomPlot& plot, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
-               const std::vector<fuzzy::Term>& before, double low, double high, bool fast) {
-  bool some = false;
+namespace {
+
+/// The terms of `before` that are others in `now`, as lines.
+std::vector<ChartLine> ghostsOf(const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
+                                const std::vector<fuzzy::Term>& before, double low, double high, bool fast) {
+  std::vector<ChartLine> out;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const fuzzy::Term* const same = fuzzy::findTerm(now, before[i].id);
     if (same != nullptr && same->shape == before[i].shape && same->points == before[i].points) continue;
     const TermOutline outline = outlineOf(before[i], low, high);
+    out.push_back({outline.x, outline.membership, ghostPen(termLine(variable, before, i), fast)});
+  }
+  return out;
+}
+
+}  // namespace
+
+bool addGhosts(QCustomPlot& plot, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
+               const std::vector<fuzzy::Term>& before, double low, double high, bool fast) {
+  const auto ghosts = ghostsOf(variable, now, before, low, high, fast);
+  for (const ChartLine& ghost : ghosts) {
     QCPGraph* const graph = plot.addGraph();
     graph->setAdaptiveSampling(false);
-    graph->setPen(ghostPen(termLine(variable, before, i), fast));
-    graph->setData(outline.x, outline.membership, true);
-    some = true;
+    graph->setPen(ghost.pen);
+    graph->setData(ghost.x, ghost.y, true);
   }
-  return some;
+  return !ghosts.empty();
+}
+
+bool addGhosts(Chart& chart, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
+               const std::vector<fuzzy::Term>& before, double low, double high) {
+  const auto ghosts = ghostsOf(variable, now, before, low, high, false);
+  chart.parts.insert(chart.parts.end(), ghosts.begin(), ghosts.end());
+  return !ghosts.empty();
 }
 
 void fillTable(PlotTable& table, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& terms) {

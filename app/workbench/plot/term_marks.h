@@ -8,6 +8,7 @@
 
 #include "app/figures/force_curves.h"
 #include "app/workbench/base/plot_table.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_style.h"
 #include "core/fuzzy/force_model.h"
 #include "core/fuzzy/membership.h"
@@ -45,6 +46,8 @@ TermOutline outlineOf(const fuzzy::Term& term, double low, double high);
 /// `fast`: while something is dragged. Returns whether there were any.
 bool addGhosts(QCustomPlot& plot, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
                const std::vector<fuzzy::Term>& before, double low, double high, bool fast = false);
+bool addGhosts(Chart& chart, const fuzzy::Variable& variable, const std::vector<fuzzy::Term>& now,
+               const std::vector<fuzzy::Term>& before, double low, double high);
 
 /// Fills the columns `term`, the variable, and `membership`: a row for every corner of every term, also beyond the
 /// universe. A Gaussian is sampled over the universe.

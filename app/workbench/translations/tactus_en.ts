@@ -249,7 +249,7 @@
     </message>
 </context>
 <context>
-    <name>PlanPlot</name>
+    <name>PlanChart</name>
     <message numerus="yes">
         <source>%n question(s)</source>
         <translation>

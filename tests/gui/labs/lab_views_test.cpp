@@ -23,6 +23,7 @@
 #include "app/workbench/labs/method/method_lab_view.h"
 #include "app/workbench/labs/rules/grids_view.h"
 #include "app/workbench/labs/rules/rules_lab_view.h"
+#include "app/workbench/plot/chart.h"
 
 #include "tests/gui/labs/lab_study_file.h"
 #include "tests/gui/sample_study.h"
@@ -265,11 +266,11 @@ TEST_F(LabViews, TheForcesThatEachPersonCalledByAWordAreDrawnWithTheirAgreement)
   ForceLabView view(lab, price);
   show(view);
   ASSERT_TRUE(comesTrue([&] { return !lab.votes().intervals.empty(); }));
-  ASSERT_TRUE(comesTrue([&] { return view.intervals().legend().size() == 4; }));
+  ASSERT_TRUE(comesTrue([&] { return view.intervals().chart().legend().size() == 4; }));
   EXPECT_TRUE(view.intervals().summary().contains(QStringLiteral("3 of 3"))) << "of the lowest word, in Table 2";
   view.intervals().setIntervals(lab.votes().words, {}, 1.1);
   EXPECT_TRUE(view.intervals().summary().startsWith(QStringLiteral("No force")));
-  EXPECT_TRUE(view.intervals().legend().empty());
+  EXPECT_TRUE(view.intervals().chart().legend().empty());
 }
 
 TEST_F(LabViews, OneButtonComparesTheChoicesAndAClickShowsTwoCurves) {

@@ -33,7 +33,6 @@
 #include "app/workbench/labs/depth/dicom_image.h"
 #include "app/workbench/labs/depth/length_page.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_marks.h"
 #include "core/store/study_records.h"
 #include "elicitation/depth/depth_measurement.h"
@@ -45,36 +44,25 @@ constexpr int kLabelRows = 2;
 
 }  // namespace
 
-DepthTermPlot::DepthTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  makeColumn(this, {plot_});
+DepthTermPlot::DepthTermPlot(QWidget* parent) : ChartView(parent, {900, 300}) {
   setMinimumHeight(150);
   setAccessibleName(tr("Terms of the depth"));
-  labels_ = new TermLabels(*plot_, kLabelRows);
-  plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
-  plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
+  labels_ = new TermLabels(plot(), kLabelRows);
+  plot().axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
+  plot().axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
 }
 
-bool DepthTermPlot::show(const fuzzy::Variable& depth, const std::vector<fuzzy::Term>& former) {
-  plot_->clearGraphs();
-  styleAxis(*plot_->xAxis, depth);
-  styleAxis(*plot_->yAxis, depth);
-  plot_->xAxis->setLabel(axisText(depth));
-  plot_->xAxis->grid()->setVisible(false);
-  plot_->yAxis->setRange(0, 1.06);
-  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
-  ticker->setTickStep(0.5);
-  plot_->yAxis->setTicker(ticker);
+bool DepthTermPlot::setTerms(const fuzzy::Variable& depth, const std::vector<fuzzy::Term>& former) {
+  Chart chart{{.universe = depth, .label = axisText(depth), .grid = false}, membershipAxis()};
   for (std::size_t i = 0; i < depth.terms.size(); ++i) {
     const TermOutline outline = outlineOf(depth.terms[i], depth.min, depth.max);
-    addShape(*plot_, termLine(depth, depth.terms, i), 1.5, 0.2F).setData(outline.x, outline.membership, true);
+    chart.parts.emplace_back(filledLine(outline.x, outline.membership, termLine(depth, depth.terms, i), 1.5, 0.2F));
   }
-  const bool others = addGhosts(*plot_, depth, depth.terms, former, depth.min, depth.max);
+  const bool others = addGhosts(chart, depth, depth.terms, former, depth.min, depth.max);
   labels_->setTerms(depth, depth.terms);
-  redraw(*plot_);
+  setChart(chart);
   return others;
 }
-
-void DepthTermPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 namespace {
 
@@ -126,7 +114,7 @@ DepthTermPage::DepthTermPage(DepthLab& lab, const SettingsPrice& price, QWidget*
 }
 
 void DepthTermPage::refreshState() {
-  const bool others = plot_->show(lab_.terms(), price_.formerTerms(lab_.depth().id));
+  const bool others = plot_->setTerms(lab_.terms(), price_.formerTerms(lab_.depth().id));
   QStringList lines;
   for (const fuzzy::Term& term : lab_.terms().terms) {
     QStringList points;

@@ -11,6 +11,7 @@
 #include "app/workbench/base/messages.h"
 #include "app/workbench/base/worker.h"
 #include "app/workbench/labs/frame/lab_card.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
@@ -31,7 +32,7 @@ class TermLabels;
 
 // The terms of the depth that follow from the boundaries (paper, Fig. 3c).
 
-class DepthTermPlot : public QWidget, public PlotSource {
+class DepthTermPlot : public ChartView {
   Q_OBJECT
 
  public:
@@ -39,13 +40,9 @@ class DepthTermPlot : public QWidget, public PlotSource {
 
   /// `former`: the terms of the model before the last change of the settings, dashed; empty: none. Returns whether one
   /// of them is another.
-  bool show(const fuzzy::Variable& depth, const std::vector<fuzzy::Term>& former);
-
-  QSize pictureSize() const override { return {900, 300}; }
-  void paintPicture(QCPPainter& painter, const QSize& size) override;
+  bool setTerms(const fuzzy::Variable& depth, const std::vector<fuzzy::Term>& former);
 
  private:
-  QCustomPlot* plot_;
   TermLabels* labels_;
 };
 

@@ -12,6 +12,7 @@
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/labs/depth/depth_lab.h"
 #include "app/workbench/labs/depth/depth_settings.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_marks.h"
@@ -32,82 +33,56 @@ QString centimeters(double length_mm) { return quantityText(length_mm / kMmPerCm
 
 QString formulaName(elicitation::LengthFormula formula) {
   switch (formula) {
-    case elicitation::LengthFormula::kNoseEarXiphoid: return LengthPlot::tr("Nose – ear – xiphoid");
-    case elicitation::LengthFormula::kHanson: return LengthPlot::tr("Hanson");
-    case elicitation::LengthFormula::kCorrected: return LengthPlot::tr("Corrected");
+    case elicitation::LengthFormula::kNoseEarXiphoid: return LengthPage::tr("Nose – ear – xiphoid");
+    case elicitation::LengthFormula::kHanson: return LengthPage::tr("Hanson");
+    case elicitation::LengthFormula::kCorrected: return LengthPage::tr("Corrected");
   }
   return {};
 }
 
-LengthPlot::LengthPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  makeColumn(this, {plot_});
-  setMinimumSize(280, 170);
-  setAccessibleName(tr("Length of the tube by each formula"));
-  plot_->yAxis->setVisible(false);
-  plot_->yAxis->setRange(0.5, kRegionsTop + 0.1);
-  plot_->axisRect()->setAutoMargins(QCP::msBottom);
-  plot_->axisRect()->setMargins(QMargins(theme::kGrid, 0, theme::kGrid, 0));
-}
+namespace {
 
-void LengthPlot::addBar(double from_mm, double to_mm, double bottom, double top, const QColor& fill) {
-  auto* const bar = new QCPItemRect(plot_);
-  bar->topLeft->setCoords(from_mm / kMmPerCm, top);
-  bar->bottomRight->setCoords(to_mm / kMmPerCm, bottom);
-  bar->setPen(Qt::NoPen);
-  bar->setBrush(fill);
-}
-
-void LengthPlot::addText(double at_mm, double height, const QString& words, const QColor& ink, Qt::Alignment side) {
-  auto* const label = new QCPItemText(plot_);
-  label->position->setCoords(at_mm / kMmPerCm, height);
-  label->setPositionAlignment(side | Qt::AlignVCenter);
-  label->setFont(theme::smallFont());
-  label->setColor(ink);
-  label->setPadding(QMargins(4, 0, 4, 0));
-  label->setText(words);
-}
-
-void LengthPlot::show(const fuzzy::Variable& depth, const std::vector<elicitation::InsertionLength>& lengths,
-                      const elicitation::DepthRange& target) {
-  plot_->clearItems();
+Chart lengthChart(const fuzzy::Variable& depth, const std::vector<elicitation::InsertionLength>& lengths,
+                  const elicitation::DepthRange& target) {
   double end_mm = std::max(depth.max, target.to_mm);
   for (const auto& one : lengths) end_mm = std::max(end_mm, one.length_mm);
-  fuzzy::Variable axis = depth;
-  axis.unit = "cm";
-  axis.min = 0;
-  axis.max = std::ceil(end_mm / 50) * 50 / kMmPerCm;
-  styleAxis(*plot_->xAxis, axis);
-  plot_->xAxis->setLabel(tr("From the nostril (cm)"));
-  plot_->xAxis->grid()->setVisible(false);
+  Chart chart{{.universe = depth, .label = LengthPage::tr("From the nostril (cm)"), .grid = false}, {.grid = false}};
+  chart.x.universe.unit = "cm";
+  chart.x.universe.min = 0;
+  chart.x.universe.max = std::ceil(end_mm / 50) * 50 / kMmPerCm;
+  chart.y.range = {0.5, kRegionsTop + 0.1};
+  const auto bar = [&chart](double from_mm, double to_mm, double bottom, double top, const QColor& fill) {
+    chart.parts.emplace_back(ChartBar{from_mm / kMmPerCm, to_mm / kMmPerCm, bottom, top, fill});
+  };
+  const auto say = [&chart](double at_mm, double height, const QString& words, const QColor& ink, Qt::Alignment side) {
+    const QPointF at(at_mm / kMmPerCm, height);
+    chart.parts.emplace_back(ChartText{words, at, side | Qt::AlignVCenter, ink, QMargins(4, 0, 4, 0)});
+  };
   QColor band = theme::accent();
   band.setAlphaF(0.16F);
-  addBar(target.from_mm, target.to_mm, 0.5, kRegionsBottom, theme::onCard(band));
+  bar(target.from_mm, target.to_mm, 0.5, kRegionsBottom, theme::onCard(band));
   const auto boundaries = elicitation::boundariesOf(depth.terms);
   double from_mm = depth.min;
   for (std::size_t k = 0; k < depth.terms.size(); ++k) {
     const double to_mm = k < boundaries.size() ? boundaries[k].depth_mm : depth.max;
     const QColor fill = termFill(depth, depth.terms, k);
-    addBar(from_mm, to_mm, kRegionsBottom, kRegionsTop, fill);
+    bar(from_mm, to_mm, kRegionsBottom, kRegionsTop, fill);
     if (to_mm - from_mm >= 2 * kLeastShownMm) {
-      addText((from_mm + to_mm) / 2, (kRegionsBottom + kRegionsTop) / 2, labelOf(depth.terms[k]), theme::inkOn(fill),
-              Qt::AlignHCenter);
+      say((from_mm + to_mm) / 2, (kRegionsBottom + kRegionsTop) / 2, labelOf(depth.terms[k]), theme::inkOn(fill),
+          Qt::AlignHCenter);
     }
     from_mm = to_mm;
   }
   double row = 3;
   for (const auto& one : lengths) {
     const QColor line = theme::readableLine(one.in_target ? theme::accent() : theme::mutedInk());
-    addBar(0, one.length_mm, row - kBarHalf, row + kBarHalf, line);
-    addText(0, row, formulaName(one.formula), theme::inkOn(line), Qt::AlignLeft);
-    addText(one.length_mm, row, centimeters(one.length_mm), theme::inkOn(line), Qt::AlignRight);
+    bar(0, one.length_mm, row - kBarHalf, row + kBarHalf, line);
+    say(0, row, formulaName(one.formula), theme::inkOn(line), Qt::AlignLeft);
+    say(one.length_mm, row, centimeters(one.length_mm), theme::inkOn(line), Qt::AlignRight);
     --row;
   }
-  redraw(*plot_);
+  return chart;
 }
-
-void LengthPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
-
-namespace {
 
 constexpr double kCm = 10;          // mm
 constexpr double kExampleMm = 500;  // before a length is typed
@@ -152,14 +127,19 @@ LengthPage::LengthPage(DepthLab& lab, QWidget* parent)
       lab_(lab),
       length_(new NumberBox(lengthRange(tr("Nose – ear – xiphoid")), 0.5, this)),
       example_(mutedWords({}, this)),
-      plot_(new LengthPlot(this)),
+      plot_(new ChartView(this, {900, 340})),
       target_(mutedWords({}, this)) {
   length_->setToolTip(
       tr("Type the length from the tip of the nose over the lobe of the ear to the end of the breastbone, along the "
          "tube."));
   auto* menu = new PlotMenu(
       *plot_, [this] { return lengthTable(lab_, lab_.measurement().nose_ear_xiphoid_mm.value_or(kExampleMm)); }, this);
+  plot_->setMinimumSize(280, 170);
   plot_->setMaximumHeight(kHighestPlot);
+  plot_->setAccessibleName(tr("Length of the tube by each formula"));
+  plot_->plot().yAxis->setVisible(false);
+  plot_->plot().axisRect()->setAutoMargins(QCP::msBottom);
+  plot_->plot().axisRect()->setMargins(QMargins(theme::kGrid, 0, theme::kGrid, 0));
   auto* sources =
       mutedWords(tr("Hanson: 0.38696 × length + 30.37 cm; corrected: 0.38696 × length + 36.37 cm (Hanson 1979, "
                     "biblio.ugent.be/publication/8599660). The plain length is too short in 96.7 % of people, "
@@ -244,7 +224,7 @@ void LengthPage::refreshState() {
                                  ? tr("%1 too short").arg(centimeters(target.from_mm - one.length_mm))
                                  : tr("%1 too long").arg(centimeters(one.length_mm - target.to_mm)));
   }
-  plot_->show(lab_.terms(), lengths ? *lengths : std::vector<elicitation::InsertionLength>(), target);
+  plot_->setChart(lengthChart(lab_.terms(), lengths ? *lengths : std::vector<elicitation::InsertionLength>(), target));
 }
 
 }  // namespace tactus::workbench

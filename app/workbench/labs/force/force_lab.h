@@ -79,6 +79,8 @@ class ForceLab : public QObject {
   /// What taking the words of the force from `from` instead does to the averaged force: at most so many N. Empty for
   /// the present method, for one without words, and while it is not computed.
   QString effectOf(elicitation::ForceTermsFrom from) const;
+  /// `effectOf` is being computed.
+  bool isComparing() const { return effects_.isBusy(); }
   /// Asks how far the averaged force moves without `judged`; `influenceChanged` tells the answer, and again when the
   /// model has changed.
   void askInfluence(const session::JudgedForce& judged);

@@ -23,8 +23,8 @@
 #include "app/workbench/labs/force/judgement_view.h"
 #include "app/workbench/labs/force/votes_view.h"
 #include "app/workbench/labs/frame/lab_card.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_marks.h"
 #include "elicitation/force/force_terms.h"
 
@@ -77,64 +77,68 @@ DeliveredForces deliveredForces(const std::vector<session::JudgedForce>& all) {
   return out;
 }
 
-DeliveredPlot::DeliveredPlot(QWidget* parent)
-    : QWidget(parent), plot_(makePlot(this)), summary_(new QLabel(this)), head_(makeRow({{summary_, 1}}, kStyleGap)) {
-  setMuted(*summary_);
-  makeColumn(this, {head_, {plot_, 1}}, theme::kGrid, inset(theme::kGrid));
-  setAccessibleName(tr("Delivered against commanded force"));
-}
+namespace {
 
-void DeliveredPlot::setForces(const DeliveredForces& forces) {
-  summary_->setText(summaryOf(forces));
-  const bool some = !forces.forces.empty();
-  plot_->setVisible(some);
-  if (tool_ != nullptr) tool_->setVisible(some);
-  summary_->setAlignment(some ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
-  legend_.clear();
-  plot_->clearGraphs();
+Chart deliveredChart(const DeliveredForces& forces) {
   double highest = 1.1;  // N, the end of the paper's table
   for (const DeliveredForce& one : forces.forces)
     highest = std::max({highest, one.commanded_n, one.felt_n.value_or(0)});
   fuzzy::Variable axis;
   axis.max = std::ceil(highest * 10) / 10;
-  for (QCPAxis* side : {plot_->xAxis, plot_->yAxis}) styleAxis(*side, axis);
-  plot_->xAxis->setLabel(tr("Commanded force (N)"));
-  plot_->yAxis->setLabel(tr("Force in the hand (N)"));
-  QCPGraph* const equal = plot_->addGraph();
-  equal->setPen(QPen(theme::mutedInk(), 1, Qt::DashLine));
-  equal->setData({0, axis.max}, {0, axis.max}, true);
-  legend_.push_back({tr("Commanded"), equal->pen()});
+  Chart chart{{.universe = axis, .label = DeliveredPlot::tr("Commanded force (N)")},
+              {.universe = axis, .label = DeliveredPlot::tr("Force in the hand (N)")}};
+  const QPen equal(theme::mutedInk(), 1, Qt::DashLine);
+  chart.parts.emplace_back(ChartLine{{0, axis.max}, {0, axis.max}, equal});
+  chart.legend.push_back({DeliveredPlot::tr("Commanded"), equal});
   const auto numbers = colorNumbers(forces.participants);
   for (std::size_t who = 0; who < forces.participants.size(); ++who) {
     const QColor color = theme::expert(numbers[who]);
-    QCPGraph* const least = plot_->addGraph();
-    QCPGraph* const felt = plot_->addGraph();
-    for (QCPGraph* dots : {least, felt}) {
-      dots->setLineStyle(QCPGraph::lsNone);
-      dots->setPen(QPen(color, 1.2));
-      dots->setName(text(forces.participants[who]));
-    }
-    least->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, kDelivered));
-    felt->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCircle, kDelivered));
+    const auto dots = [&color](ChartDots::Shape shape) {
+      return ChartLine{{}, {}, Qt::NoPen, {shape, kDelivered, QPen(color, 1.2)}};
+    };
+    ChartLine least = dots(ChartDots::Shape::kDisc);
+    ChartLine felt = dots(ChartDots::Shape::kCircle);
+    const auto add = [](ChartLine& line, double commanded_n, const std::optional<double>& force_n) {
+      if (force_n) line.x << commanded_n, line.y << *force_n;
+    };
     for (const DeliveredForce& one : forces.forces) {
       if (one.participant != who) continue;
-      if (one.least_n) least->addData(one.commanded_n, *one.least_n);
-      if (one.felt_n) felt->addData(one.commanded_n, *one.felt_n);
+      add(least, one.commanded_n, one.least_n);
+      add(felt, one.commanded_n, one.felt_n);
     }
-    legend_.push_back({harmless(text(forces.participants[who])), QPen(color, 2), Qt::NoBrush, true});
+    chart.parts.emplace_back(least);
+    chart.parts.emplace_back(felt);
+    chart.legend.push_back({harmless(text(forces.participants[who])), QPen(color, 2), Qt::NoBrush, true});
   }
+  return chart;
+}
+
+}  // namespace
+
+DeliveredPlot::DeliveredPlot(QWidget* parent)
+    : QWidget(parent),
+      chart_(new ChartView(this)),
+      summary_(new QLabel(this)),
+      head_(makeRow({{summary_, 1}}, kStyleGap)) {
+  setMuted(*summary_);
+  makeColumn(this, {head_, {chart_, 1}}, theme::kGrid, inset(theme::kGrid));
+  setAccessibleName(tr("Delivered against commanded force"));
   setToolTip(tr("Discs: the least force while it was judged. Circles: the force with the friction of the device."));
-  redraw(*plot_);
+}
+
+void DeliveredPlot::setForces(const DeliveredForces& forces) {
+  summary_->setText(summaryOf(forces));
+  const bool some = !forces.forces.empty();
+  chart_->setVisible(some);
+  if (tool_ != nullptr) tool_->setVisible(some);
+  summary_->setAlignment(some ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
+  chart_->setChart(deliveredChart(forces));
 }
 
 void DeliveredPlot::addTool(QWidget* tool) {
   tool_ = tool;
   head_->addWidget(tool);
 }
-
-std::vector<LegendEntry> DeliveredPlot::legend() const { return legend_; }
-
-void DeliveredPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 // The numbers of the plots of the force lab.
 
@@ -252,9 +256,9 @@ ForceLabView::ForceLabView(ForceLab& lab, const SettingsPrice& price, QWidget* p
   details_->addTab(intervals_, tr("Words of each participant"));
   details_->setCornerWidget(new StatisticHelp({Statistic::kWeightedKappa, Statistic::kInterval}));
   delivered_->addTool(new PlotMenu(
-      *delivered_, [this] { return deliveredTable(lab_); }, delivered_));
+      delivered_->chart(), [this] { return deliveredTable(lab_); }, delivered_));
   intervals_->addTool(new PlotMenu(
-      *intervals_, [this] { return wordIntervalTable(lab_); }, intervals_));
+      intervals_->chart(), [this] { return wordIntervalTable(lab_); }, intervals_));
   auto* below = new Card;
   makeColumn(below, {details_}, theme::kGrid, inset(theme::kGrid, theme::kGrid / 2));
   makeColumn(this, {makeSplit(Qt::Vertical, {{top_, 3}, {below, 2}})});

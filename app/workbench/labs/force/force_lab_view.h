@@ -43,7 +43,9 @@ struct DeliveredForces {
 
 DeliveredForces deliveredForces(const std::vector<session::JudgedForce>& all);
 
-class DeliveredPlot : public QWidget, public PlotSource {
+class ChartView;
+
+class DeliveredPlot : public QWidget {
   Q_OBJECT
 
  public:
@@ -53,21 +55,19 @@ class DeliveredPlot : public QWidget, public PlotSource {
   /// Adds `tool` beside the summary; it is there while there is something to draw.
   void addTool(QWidget* tool);
 
-  std::vector<LegendEntry> legend() const override;
-  void paintPicture(QCPPainter& painter, const QSize& size) override;
+  ChartView& chart() { return *chart_; }
 
  private:
-  QCustomPlot* plot_;
+  ChartView* chart_;
   QLabel* summary_;
   QHBoxLayout* head_;
   QWidget* tool_ = nullptr;
-  std::vector<LegendEntry> legend_;
 };
 
 // From the lowest to the highest force that each participant called by each word: a lane for each word, in it a line
 // for each participant, and as a surface the share of these intervals at each force.
 
-class WordIntervalPlot : public QWidget, public PlotSource {
+class WordIntervalPlot : public QWidget {
   Q_OBJECT
 
  public:
@@ -79,9 +79,7 @@ class WordIntervalPlot : public QWidget, public PlotSource {
   /// Adds `tool` beside the summary; it is there while there is something to draw.
   void addTool(QWidget* tool);
   const QString& summary() const { return summary_text_; }
-
-  std::vector<LegendEntry> legend() const override { return legend_; }
-  void paintPicture(QCPPainter& painter, const QSize& size) override;
+  ChartView& chart() { return *chart_; }
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -89,10 +87,8 @@ class WordIntervalPlot : public QWidget, public PlotSource {
  private:
   void nameAxes();
   void namePeople();
-  void drawAgreement(const fuzzy::Variable& words, const std::vector<elicitation::WordInterval>& intervals);
-  void drawPeople(const std::vector<std::string>& people, const std::vector<elicitation::WordInterval>& intervals);
 
-  QCustomPlot* plot_;
+  ChartView* chart_;
   ElidedLabel* summary_;
   QHBoxLayout* people_;  ///< their names in their colors
   QHBoxLayout* head_;
@@ -100,7 +96,6 @@ class WordIntervalPlot : public QWidget, public PlotSource {
   QStringList words_;
   QString summary_text_;
   QWidget* tool_ = nullptr;
-  std::vector<LegendEntry> legend_;
 };
 
 class ForceLab;

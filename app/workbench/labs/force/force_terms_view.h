@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/workbench/labs/force/force_lab.h"
-#include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/plot/chart.h"
 
 class QCustomPlot;
 class QHBoxLayout;
@@ -20,7 +20,7 @@ class VertexPick;
 
 // The words of the force from one method, drawn over the shares of the answers that they come from (Fig. 3e).
 
-class ForceTermsPlot : public QWidget, public PlotSource {
+class ForceTermsPlot : public ChartView {
   Q_OBJECT
 
  public:
@@ -34,8 +34,6 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   /// Words of before are drawn: some are others.
   bool hasGhosts() const { return has_ghosts_; }
   VertexPick& corners() { return *corners_; }
-  std::vector<LegendEntry> legend() const override;
-  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  signals:
   /// The user clicked a corner of a word.
@@ -48,9 +46,7 @@ class ForceTermsPlot : public QWidget, public PlotSource {
   /// As many ticks, and as much of the text, as there is room for.
   void fitAxis();
 
-  QCustomPlot* plot_;
   VertexPick* corners_;
-  fuzzy::Variable words_;
   bool has_ghosts_ = false;
   QString axis_text_;
   QString axis_unit_;

@@ -8,6 +8,7 @@
 #include "app/workbench/kit/labels.h"
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/force/force_lab_view.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_marks.h"
 
@@ -53,17 +54,61 @@ QString summaryText(const fuzzy::Variable& words, const std::vector<elicitation:
   return WordIntervalPlot::tr("Intervals that share a force, at most: %1").arg(parts.join(QStringLiteral(" · ")));
 }
 
+/// The share of the participants whose interval of the word holds a force, as a surface on its lane.
+void addAgreement(const fuzzy::Variable& words, const std::vector<elicitation::WordInterval>& intervals, Chart& chart) {
+  for (std::size_t word = 0; word < words.terms.size(); ++word) {
+    const auto base = static_cast<double>(word);
+    ChartLine shares;
+    double end_n = 0;
+    for (const auto& one : elicitation::intervalAgreement(intervals, word)) {
+      if (shares.x.isEmpty() || one.left_n > end_n) {
+        if (!shares.x.isEmpty()) shares.x << end_n, shares.y << base;
+        shares.x << one.left_n;
+        shares.y << base;
+      }
+      shares.x << one.left_n << one.right_n;
+      shares.y << base + kLane * one.share << base + kLane * one.share;
+      end_n = one.right_n;
+    }
+    if (!shares.x.isEmpty()) shares.x << end_n, shares.y << base;
+    QColor fill = termLine(words, words.terms, word);
+    fill.setAlphaF(kShareFill);
+    shares.pen = QPen(theme::onCard(fill), 1);  // a single force has no width
+    shares.fill = theme::onCard(fill);
+    shares.is_function_of_x = false;
+    chart.parts.emplace_back(shares);
+  }
+}
+
+void addPeople(const std::vector<std::string>& people, const std::vector<elicitation::WordInterval>& intervals,
+               Chart& chart) {
+  const auto numbers = numbersOf(people);
+  for (std::size_t who = 0; who < people.size(); ++who) {
+    const QColor color = theme::expert(numbers[who]);
+    ChartLine line{{}, {}, QPen(color, 1.6), {ChartDots::Shape::kDisc, kEnd}};
+    line.is_function_of_x = false;
+    const double place = kLane * (static_cast<double>(who) + 0.5) / static_cast<double>(people.size());
+    for (const auto& one : intervals) {
+      if (one.participant != people[who]) continue;
+      line.x << one.left_n << one.right_n << qQNaN();
+      line.y << static_cast<double>(one.word) + place << static_cast<double>(one.word) + place << qQNaN();
+    }
+    chart.parts.emplace_back(line);
+    chart.legend.push_back({harmless(text(people[who])), QPen(color, 2), Qt::NoBrush, true});
+  }
+}
+
 }  // namespace
 
 WordIntervalPlot::WordIntervalPlot(QWidget* parent)
     : QWidget(parent),
-      plot_(makePlot(this)),
+      chart_(new ChartView(this)),
       summary_(new ElidedLabel(this)),
       people_(makeRow({}, theme::kGrid)),
       head_(makeRow({{summary_, 1}, people_}, kStyleGap)) {
   setMuted(*summary_);
-  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
-  makeColumn(this, {head_, {plot_, 1}}, theme::kGrid / 2, inset(theme::kGrid, theme::kGrid / 2));
+  chart_->plot().axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
+  makeColumn(this, {head_, {chart_, 1}}, theme::kGrid / 2, inset(theme::kGrid, theme::kGrid / 2));
   setAccessibleName(tr("Forces that each participant called by each word"));
   setToolTip(
       tr("Lines: from the lowest to the highest force that a participant called so. Surface: the share of the "
@@ -75,27 +120,22 @@ void WordIntervalPlot::setIntervals(const fuzzy::Variable& words,
   summary_text_ = summaryText(words, intervals);
   summary_->setFullText(summary_text_);
   const bool some = !intervals.empty();
-  plot_->setVisible(some);
+  chart_->setVisible(some);
   if (tool_ != nullptr) tool_->setVisible(some);
   summary_->setAlignment(some ? Qt::AlignLeft | Qt::AlignVCenter : Qt::AlignCenter);
-  legend_.clear();
-  plot_->clearPlottables();
-  fuzzy::Variable axis = words;
-  axis.max = end_n;
-  for (const auto& one : intervals) axis.max = std::max(axis.max, one.right_n);
-  styleAxis(*plot_->xAxis, axis);
-  force_text_ = axisText(axis);
-  fuzzy::Variable lanes;
-  lanes.max = static_cast<double>(words.terms.size());
-  styleAxis(*plot_->yAxis, lanes);
-  plot_->yAxis->grid()->setVisible(false);
+  Chart chart{{.universe = words}, {.grid = false}};
+  double& right_n = chart.x.universe.max;
+  right_n = end_n;
+  for (const auto& one : intervals) right_n = std::max(right_n, one.right_n);
+  chart.y.universe.max = static_cast<double>(words.terms.size());
+  addAgreement(words, intervals, chart);
+  addPeople(peopleIn(intervals), intervals, chart);
+  chart_->setChart(chart);
+  force_text_ = axisText(chart.x.universe);
   words_.clear();
   for (const fuzzy::Term& word : words.terms) words_ << labelOf(word);
   nameAxes();
-  drawAgreement(words, intervals);
-  drawPeople(peopleIn(intervals), intervals);
   namePeople();
-  redraw(*plot_);
 }
 
 void WordIntervalPlot::resizeEvent(QResizeEvent* event) {
@@ -107,70 +147,18 @@ void WordIntervalPlot::resizeEvent(QResizeEvent* event) {
 /// Where the lanes are low, initials stand beside some of them, and the name of the axis is left out.
 void WordIntervalPlot::nameAxes() {
   if (words_.isEmpty()) return;
-  const double line = QFontMetricsF(plot_->yAxis->tickLabelFont()).height();
-  const bool low = plot_->height() < (static_cast<double>(words_.size()) + kAxisLines) * line;
-  const double lanes = plot_->height() - (low ? kTickLines : kAxisLines) * line;
+  QCustomPlot* const plot = &chart_->plot();
+  const double line = QFontMetricsF(plot->yAxis->tickLabelFont()).height();
+  const bool low = plot->height() < (static_cast<double>(words_.size()) + kAxisLines) * line;
+  const double lanes = plot->height() - (low ? kTickLines : kAxisLines) * line;
   const auto step =
       static_cast<qsizetype>(std::ceil(line * static_cast<double>(words_.size()) / std::max(lanes, line)));
   auto names = QSharedPointer<QCPAxisTickerText>::create();
   for (qsizetype word = 0; word < words_.size(); word += low ? std::max<qsizetype>(1, step) : 1)
     names->addTick(static_cast<double>(word) + kLane / 2, low ? initialsOf(words_[word]) : words_[word]);
-  plot_->yAxis->setTicker(names);
-  plot_->xAxis->setLabel(low ? QString() : force_text_);
-  redraw(*plot_);
-}
-
-void WordIntervalPlot::drawAgreement(const fuzzy::Variable& words,
-                                     const std::vector<elicitation::WordInterval>& intervals) {
-  for (std::size_t word = 0; word < words.terms.size(); ++word) {
-    const auto base = static_cast<double>(word);
-    QVector<double> x;
-    QVector<double> y;
-    double end_n = 0;
-    for (const auto& one : elicitation::intervalAgreement(intervals, word)) {
-      if (x.isEmpty() || one.left_n > end_n) {
-        if (!x.isEmpty()) x << end_n, y << base;
-        x << one.left_n;
-        y << base;
-      }
-      x << one.left_n << one.right_n;
-      y << base + kLane * one.share << base + kLane * one.share;
-      end_n = one.right_n;
-    }
-    if (!x.isEmpty()) x << end_n, y << base;
-    auto* const shares = new QCPCurve(plot_->xAxis, plot_->yAxis);
-    QColor fill = termLine(words, words.terms, word);
-    fill.setAlphaF(kShareFill);
-    shares->setPen(QPen(theme::onCard(fill), 1));  // a single force has no width
-    shares->setBrush(theme::onCard(fill));
-    QVector<double> order(x.size());
-    for (qsizetype i = 0; i < order.size(); ++i) order[i] = static_cast<double>(i);
-    shares->setData(order, x, y, true);
-  }
-}
-
-void WordIntervalPlot::drawPeople(const std::vector<std::string>& people,
-                                  const std::vector<elicitation::WordInterval>& intervals) {
-  const auto numbers = numbersOf(people);
-  for (std::size_t who = 0; who < people.size(); ++who) {
-    QVector<double> order;
-    QVector<double> x;
-    QVector<double> y;
-    const double place = kLane * (static_cast<double>(who) + 0.5) / static_cast<double>(people.size());
-    for (const auto& one : intervals) {
-      if (one.participant != people[who]) continue;
-      x << one.left_n << one.right_n << qQNaN();
-      y << static_cast<double>(one.word) + place << static_cast<double>(one.word) + place << qQNaN();
-    }
-    for (qsizetype i = 0; i < x.size(); ++i) order << static_cast<double>(i);
-    const QColor color = theme::expert(numbers[who]);
-    auto* const line = new QCPCurve(plot_->xAxis, plot_->yAxis);
-    line->setPen(QPen(color, 1.6));
-    line->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, kEnd));
-    line->setName(text(people[who]));
-    line->setData(order, x, y, true);
-    legend_.push_back({harmless(text(people[who])), QPen(color, 2), Qt::NoBrush, true});
-  }
+  plot->yAxis->setTicker(names);
+  plot->xAxis->setLabel(low ? QString() : force_text_);
+  redraw(*plot);
 }
 
 void WordIntervalPlot::namePeople() {
@@ -178,8 +166,9 @@ void WordIntervalPlot::namePeople() {
     delete item->widget();
     delete item;
   }
-  if (legend_.size() > kMostNamed) return;
-  for (const LegendEntry& one : legend_) {
+  const auto people = chart_->legend();
+  if (people.size() > kMostNamed) return;
+  for (const LegendEntry& one : people) {
     auto* const name = new QLabel(QStringLiteral("● %1").arg(one.name), this);
     name->setTextFormat(Qt::PlainText);
     setInk(*name, theme::readableText(one.pen.color()));
@@ -191,7 +180,5 @@ void WordIntervalPlot::addTool(QWidget* tool) {
   tool_ = tool;
   head_->addWidget(tool);
 }
-
-void WordIntervalPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 }  // namespace tactus::workbench

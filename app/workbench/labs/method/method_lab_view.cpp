@@ -20,8 +20,8 @@
 #include "app/workbench/kit/quiet_table.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/method/method_lab.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/plot/plot_style.h"
 #include "elicitation/force/noticeable_force.h"
 #include "elicitation/model/method_study.h"
 
@@ -31,82 +31,42 @@ namespace {
 constexpr double kNowPx = 3;
 constexpr double kOtherPx = 2.2;
 
-}  // namespace
+struct MethodChart {
+  Q_DECLARE_TR_FUNCTIONS(MethodChart)
+};
 
-MethodPlot::MethodPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  makeColumn(this, {plot_}, theme::kGrid, inset(theme::kGrid / 2));
-  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
-  setMinimumSize(320, 220);
-  setAccessibleName(tr("Averaged force as it is and with another choice"));
-  showAxes(false);
-}
-
-void MethodPlot::clear() {
-  plot_->clearGraphs();
-  plot_->clearItems();
-  legend_.clear();
-  showAxes(false);
-  redraw(*plot_);
-}
-
-void MethodPlot::showAxes(bool shown) {
-  for (QCPAxis* const axis : {plot_->xAxis, plot_->yAxis}) {
-    axis->setVisible(shown);
-    axis->grid()->setVisible(shown && axis == plot_->yAxis);
-  }
-}
-
-void MethodPlot::addLine(const std::vector<double>& x, const std::vector<fuzzy::Evaluation>& forces,
-                         const QString& name, const QPen& pen) {
-  QVector<double> y;
-  for (const fuzzy::Evaluation& one : forces) y << (one.fired ? one.force_n : qQNaN());
-  QCPGraph* const graph = plot_->addGraph();
-  graph->setPen(pen);
-  graph->setAdaptiveSampling(false);
-  graph->setData(QVector<double>(x.begin(), x.end()), y, true);
-  legend_.push_back({name, pen});
-}
-
-void MethodPlot::setCurves(const fuzzy::ForceModel& model, const MethodCurves& curves, const QString& other,
-                           bool marked) {
-  plot_->clearGraphs();
-  plot_->clearItems();
-  legend_.clear();
+/// The averaged force over the depth as it is and with another choice of the method, with what a hand does not notice.
+/// `other`: the name of the other curve. `marked`: the place of the largest difference has a line.
+Chart methodChart(const fuzzy::ForceModel& model, const MethodCurves& curves, const QString& other, bool marked) {
   const fuzzy::Variable& depth = model.inputs[curves.x_input];
-  styleAxis(*plot_->xAxis, depth);
-  plot_->xAxis->setLabel(axisText(depth));
-  styleAxis(*plot_->yAxis, model.output);
-  plot_->yAxis->setLabel(axisText(model.output));
-  showAxes(true);
-  QVector<double> below;
-  QVector<double> above;
+  Chart chart{{.universe = depth, .label = axisText(depth), .grid = false},
+              {.universe = model.output, .label = axisText(model.output)}};
+  ChartBand unnoticed{QVector<double>(curves.now.x.begin(), curves.now.x.end()), {}, {}, theme::grid()};
   for (const fuzzy::Evaluation& one : curves.now.mean) {
     const double jnd = one.fired ? elicitation::justNoticeableDifference(one.force_n) : qQNaN();
-    below << one.force_n - jnd;
-    above << one.force_n + jnd;
+    unnoticed.low << one.force_n - jnd;
+    unnoticed.high << one.force_n + jnd;
   }
-  const QVector<double> x(curves.now.x.begin(), curves.now.x.end());
-  QCPGraph* const bottom = plot_->addGraph();
-  QCPGraph* const top = plot_->addGraph();
-  for (QCPGraph* const edge : {bottom, top}) edge->setPen(Qt::NoPen);
-  bottom->setData(x, below, true);
-  top->setData(x, above, true);
-  top->setBrush(theme::grid());
-  top->setChannelFillGraph(bottom);
+  chart.parts.emplace_back(unnoticed);
   if (marked) {
-    auto* const line = new QCPItemStraightLine(plot_);
-    line->setPen(QPen(theme::accent(), 1, Qt::DashLine));
-    line->point1->setCoords(curves.at[curves.x_input], 0);
-    line->point2->setCoords(curves.at[curves.x_input], 1);
-    legend_.push_back({tr("Where they differ most"), line->pen()});
+    const QPen pen(theme::accent(), 1, Qt::DashLine);
+    chart.parts.emplace_back(ChartRule{Qt::Vertical, curves.at[curves.x_input], pen});
+    chart.legend.push_back({MethodChart::tr("Where they differ most"), pen});
   }
-  addLine(curves.now.x, curves.now.mean, tr("As it is"), QPen(theme::mean(), kNowPx));
-  addLine(curves.other.x, curves.other.mean, other, QPen(theme::warningInk(), kOtherPx));
-  legend_.push_back({tr("Not noticeable: within one just-noticeable difference"), Qt::NoPen, theme::grid()});
-  redraw(*plot_);
+  const auto add = [&chart](const auto& curve, const QString& name, const QPen& pen) {
+    ChartLine line{QVector<double>(curve.x.begin(), curve.x.end()), {}, pen};
+    for (const fuzzy::Evaluation& one : curve.mean) line.y << (one.fired ? one.force_n : qQNaN());
+    chart.parts.emplace_back(line);
+    chart.legend.push_back({name, pen});
+  };
+  add(curves.now, MethodChart::tr("As it is"), QPen(theme::mean(), kNowPx));
+  add(curves.other, other, QPen(theme::warningInk(), kOtherPx));
+  chart.legend.push_back(
+      {MethodChart::tr("Not noticeable: within one just-noticeable difference"), Qt::NoPen, theme::grid()});
+  return chart;
 }
 
-void MethodPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
+}  // namespace
 
 // The two curves of the method study as numbers, for files and the clipboard.
 
@@ -159,7 +119,7 @@ MethodLabView::MethodLabView(MethodLab& lab, QWidget* parent)
       lab_(lab),
       factors_(new Columns<FactorRow>(factorColumns(), this)),
       variants_(new Columns<VariantRow>(variantColumns(), this)),
-      plot_(new MethodPlot),
+      plot_(new ChartView),
       button_(new PrimaryButton(tr("&Compare the choices"))),
       progress_(new QProgressBar),
       state_(new WrappedLabel),
@@ -217,6 +177,9 @@ QWidget* MethodLabView::makeRight() {
   setMuted(*place_);
   place_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   place_->setMinimumHeight(3 * QFontMetrics(place_->font()).lineSpacing());
+  plot_->setMinimumSize(320, 220);
+  plot_->layout()->setContentsMargins(inset(theme::kGrid / 2));
+  plot_->setAccessibleName(tr("Averaged force as it is and with another choice"));
   makeColumn(page, {{plot_, 1}, place_});
   auto* card = new LabCard(tr("Where it moves the force most"), page);
   card->addTool(new PlotMenu(
@@ -277,7 +240,7 @@ void MethodLabView::followCurves() {
   const QString other =
       QStringLiteral("%1: %2").arg(text(elicitation::factorTitle(variant.factor)), spelled(variant.value));
   const bool marked = !variant.at.empty();
-  plot_->setCurves(lab_.model(), *curves, other, marked);
+  plot_->setChart(methodChart(lab_.model(), *curves, other, marked));
   const auto& output = lab_.model().output;
   const QString place = placeOfCurves(lab_.model(), *curves);
   place_->setText(marked

@@ -16,6 +16,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/plan/plan_lab.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "app/workbench/plot/plot_style.h"
 
@@ -30,136 +31,91 @@ constexpr int kPlanSettingsWidth = 40 * theme::kGrid;
 constexpr int kPlotShare = 420;
 constexpr int kTableShare = 260;
 
+struct PlanChart {
+  Q_DECLARE_TR_FUNCTIONS(PlanChart)
+};
+
 /// The error over the number of nurses, a line for each number of questions.
-class PlanPlot : public QWidget, public PlotSource {
-  Q_DECLARE_TR_FUNCTIONS(PlanPlot)
+Chart planChart(const planning::PlannedStudy& planned) {
+  const auto& designs = planned.plan.designs;
+  const auto& settings = planned.settings;
+  double top_n = settings.precision_n;
+  for (const auto& one : designs) top_n = std::max(top_n, one.high_n);
+  Chart chart;
+  chart.x.label = PlanChart::tr("Nurses");
+  chart.x.universe.min = settings.least_nurses;
+  chart.x.universe.max = settings.most_nurses;
+  chart.x.range = {settings.least_nurses - 0.4, settings.most_nurses + 0.4};
+  chart.x.step = settings.most_nurses > 20 ? 5 : 1;
+  chart.y.label = PlanChart::tr("Error of the averaged force (N)");
+  chart.y.universe.max = 1.05 * top_n;
+  chart.y.round_ticks = true;
 
- public:
-  PlanPlot() : plot_(makePlot(this)), names_(makeRow({spring(1)}, 2 * theme::kGrid)) {
-    makeColumn(this, {names_, {plot_, 1}}, theme::kGrid / 2, inset(theme::kGrid / 2));
-    plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
-    setMinimumSize(320, 180);
-    setAccessibleName(tr("Error of the averaged force over the number of nurses"));
-  }
-
-  void show(const planning::PlannedStudy* planned) {
-    plot_->clearPlottables();
-    plot_->clearItems();
-    legend_.clear();
-    for (QLabel* const name : findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) delete name;
-    plot_->setVisible(planned != nullptr);
-    if (planned == nullptr) return;
-    const auto& designs = planned->plan.designs;
-    double top_n = planned->settings.precision_n;
-    for (const auto& one : designs) top_n = std::max(top_n, one.high_n);
-    setAxes(*planned, 1.05 * top_n);
-    const auto& questions = planned->settings.questions;
-    const int strokes = planned->now ? planned->now->strokes : planned->settings.strokes.front();
-    for (std::size_t k = 0; k < questions.size(); ++k) {
-      std::vector<planning::DesignError> line;
-      std::copy_if(designs.begin(), designs.end(), std::back_inserter(line), [&](const auto& one) {
-        return one.design.questions == questions[k] && one.design.strokes == strokes;
-      });
-      addLine(line, questions[k], expertPen(k, questions.size()).color());
-    }
-    addPrecision(*planned);
-    if (planned->plan.cheapest) addMark(designs[*planned->plan.cheapest], tr("The cheapest"), true);
-    const auto* const now = planned->now ? planned->plan.find(*planned->now) : nullptr;
-    if (now != nullptr) addMark(*now, tr("Now"), false);
-    redraw(*plot_);
-  }
-
-  std::vector<LegendEntry> legend() const override { return legend_; }
-  void paintPicture(QCPPainter& painter, const QSize& size) override { paintPlot(*plot_, painter, size, {}); }
-
- private:
-  void setAxes(const planning::PlannedStudy& planned, double top_n) {
-    fuzzy::Variable nurses;
-    nurses.min = planned.settings.least_nurses;
-    nurses.max = planned.settings.most_nurses;
-    styleAxis(*plot_->xAxis, nurses);
-    plot_->xAxis->setRange(nurses.min - 0.4, nurses.max + 0.4);
-    plot_->xAxis->setLabel(tr("Nurses"));
-    auto whole = QSharedPointer<QCPAxisTickerFixed>::create();
-    whole->setTickStep(planned.settings.most_nurses > 20 ? 5 : 1);
-    plot_->xAxis->setTicker(whole);
-    fuzzy::Variable error;
-    error.unit = "N";
-    error.max = top_n;
-    styleAxis(*plot_->yAxis, error);
-    plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
-    plot_->yAxis->setLabel(tr("Error of the averaged force (N)"));
-    for (QCPAxis* const axis : {plot_->xAxis, plot_->yAxis}) axis->setSubTicks(false);
-  }
-
-  void addLine(const std::vector<planning::DesignError>& line, int questions, const QColor& color) {
-    QVector<double> nurses, low, error, high;
-    for (const auto& one : line) {
-      nurses << one.design.nurses;
-      low << one.low_n;
-      error << one.error_n;
-      high << one.high_n;
-    }
-    QCPGraph* const bottom = plot_->addGraph();
-    QCPGraph* const top = plot_->addGraph();
-    for (QCPGraph* const edge : {bottom, top}) edge->setPen(Qt::NoPen);
-    bottom->setData(nurses, low, true);
-    top->setData(nurses, high, true);
+  const int strokes = planned.now ? planned.now->strokes : settings.strokes.front();
+  for (std::size_t k = 0; k < settings.questions.size(); ++k) {
+    const QColor color = expertPen(k, settings.questions.size()).color();
     QColor fill = color;
     fill.setAlphaF(kBandFill);
-    top->setBrush(fill);
-    top->setChannelFillGraph(bottom);
-    QCPGraph* const graph = plot_->addGraph();
-    graph->setPen(QPen(color, kLinePx));
-    graph->setScatterStyle({QCPScatterStyle::ssDisc, color, color, kPlanDotPx});
-    graph->setData(nurses, error, true);
-    const QString name = tr("%n question(s)", nullptr, questions);
-    legend_.push_back({name, QPen(color, kLinePx)});
-    auto* const label = new QLabel(name, this);
-    label->setFont(theme::smallFont());
-    setInk(*label, color);
-    names_->insertWidget(names_->count() - 1, label);
+    ChartBand range{{}, {}, {}, fill};
+    ChartLine line{{}, {}, QPen(color, kLinePx), {ChartDots::Shape::kDisc, kPlanDotPx, QPen(color)}};
+    for (const auto& one : designs) {
+      if (one.design.questions != settings.questions[k] || one.design.strokes != strokes) continue;
+      range.x << one.design.nurses;
+      range.low << one.low_n;
+      range.high << one.high_n;
+      line.y << one.error_n;
+    }
+    line.x = range.x;
+    chart.parts.emplace_back(range);
+    chart.parts.emplace_back(line);
+    chart.legend.push_back({PlanChart::tr("%n question(s)", nullptr, settings.questions[k]), line.pen});
   }
 
-  void addPrecision(const planning::PlannedStudy& planned) {
-    auto* const line = new QCPItemStraightLine(plot_);
-    line->setPen(QPen(theme::accent(), 1.4, Qt::DashLine));
-    line->point1->setCoords(0, planned.settings.precision_n);
-    line->point2->setCoords(1, planned.settings.precision_n);
-    const QString name = tr("Wanted: ± %1").arg(quantityText(planned.settings.precision_n, "N", 3));
-    legend_.push_back({name, line->pen(), Qt::NoBrush});
-    addText(name, theme::accent(), plot_->xAxis->range().upper, planned.settings.precision_n,
-            Qt::AlignRight | Qt::AlignBottom);
+  const QPen wanted(theme::accent(), 1.4, Qt::DashLine);
+  chart.parts.emplace_back(ChartRule{Qt::Horizontal, settings.precision_n, wanted});
+  const QString name = PlanChart::tr("Wanted: ± %1").arg(quantityText(settings.precision_n, "N", 3));
+  chart.legend.push_back({name, wanted});
+  const auto say = [&chart](const QString& words, const QColor& ink, const QPointF& at, Qt::Alignment side, int away) {
+    chart.parts.emplace_back(ChartText{words, at, side, ink, QMargins(0, away, 0, away)});
+  };
+  say(name, theme::accent(), {chart.x.range->second, settings.precision_n}, Qt::AlignRight | Qt::AlignBottom, 1);
+  const auto mark = [&](const planning::DesignError& one, const QString& words, ChartDots::Shape shape,
+                        Qt::Alignment side) {
+    const ChartDots ring{shape, kPlanMarkPx, QPen(theme::ink(), 2)};
+    const QPointF at(one.design.nurses, one.error_n);
+    chart.parts.emplace_back(ChartLine{{at.x()}, {at.y()}, Qt::NoPen, ring});
+    say(words, theme::ink(), at, side | Qt::AlignHCenter, theme::kGrid);
+  };
+  if (planned.plan.cheapest) {
+    mark(designs[*planned.plan.cheapest], PlanChart::tr("The cheapest"), ChartDots::Shape::kCircle, Qt::AlignBottom);
+  }
+  const auto* const now = planned.now ? planned.plan.find(*planned.now) : nullptr;
+  if (now != nullptr) mark(*now, PlanChart::tr("Now"), ChartDots::Shape::kSquare, Qt::AlignTop);
+  return chart;
+}
+
+/// The names of the lines in their colors.
+class LineNames : public QWidget {
+ public:
+  LineNames() : row_(makeRow(this, {spring(1)}, 2 * theme::kGrid)) {}
+
+  void show(const std::vector<LegendEntry>& lines) {
+    for (QLabel* const name : findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) delete name;
+    for (const LegendEntry& line : lines) {
+      if (line.pen.style() != Qt::SolidLine) continue;  // the wanted error is named beside its line
+      auto* const label = new QLabel(line.name, this);
+      label->setFont(theme::smallFont());
+      setInk(*label, line.pen.color());
+      row_->insertWidget(row_->count() - 1, label);
+    }
   }
 
-  void addMark(const planning::DesignError& one, const QString& name, bool cheapest) {
-    QCPGraph* const graph = plot_->addGraph();
-    const QColor ink = theme::ink();
-    graph->setLineStyle(QCPGraph::lsNone);
-    graph->setScatterStyle(
-        {cheapest ? QCPScatterStyle::ssCircle : QCPScatterStyle::ssSquare, QPen(ink, 2), Qt::NoBrush, kPlanMarkPx});
-    graph->setData({double(one.design.nurses)}, {one.error_n});
-    addText(name, ink, one.design.nurses, one.error_n, (cheapest ? Qt::AlignBottom : Qt::AlignTop) | Qt::AlignHCenter,
-            theme::kGrid);
-  }
-
-  void addText(const QString& words, const QColor& ink, double x, double y, Qt::Alignment side, int away = 1) {
-    auto* const label = new QCPItemText(plot_);
-    label->setText(words);
-    label->setFont(theme::smallFont());
-    label->setColor(ink);
-    label->setPositionAlignment(side);
-    label->position->setCoords(x, y);
-    label->setPadding(QMargins(0, away, 0, away));
-  }
-
-  QCustomPlot* plot_;
-  QHBoxLayout* names_;  ///< what the colors are
-  std::vector<LegendEntry> legend_;
+ private:
+  QHBoxLayout* row_;
 };
 
 PlotTable planTable(const PlanLab& lab) {
-  PlotTable table = labTable(lab.data(), PlanPlot::tr("error of the averaged force by nurses and questions"),
+  PlotTable table = labTable(lab.data(), PlanChart::tr("error of the averaged force by nurses and questions"),
                              QStringLiteral("-plan"), {text(std::string(planning::kSimulatedNurses))});
   table.columns = {"questions", "nurses", "strokes", "error_n", "low_n", "high_n", "p95_n", "bias_n", "hours"};
   for (const auto& one : lab.plan() == nullptr ? std::vector<planning::DesignError>() : lab.plan()->plan.designs) {
@@ -182,7 +138,8 @@ class PlanView : public LabView {
         region_(new QComboBox),
         says_(new QLabel),
         assumed_(new QLabel),
-        plot_(new PlanPlot) {
+        plot_(new ChartView),
+        names_(new LineNames) {
     makeRow(this, {makeSettings(), {makeResults(), 1}});
     auto* const refresh = new Refresh(this, [this] { showPlan(); });
     connect(&lab_, &PlanLab::changed, refresh, &Refresh::request);
@@ -246,7 +203,11 @@ class PlanView : public LabView {
 
   QWidget* makeResults() {
     auto* const table = makeLabTable(*rows_, rows_->columnCount() - 1, tr("Designs and their errors"), nullptr);
-    auto* const curves = new LabCard(tr("Error by the number of nurses"), plot_);
+    plot_->setMinimumSize(320, 180);
+    plot_->setAccessibleName(tr("Error of the averaged force over the number of nurses"));
+    auto* const page = new QWidget;
+    makeColumn(page, {names_, {plot_, 1}}, theme::kGrid / 2, inset(theme::kGrid / 2));
+    auto* const curves = new LabCard(tr("Error by the number of nurses"), page);
     curves->addTool(new PlotMenu(
         *plot_, [this] { return planTable(lab_); }, curves));
     auto* const designs = new LabCard(tr("Every design"), table);
@@ -264,7 +225,8 @@ class PlanView : public LabView {
 
   void showPlan() {
     const auto* const planned = lab_.plan();
-    plot_->show(planned);
+    planned == nullptr ? plot_->clear() : plot_->setChart(planChart(*planned));
+    names_->show(plot_->legend());
     rows_->updateRows(planned == nullptr ? std::vector<PlanRow>() : planRows(*planned));
     QStringList says;
     if (planned == nullptr) {
@@ -290,7 +252,8 @@ class PlanView : public LabView {
   QComboBox* region_;
   QLabel* says_;
   QLabel* assumed_;  ///< about the simulated nurses
-  PlanPlot* plot_;
+  ChartView* plot_;
+  LineNames* names_;
 };
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <qcustomplot.h>
 
 #include "app/workbench/base/display_text.h"
 #include "app/workbench/base/refresh.h"
@@ -22,7 +21,6 @@
 #include "app/workbench/labs/speed/speed_lab.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_menu.h"
-#include "app/workbench/plot/plot_style.h"
 #include "app/workbench/plot/term_marks.h"
 
 namespace tactus::workbench {
@@ -44,102 +42,85 @@ std::vector<VertexPick::Vertex> innerCorners(const fuzzy::Variable& speed) {
   return out;
 }
 
-}  // namespace
-
-SpeedTermPlot::SpeedTermPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  makeColumn(this, {plot_});
-  setMinimumHeight(120);
-  setAccessibleName(tr("Speed terms of each participant and their average"));
-  labels_ = new TermLabels(*plot_, kWordRows);
-  corners_ = new VertexPick(*plot_, tr("Click: where does this corner come from?"));
-  connect(corners_, &VertexPick::picked, this, &SpeedTermPlot::vertexAsked);
-  plot_->axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
-  plot_->axisRect()->setVisible(false);  // until there is something to show
-  plot_->axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
+/// The ramps between 0 and `max_mm_s` as one line a term.
+ChartLine rampLine(const std::vector<elicitation::Ramp>& ramps, double max_mm_s, const QPen& pen) {
+  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();
+  ChartLine line{{}, {}, pen};
+  for (std::size_t term = 0; term <= ramps.size(); ++term) {
+    if (term == 0) {
+      line.x << 0;
+      line.y << 1;
+    } else {
+      line.x << ramps[term - 1].p << ramps[term - 1].q;
+      line.y << 0 << 1;
+    }
+    if (term == ramps.size()) {
+      line.x << max_mm_s;
+      line.y << 1;
+    } else {
+      line.x << ramps[term].p << ramps[term].q;
+      line.y << 1 << 0;
+    }
+    line.x << line.x.back();
+    line.y << kGap;
+  }
+  line.is_function_of_x = false;  // the terms overlap
+  return line;
 }
 
-bool SpeedTermPlot::show(const SpeedResult& result, const std::vector<fuzzy::Term>& former) {
-  plot_->axisRect()->setVisible(true);
-  plot_->clearPlottables();
-  legend_.clear();
-  styleAxis(*plot_->xAxis, result.speed);
-  styleAxis(*plot_->yAxis, result.speed);
-  plot_->xAxis->setLabel(axisText(result.speed));
-  plot_->xAxis->grid()->setVisible(false);
-  plot_->yAxis->setRange(0, 1.06);
-  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
-  ticker->setTickStep(0.5);
-  plot_->yAxis->setTicker(ticker);
+void addIntervals(const SpeedResult& result, Chart& chart) {
+  if (!result.intervals || result.intervals->averaged.size() != result.averaged.size()) return;
+  const QColor color = theme::readableLine(theme::warningInk());
+  const auto add = [&](const elicitation::Interval& interval, double height) {
+    chart.parts.emplace_back(ChartLine{
+        {interval.low, interval.high}, {height, height}, QPen(color, 2), {ChartDots::Shape::kDisc, 4, QPen(color)}});
+  };
+  for (const elicitation::RampInterval& ramp : result.intervals->averaged) {
+    add(ramp.p, 1);
+    add(ramp.q, 1);
+  }
+  chart.legend.push_back({SpeedTermPlot::tr("95 % interval of a corner"), QPen(color, 2)});
+}
+
+}  // namespace
+
+SpeedTermPlot::SpeedTermPlot(QWidget* parent) : ChartView(parent, {940, 340}) {
+  setMinimumHeight(120);
+  setAccessibleName(tr("Speed terms of each participant and their average"));
+  labels_ = new TermLabels(plot(), kWordRows);
+  corners_ = new VertexPick(plot(), tr("Click: where does this corner come from?"));
+  connect(corners_, &VertexPick::picked, this, &SpeedTermPlot::vertexAsked);
+  plot().axisRect()->setAutoMargins(QCP::msBottom | QCP::msLeft);
+  plot().axisRect()->setMargins(QMargins(0, labels_->height(), 2 * theme::kGrid, 0));
+}
+
+bool SpeedTermPlot::setTerms(const SpeedResult& result, const std::vector<fuzzy::Term>& former) {
+  Chart chart{{.universe = result.speed, .label = axisText(result.speed), .grid = false}, membershipAxis()};
   const std::vector<std::size_t> numbers = subjectNumbers(result);
   const bool few = result.subjects.size() <= kMostLegend;
   for (std::size_t i = 0; i < result.subjects.size(); ++i) {
     const SpeedSubject& one = *result.subjects[i];
     if (!one.failure.empty() || result.clusters != result.speed.terms.size()) continue;
     const QColor color = theme::expert(numbers[i]);
-    addLine(one.speeds.ramps, result.speed.max, QPen(few ? color : fadedLine(color), few ? 1.5 : 1),
-            few ? text(one.speeds.participant) : QString());
+    const QPen pen(few ? color : fadedLine(color), few ? 1.5 : 1);
+    chart.parts.emplace_back(rampLine(one.speeds.ramps, result.speed.max, pen));
+    if (few) chart.legend.push_back({text(one.speeds.participant), pen});
   }
   bool others = false;
-  if (!result.averaged.empty()) {
-    others = addGhosts(*plot_, result.speed, result.speed.terms, former, result.speed.min, result.speed.max);
-    if (others) legend_.push_back({tr("Before the change"), ghostPen(theme::ink())});
-    addLine(result.averaged, result.speed.max, QPen(theme::ink(), 3), tr("Terms of the model"));
-    addIntervals(result);
-    labels_->setTerms(result.speed, result.speed.terms);
-  } else {
-    labels_->setTerms(result.speed, {});
+  const bool averaged = !result.averaged.empty();
+  if (averaged) {
+    others = addGhosts(chart, result.speed, result.speed.terms, former, result.speed.min, result.speed.max);
+    if (others) chart.legend.push_back({tr("Before the change"), ghostPen(theme::ink())});
+    const QPen pen(theme::ink(), 3);
+    chart.parts.emplace_back(rampLine(result.averaged, result.speed.max, pen));
+    chart.legend.push_back({tr("Terms of the model"), pen});
+    addIntervals(result, chart);
   }
-  corners_->setVertices(result.averaged.empty() ? std::vector<VertexPick::Vertex>() : innerCorners(result.speed));
-  redraw(*plot_);
+  labels_->setTerms(result.speed, averaged ? result.speed.terms : std::vector<fuzzy::Term>());
+  corners_->setVertices(averaged ? innerCorners(result.speed) : std::vector<VertexPick::Vertex>());
+  setChart(chart);
   return others;
 }
-
-void SpeedTermPlot::addLine(const std::vector<elicitation::Ramp>& ramps, double max_mm_s, const QPen& pen,
-                            const QString& name) {
-  constexpr double kGap = std::numeric_limits<double>::quiet_NaN();  // QCustomPlot's sign for the end of a line
-  QVector<double> x;
-  QVector<double> y;
-  for (std::size_t term = 0; term <= ramps.size(); ++term) {
-    if (term == 0) {
-      x << 0;
-      y << 1;
-    } else {
-      x << ramps[term - 1].p << ramps[term - 1].q;
-      y << 0 << 1;
-    }
-    if (term == ramps.size()) {
-      x << max_mm_s;
-      y << 1;
-    } else {
-      x << ramps[term].p << ramps[term].q;
-      y << 1 << 0;
-    }
-    x << x.back();
-    y << kGap;
-  }
-  // The lines of the terms overlap, so the points are not in the order of x.
-  auto* curve = new QCPCurve(plot_->xAxis, plot_->yAxis);
-  curve->setPen(pen);
-  curve->setData(x, y);
-  if (!name.isEmpty()) legend_.push_back({name, pen});
-}
-
-void SpeedTermPlot::addIntervals(const SpeedResult& result) {
-  if (!result.intervals || result.intervals->averaged.size() != result.averaged.size()) return;
-  const QColor color = theme::readableLine(theme::warningInk());
-  const auto add = [&](const elicitation::Interval& interval, double height) {
-    QCPGraph& bar = addShape(*plot_, color, 2, 0);
-    bar.setData({interval.low, interval.high}, {height, height}, true);
-    bar.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, color, 4));
-  };
-  for (const elicitation::RampInterval& ramp : result.intervals->averaged) {
-    add(ramp.p, 1);
-    add(ramp.q, 1);
-  }
-  legend_.push_back({tr("95 % interval of a corner"), QPen(color, 2)});
-}
-
-void SpeedTermPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 // The heading of a participant's plot in the speed lab: the name in the participant's color, and how much data it
 // shows.
@@ -181,27 +162,60 @@ QColor lineOf(const fuzzy::Variable& speed, std::size_t cluster) {
   return cluster < speed.terms.size() ? termLine(speed, speed.terms, cluster) : theme::mutedInk();
 }
 
+void addHistogram(const SpeedSubject& subject, Chart& chart) {
+  QColor fill = theme::mutedInk();
+  fill.setAlphaF(0.22F);
+  ChartLine bars;
+  bars.fill = theme::onCard(fill);
+  const double width_mm_s = subject.end_mm_s / static_cast<double>(std::max<std::size_t>(1, subject.histogram.size()));
+  for (std::size_t i = 0; i < subject.histogram.size(); ++i) {
+    for (const std::size_t edge : {i, i + 1}) {
+      bars.x << static_cast<double>(edge) * width_mm_s;
+      bars.y << subject.histogram[i];
+    }
+  }
+  chart.parts.emplace_back(bars);
+}
+
+void addCentres(const SpeedSubject& subject, const fuzzy::Variable& speed,
+                const std::vector<elicitation::Interval>& intervals, Chart& chart) {
+  const std::vector<double>& centres = subject.speeds.centres;
+  if (centres.empty()) return;
+  std::vector<QVector<double>> memberships(centres.size());
+  QVector<double> x;
+  std::vector<double> at(centres.size());
+  for (int i = 0; i <= kCurvePoints; ++i) {
+    x << subject.end_mm_s * i / kCurvePoints;
+    elicitation::fcmMemberships(x.back(), centres, subject.speeds.m, at);
+    for (std::size_t k = 0; k < centres.size(); ++k) memberships[k] << at[k];
+  }
+  for (std::size_t k = 0; k < centres.size(); ++k) {
+    const QColor color = lineOf(speed, k);
+    chart.parts.emplace_back(ChartLine{x, memberships[k], QPen(color, 2, kDashes[k % kDashes.size()])});
+    chart.parts.emplace_back(ChartLine{{centres[k], centres[k]}, {0.0, 1.0}, QPen(color, 1, Qt::DotLine)});
+    if (centres.size() == speed.terms.size()) {
+      chart.parts.emplace_back(ChartText{
+          labelOf(speed.terms[k]), {centres[k], 1}, Qt::AlignHCenter | Qt::AlignBottom, theme::readableText(color)});
+    }
+    if (k >= intervals.size()) continue;
+    chart.parts.emplace_back(ChartLine{{intervals[k].low, intervals[k].high},
+                                       {kFoot, kFoot},
+                                       QPen(theme::ink(), 2),
+                                       {ChartDots::Shape::kDisc, 4, QPen(theme::ink())}});
+  }
+}
+
 }  // namespace
 
 ClusterPlot::ClusterPlot(QWidget* parent)
-    : QWidget(parent), title_(new ElidedLabel(this)), warnings_(new QLabel(this)), plot_(makePlot(this)) {
+    : QWidget(parent), title_(new ElidedLabel(this)), warnings_(new QLabel(this)), chart_(new ChartView(this)) {
   title_->setFont(theme::headingFont());
   warnings_->setTextFormat(Qt::PlainText);
   warnings_->setFont(theme::smallFont());
   setInk(*warnings_, theme::warningInk());
-  makeColumn(this, {makeRow({{title_, 1}, warnings_}), {plot_, 1}}, 2);
+  chart_->plot().axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
+  makeColumn(this, {makeRow({{title_, 1}, warnings_}), {chart_, 1}}, 2);
   setMinimumSize(200, 130);
-  fuzzy::Variable membership;
-  membership.min = 0;
-  membership.max = 1;
-  styleAxis(*plot_->xAxis, membership);
-  styleAxis(*plot_->yAxis, membership);
-  plot_->yAxis->setRange(0, kTop);
-  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
-  ticker->setTickStep(0.5);
-  plot_->yAxis->setTicker(ticker);
-  plot_->xAxis->grid()->setVisible(false);
-  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
 }
 
 void ClusterPlot::show(const SpeedSubject& subject, const fuzzy::Variable& speed, std::size_t number,
@@ -219,70 +233,11 @@ void ClusterPlot::show(const SpeedSubject& subject, const fuzzy::Variable& speed
   warnings_->setToolTip(lines.join(QLatin1Char('\n')));
   setAccessibleName(tr("Clusters of %1").arg(text(speeds.participant)));
 
-  plot_->clearPlottables();
-  plot_->clearItems();
-  fuzzy::Variable axis;
-  axis.min = 0;
-  axis.max = subject.end_mm_s;
-  styleAxis(*plot_->xAxis, axis);
-  plot_->xAxis->setLabel(tr("Speed (mm/s)"));
-  plot_->xAxis->grid()->setVisible(false);
-  addHistogram(subject);
-  addCentres(subject, speed, intervals);
-  redraw(*plot_);
-}
-
-void ClusterPlot::addHistogram(const SpeedSubject& subject) {
-  QColor fill = theme::mutedInk();
-  fill.setAlphaF(0.22F);
-  QVector<double> x;
-  QVector<double> height;
-  const double width_mm_s = subject.end_mm_s / static_cast<double>(std::max<std::size_t>(1, subject.histogram.size()));
-  for (std::size_t i = 0; i < subject.histogram.size(); ++i) {
-    for (const std::size_t edge : {i, i + 1}) {
-      x << static_cast<double>(edge) * width_mm_s;
-      height << subject.histogram[i];
-    }
-  }
-  QCPGraph& bars = addShape(*plot_, Qt::transparent, 0, 0);
-  bars.setPen(Qt::NoPen);
-  bars.setBrush(theme::onCard(fill));
-  bars.setData(x, height, true);
-}
-
-void ClusterPlot::addCentres(const SpeedSubject& subject, const fuzzy::Variable& speed,
-                             const std::vector<elicitation::Interval>& intervals) {
-  const std::vector<double>& centres = subject.speeds.centres;
-  if (centres.empty()) return;
-  std::vector<QVector<double>> memberships(centres.size());
-  QVector<double> x;
-  std::vector<double> at(centres.size());
-  for (int i = 0; i <= kCurvePoints; ++i) {
-    x << subject.end_mm_s * i / kCurvePoints;
-    elicitation::fcmMemberships(x.back(), centres, subject.speeds.m, at);
-    for (std::size_t k = 0; k < centres.size(); ++k) memberships[k] << at[k];
-  }
-  for (std::size_t k = 0; k < centres.size(); ++k) {
-    const QColor color = lineOf(speed, k);
-    QCPGraph& curve = addShape(*plot_, color, 2, 0);
-    curve.setPen(QPen(color, 2, kDashes[k % kDashes.size()]));
-    curve.setData(x, memberships[k], true);
-    QCPGraph& rule = addShape(*plot_, color, 1, 0);
-    rule.setPen(QPen(color, 1, Qt::DotLine));
-    rule.setData({centres[k], centres[k]}, {0.0, 1.0}, true);
-    if (centres.size() == speed.terms.size()) {
-      auto* name = new QCPItemText(plot_);
-      name->setText(labelOf(speed.terms[k]));
-      name->setFont(theme::smallFont());
-      name->setColor(theme::readableText(color));
-      name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-      name->position->setCoords(centres[k], 1);
-    }
-    if (k >= intervals.size()) continue;
-    QCPGraph& interval = addShape(*plot_, theme::ink(), 2, 0);
-    interval.setData({intervals[k].low, intervals[k].high}, {kFoot, kFoot}, true);
-    interval.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, theme::ink(), 4));
-  }
+  Chart chart{{.label = tr("Speed (mm/s)"), .grid = false}, membershipAxis(kTop)};
+  chart.x.universe.max = subject.end_mm_s;
+  addHistogram(subject, chart);
+  addCentres(subject, speed, intervals, chart);
+  chart_->setChart(chart);
 }
 
 void ClusterPlot::paint(QCPPainter& painter, const QSize& size) {
@@ -291,7 +246,7 @@ void ClusterPlot::paint(QCPPainter& painter, const QSize& size) {
   const int head = painter.fontMetrics().height() + 4;
   painter.drawText(QRect(theme::kGrid, 0, size.width(), head), Qt::AlignLeft | Qt::AlignVCenter, heading_);
   painter.translate(0, head);
-  paintPlot(*plot_, painter, size - QSize(0, head), {});
+  chart_->paintPicture(painter, size - QSize(0, head));
   painter.translate(0, -head);
 }
 
@@ -367,7 +322,7 @@ void ClusterPage::refreshState() {
     plots_[i - first]->show(*result->subjects[i], result->speed, numbers[i],
                             known ? result->intervals->participants[i].centres : std::vector<elicitation::Interval>());
   }
-  const bool others = terms_->show(*result, price_.formerTerms(result->speed.id));
+  const bool others = terms_->setTerms(*result, price_.formerTerms(result->speed.id));
   if (!result->failure.empty()) {
     said_->setText(tr("Nothing is averaged: %1").arg(text(result->failure)));
   } else if (result->averaged.empty()) {

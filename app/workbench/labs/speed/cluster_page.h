@@ -9,6 +9,7 @@
 
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/labs/speed/speed_clusters.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_menu.h"
 #include "elicitation/speed/stroke_bootstrap.h"
 
@@ -24,7 +25,7 @@ namespace tactus::workbench {
 class TermLabels;
 class VertexPick;
 
-class SpeedTermPlot : public QWidget, public PlotSource {
+class SpeedTermPlot : public ChartView {
   Q_OBJECT
 
  public:
@@ -32,25 +33,16 @@ class SpeedTermPlot : public QWidget, public PlotSource {
 
   /// `former`: the terms of the model before the last change of the settings, dashed; empty: none. Returns whether one
   /// of them is another.
-  bool show(const SpeedResult& result, const std::vector<fuzzy::Term>& former);
+  bool setTerms(const SpeedResult& result, const std::vector<fuzzy::Term>& former);
   VertexPick& corners() { return *corners_; }
-
-  QSize pictureSize() const override { return {940, 340}; }
-  std::vector<LegendEntry> legend() const override { return legend_; }
-  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  signals:
   /// The user clicked a corner of the averaged terms.
   void vertexAsked(const std::string& term, std::size_t point);
 
  private:
-  void addLine(const std::vector<elicitation::Ramp>& ramps, double max_mm_s, const QPen& pen, const QString& name);
-  void addIntervals(const SpeedResult& result);
-
-  QCustomPlot* plot_;
   TermLabels* labels_;
   VertexPick* corners_;
-  std::vector<LegendEntry> legend_;
 };
 
 class ElidedLabel;
@@ -74,14 +66,10 @@ class ClusterPlot : public QWidget {
   void paint(QCPPainter& painter, const QSize& size);
 
  private:
-  void addHistogram(const SpeedSubject& subject);
-  void addCentres(const SpeedSubject& subject, const fuzzy::Variable& speed,
-                  const std::vector<elicitation::Interval>& intervals);
-
   ElidedLabel* title_;
   QString heading_;
   QLabel* warnings_;
-  QCustomPlot* plot_;
+  ChartView* chart_;
 };
 
 class ClusterPage : public QWidget, public PlotSource {

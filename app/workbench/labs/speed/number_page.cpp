@@ -15,7 +15,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/speed/speed_lab.h"
-#include "app/workbench/plot/plot_style.h"
+#include "app/workbench/plot/chart.h"
 #include "core/base/text.h"
 
 namespace tactus::workbench {
@@ -109,44 +109,33 @@ std::vector<Column<SubjectRow>> speedColumns(const fuzzy::Variable& speed) {
   return withRole<SubjectRow>(std::move(out), Qt::ToolTipRole, &warningsOf);
 }
 
-}  // namespace
-
-ObjectivePlot::ObjectivePlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  makeColumn(this, {plot_});
-  setMinimumSize(220, 140);
-  setAccessibleName(tr("Objective against iteration"));
-  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid, 2 * theme::kGrid, 0));
-}
-
-void ObjectivePlot::show(const SpeedResult& result, const std::vector<ObjectiveTrace>& traces, std::size_t first) {
-  plot_->clearPlottables();
+/// The objective J against the iteration. `traces` belong to the participants from `first` on.
+Chart objectiveChart(const SpeedResult& result, const std::vector<ObjectiveTrace>& traces, std::size_t first) {
   const std::vector<std::size_t> numbers = subjectNumbers(result);
   fuzzy::Variable iterations;
   iterations.max = 1;
   double highest = 1;
+  Chart chart;
   for (std::size_t i = 0; i < traces.size() && first + i < numbers.size(); ++i) {
     const std::vector<double>& objective = traces[i].objective;
     if (objective.empty() || !(objective.back() > 0)) continue;
-    QVector<double> x;
-    QVector<double> y;
+    const QColor color = theme::expert(numbers[first + i]);
+    ChartLine line{{}, {}, QPen(color, 1.8), {ChartDots::Shape::kDisc, 4}};
     for (std::size_t k = 0; k < objective.size(); ++k) {
-      x << static_cast<double>(k);
-      y << objective[k] / objective.back();
+      line.x << static_cast<double>(k);
+      line.y << objective[k] / objective.back();
     }
-    iterations.max = std::max(iterations.max, x.back());
-    highest = std::max(highest, y.front());
-    QCPGraph& line = addShape(*plot_, theme::expert(numbers[first + i]), 1.8, 0);
-    line.setData(x, y, true);
-    line.setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, 4));
+    iterations.max = std::max(iterations.max, line.x.back());
+    highest = std::max(highest, line.y.front());
+    chart.parts.emplace_back(line);
   }
-  styleAxis(*plot_->xAxis, iterations);
-  styleAxis(*plot_->yAxis, iterations);
-  plot_->xAxis->setLabel(tr("Iteration of the textbook"));
-  plot_->yAxis->setLabel(tr("J / its minimum"));
-  plot_->yAxis->setTicker(QSharedPointer<QCPAxisTicker>::create());
-  plot_->yAxis->setRange(1 - 0.05 * (highest - 1 + 0.01), 1 + 1.08 * (highest - 1 + 0.01));
-  redraw(*plot_);
+  chart.x = {.universe = iterations, .label = NumberPage::tr("Iteration of the textbook")};
+  chart.y = {.universe = iterations, .label = NumberPage::tr("J / its minimum"), .round_ticks = true};
+  chart.y.range = {1 - 0.05 * (highest - 1 + 0.01), 1 + 1.08 * (highest - 1 + 0.01)};
+  return chart;
 }
+
+}  // namespace
 
 namespace {
 
@@ -171,7 +160,9 @@ NumberPage::NumberPage(SpeedLab& lab, QWidget* parent)
       table_(new Columns<SubjectRow>(this)),
       view_(makeLabTable(*table_, -1, tr("Table 1: speeds of each participant at each level"), this)),
       warnings_(new QLabel(this)),
-      objective_(new ObjectivePlot(this)) {
+      objective_(new ChartView(this)) {
+  objective_->setMinimumSize(220, 140);
+  objective_->setAccessibleName(tr("Objective against iteration"));
   view_->verticalHeader()->setDefaultSectionSize(4 * theme::kGrid);
   warnings_->setTextFormat(Qt::PlainText);
   warnings_->setWordWrap(true);
@@ -248,7 +239,7 @@ void NumberPage::refreshState() {
     return;
   }
   warnings_->setText(warningText());
-  objective_->show(*result, lab_.objectives(), lab_.shown().first);
+  objective_->setChart(objectiveChart(*result, lab_.objectives(), lab_.shown().first));
 }
 
 }  // namespace tactus::workbench

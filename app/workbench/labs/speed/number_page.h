@@ -8,25 +8,12 @@
 #include "app/workbench/labs/speed/speed_clusters.h"
 #include "app/workbench/labs/speed/speed_lab.h"
 
-class QCustomPlot;
 class QLabel;
 class QTableView;
 
 namespace tactus::workbench {
 
-/// The objective J against the iteration, for the participants on the page.
-class ObjectivePlot : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit ObjectivePlot(QWidget* parent = nullptr);
-
-  /// `traces` belong to the participants from `first` on.
-  void show(const SpeedResult& result, const std::vector<ObjectiveTrace>& traces, std::size_t first);
-
- private:
-  QCustomPlot* plot_;
-};
+class ChartView;
 
 class NumberPage : public QWidget {
   Q_OBJECT
@@ -43,7 +30,7 @@ class NumberPage : public QWidget {
   Columns<std::shared_ptr<const SpeedSubject>>* table_;
   QTableView* view_;
   QLabel* warnings_;
-  ObjectivePlot* objective_;
+  ChartView* objective_;
 };
 
 }  // namespace tactus::workbench

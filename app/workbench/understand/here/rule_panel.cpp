@@ -20,6 +20,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/model/scene_controller.h"
 #include "app/workbench/model/selection.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/plot_caption.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_menu.h"
@@ -172,12 +173,11 @@ ReasonsFound reasonsAt(const fuzzy::ForceModel& model, const fuzzy::CompiledMode
 
 }  // namespace
 
-OutputSetsPlot::OutputSetsPlot(QWidget* parent) : QWidget(parent), plot_(makePlot(this)) {
-  makeColumn(this, {plot_});
+OutputSetsPlot::OutputSetsPlot(QWidget* parent) : ChartView(parent, {800, 420}) {
   setMinimumSize(200, 120);
   setAccessibleName(tr("Clipped sets of the output and their centroid"));
-  cursor_ = new ReadingCursor(*plot_);
-  plot_->axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
+  cursor_ = new ReadingCursor(plot());
+  plot().axisRect()->setMinimumMargins(QMargins(0, theme::kGrid / 2, 2 * theme::kGrid, 0));
 }
 
 void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation,
@@ -207,15 +207,7 @@ void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis:
 
 void OutputSetsPlot::begin(const fuzzy::Variable& output) {
   output_ = output;
-  styleAxis(*plot_->xAxis, output);
-  styleAxis(*plot_->yAxis, output);
-  plot_->xAxis->setLabel(axisText(output));
-  plot_->xAxis->grid()->setVisible(false);
-  plot_->yAxis->setRange(0, 1.06);
-  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
-  ticker->setTickStep(0.5);
-  plot_->yAxis->setTicker(ticker);
-  plot_->clearGraphs();
+  chart_ = {{.universe = output, .label = axisText(output), .grid = false}, membershipAxis()};
 }
 
 void OutputSetsPlot::addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha,
@@ -229,36 +221,27 @@ void OutputSetsPlot::addSet(const QString& name, const analysis::Polyline& set, 
   }
   x << set.back().x;
   height << 0;
-  QCPGraph& graph = addShape(*plot_, color, width, fill_alpha);
-  graph.setName(name);
-  graph.setData(x, height, true);
+  const ChartLine line = filledLine(x, height, color, width, fill_alpha);
+  chart_.parts.emplace_back(line);
+  chart_.legend.push_back({name, line.pen, line.fill});
 }
 
+// The force at the centroid is what the plot is about, so its mark stays in a picture.
 void OutputSetsPlot::finish(bool fired, double force_n, const QString& tag) {
   cursor_->setVisible(fired);
   cursor_->set(force_n, tag, {});
-  redraw(*plot_);
-}
-
-std::vector<LegendEntry> OutputSetsPlot::legend() const {
-  std::vector<LegendEntry> entries;
-  for (int i = 0; i < plot_->graphCount(); ++i) {
-    const QCPGraph& set = *plot_->graph(i);
-    entries.push_back({set.name(), set.pen(), set.brush()});
-  }
-  return entries;
+  setChart(chart_);
 }
 
 void OutputSetsPlot::fillTable(PlotTable& table) const {
   table.columns = {"set", columnName(output_), "height"};
-  for (int i = 0; i < plot_->graphCount(); ++i) {
-    const std::string name = plot_->graph(i)->name().toStdString();
-    for (const QCPGraphData& corner : *plot_->graph(i)->data()) table.rows.push_back({name, corner.key, corner.value});
+  for (std::size_t i = 0; i < chart_.parts.size(); ++i) {
+    const auto& set = std::get<ChartLine>(chart_.parts[i]);
+    const std::string name = chart_.legend[i].name.toStdString();
+    for (qsizetype corner = 0; corner < set.x.size(); ++corner)
+      table.rows.push_back({name, set.x[corner], set.y[corner]});
   }
 }
-
-// The force at the centroid is what the plot is about, so its mark stays.
-void OutputSetsPlot::paintPicture(QCPPainter& painter, const QSize& size) { paintPlot(*plot_, painter, size, {}); }
 
 RulePanel::RulePanel(const SceneController& scene, Selection& selection, QWidget* parent)
     : Card(parent),

@@ -17,7 +17,7 @@
 #include "app/workbench/base/plot_table.h"
 #include "app/workbench/kit/cards.h"
 #include "app/workbench/model/open_model.h"
-#include "app/workbench/plot/plot_menu.h"
+#include "app/workbench/plot/chart.h"
 #include "core/analysis/explain.h"
 #include "core/analysis/reasons.h"
 #include "core/fuzzy/force_model.h"
@@ -228,7 +228,7 @@ class ExpertFlow : public QWidget {
 
 // The output sets of the rules, their aggregation, and its centroid, which is the force.
 
-class OutputSetsPlot : public QWidget, public PlotSource {
+class OutputSetsPlot : public ChartView {
   Q_OBJECT
 
  public:
@@ -241,17 +241,14 @@ class OutputSetsPlot : public QWidget, public PlotSource {
 
   /// The corners of the drawn sets: set, force, height.
   void fillTable(PlotTable& table) const;
-  QSize pictureSize() const override { return {800, 420}; }
-  std::vector<LegendEntry> legend() const override;
-  void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  private:
   void begin(const fuzzy::Variable& output);
   void addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha, double width);
   void finish(bool fired, double force_n, const QString& tag);
 
-  QCustomPlot* plot_;
   fuzzy::Variable output_;
+  Chart chart_;
   ReadingCursor* cursor_;
 };
 
