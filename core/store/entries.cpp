@@ -1,8 +1,13 @@
 #include "core/store/entries.h"
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "core/base/tables/csv.h"
 #include "core/base/text.h"
@@ -31,135 +36,182 @@ std::vector<study::ItemCondition> parseConditions(const std::string& text) {
 }
 
 /// `name`, an id of a term, level, series or form.
-const std::string& plainName(const std::string& name, const char* place) {
-  if (base::looksLikeFormula(name)) refuse(ErrorCode::kValue, place, base::quoted(name), base::kNoFormula);
+const std::string& plainName(const std::string& name, std::string_view place) {
+  if (base::looksLikeFormula(name)) refuse(ErrorCode::kValue, std::string(place), base::quoted(name), base::kNoFormula);
   return name;
 }
 
-}  // namespace
+/// How a text is stored.
+enum class TextIs {
+  kAny,
+  kName,          ///< a plain name
+  kNameOrNumber,  ///< the same, or a number on a rating scale
+  kJson,
+};
 
-void putColumns(Query& query, const study::ProfileRecord& record) {
-  query.put(record.years_experience).put(record.insertions_per_month).put(record.category).put(record.handedness);
-  query.put(record.gloves).put(record.tube_size).put(record.haptic_experience).put(record.weight);
-  query.put(record.comfort);
-}
-void takeColumns(Query& query, study::ProfileRecord& record) {
-  record.years_experience = query.numberOrNothing();
-  record.insertions_per_month = query.numberOrNothing();
-  record.category = query.text();
-  record.handedness = query.text();
-  record.gloves = query.text();
-  record.tube_size = query.text();
-  record.haptic_experience = query.text();
-  record.weight = query.numberOrNothing();
-  record.comfort = query.text();
+template <class T, class Record>
+concept MayBeConst = std::is_same_v<std::remove_const_t<T>, Record>;
+
+// The columns of each kind of record after those of study::Entry, in the order of the table: written, read and named by
+// the same list.
+
+void describe(auto& column, MayBeConst<study::ProfileRecord> auto& record) {
+  column("years_experience", record.years_experience);
+  column("insertions_per_month", record.insertions_per_month);
+  column("category", record.category);
+  column("handedness", record.handedness);
+  column("gloves", record.gloves);
+  column("tube_size", record.tube_size);
+  column("haptic_experience", record.haptic_experience);
+  column("weight", record.weight);
+  column("comfort", record.comfort);
 }
 
-void putColumns(Query& query, const study::EventRecord& record) { query.put(record.kind).putJson(record.detail); }
-void takeColumns(Query& query, study::EventRecord& record) {
-  record.kind = query.text();
-  record.detail = query.text();
+void describe(auto& column, MayBeConst<study::EventRecord> auto& record) {
+  column("kind", record.kind);
+  column("detail", record.detail, TextIs::kJson);
 }
 
-void putColumns(Query& query, const study::StrokeRecord& record) {
-  if (record.last > record.recording.size()) {
-    refuse(ErrorCode::kValue, "stroke", "an end at sample " + std::to_string(record.last),
-           "one within the " + std::to_string(record.recording.size()) + " samples of its recording");
+void describe(auto& column, MayBeConst<study::StrokeRecord> auto& record) {
+  column("level", record.level, TextIs::kName);
+  column("number", record.number);
+  column("attempt", record.attempt);
+  column("practice", record.practice);
+  column("verdict", record.verdict);
+  column("first_sample", record.first);
+  column("end_sample", record.last);
+}
+
+void describe(auto& column, MayBeConst<study::JudgementRecord> auto& record) {
+  column("series", record.series, TextIs::kName);
+  column("step", record.step);
+  column("attempt", record.attempt);
+  column("commanded_n", record.commanded_n);
+  column("felt_n", record.felt_n);
+  column("kind", record.kind);
+  column("term", record.term, TextIs::kName);
+  column("scored", record.scored);
+  column("catch_trial", record.catch_trial);
+  column("feel_again", record.feel_again);
+  column("forward_mm", record.forward_mm);
+  column("forward_speed_mm_s", record.forward_speed_mm_s);
+  column("response_s", record.response_s);
+  column("delivered_share", record.delivered_share);
+}
+
+void describe(auto& column, MayBeConst<study::AnswerRecord> auto& record) {
+  column("form", record.form, TextIs::kName);
+  column("form_version", record.form_version);
+  column("item", record.item);
+  column("position", record.position);
+  column("status", record.status);
+  column("value", record.value, TextIs::kNameOrNumber);
+  column("response_s", record.response_s);
+  column("wording", record.wording, TextIs::kName);
+}
+
+void describe(auto& column, MayBeConst<study::RatingRecord> auto& record) {
+  column("block", record.block);
+  column("effort", record.effort);
+  column("comfort", record.comfort);
+}
+
+void describe(auto& column, MayBeConst<study::RuleRecord> auto& record) {
+  column("form", record.rule.form, TextIs::kName);
+  column("conditions", record.rule.conditions);
+  column("then_term", record.rule.then, TextIs::kName);
+  column("weight", record.rule.weight);
+}
+
+/// Binds the columns of a record.
+class PutColumns {
+ public:
+  explicit PutColumns(Query& query) : query_(query) {}
+
+  template <class Value>
+  void operator()(std::string_view /*name*/, const Value& value) {
+    if constexpr (std::is_enum_v<Value>) {
+      query_.put(wordFor(value));
+    } else if constexpr (std::is_same_v<Value, std::size_t>) {
+      query_.put(static_cast<std::int64_t>(value));
+    } else {
+      query_.put(value);
+    }
   }
-  query.put(plainName(record.level, "level"))
-      .put(record.number)
-      .put(record.attempt)
-      .put(record.practice)
-      .put(record.verdict);
-  query.put(static_cast<std::int64_t>(record.first)).put(static_cast<std::int64_t>(record.last));
-}
-void takeColumns(Query& query, study::StrokeRecord& record) {
-  record.level = query.text();
-  record.number = query.small();
-  record.attempt = query.small();
-  record.practice = query.flag();
-  record.verdict = query.text();
-  record.first = static_cast<std::size_t>(query.integer());
-  record.last = static_cast<std::size_t>(query.integer());
+  void operator()(std::string_view name, const std::string& text, TextIs is) {
+    if (is == TextIs::kJson) {
+      query_.putJson(text);
+    } else {
+      const bool may_be_any = is == TextIs::kNameOrNumber && base::parseNumber(text).has_value();
+      query_.put(may_be_any ? text : plainName(text, name));
+    }
+  }
+  void operator()(std::string_view name, const std::vector<study::ItemCondition>& conditions) {
+    for (const study::ItemCondition& condition : conditions) plainName(condition.term, name);
+    query_.put(conditionsText(conditions));
+  }
+
+ private:
+  Query& query_;
+};
+
+/// Reads the columns of a record.
+class TakeColumns {
+ public:
+  explicit TakeColumns(Query& query) : query_(query) {}
+
+  void operator()(std::string_view /*name*/, std::string& text, TextIs /*is*/ = TextIs::kAny) { text = query_.text(); }
+  void operator()(std::string_view /*name*/, int& number) { number = query_.small(); }
+  void operator()(std::string_view /*name*/, bool& flag) { flag = query_.flag(); }
+  void operator()(std::string_view /*name*/, double& number) { number = query_.number(); }
+  void operator()(std::string_view /*name*/, std::optional<double>& number) { number = query_.numberOrNothing(); }
+  void operator()(std::string_view /*name*/, std::size_t& count) { count = static_cast<std::size_t>(query_.integer()); }
+  void operator()(std::string_view /*name*/, std::vector<study::ItemCondition>& conditions) {
+    conditions = parseConditions(query_.text());
+  }
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  void operator()(std::string_view /*name*/, Enum& word) { word = fromWord<Enum>(query_.text()); }
+
+ private:
+  Query& query_;
+};
+
+/// `r.level, r.number, …`, of the table `r`.
+template <class Record>
+std::string columnNames() {
+  std::string names;
+  const auto add = [&names](std::string_view name, const auto&...) {
+    names += (names.empty() ? "r." : ", r.") + std::string(name);
+  };
+  const Record record;
+  describe(add, record);
+  return names;
 }
 
-void putColumns(Query& query, const study::JudgementRecord& record) {
-  query.put(plainName(record.series, "series"))
-      .put(record.step)
-      .put(record.attempt)
-      .put(record.commanded_n)
-      .put(record.felt_n);
-  query.put(wordFor(record.kind))
-      .put(plainName(record.term, "term"))
-      .put(record.scored)
-      .put(record.catch_trial)
-      .put(record.feel_again);
-  query.put(record.forward_mm).put(record.forward_speed_mm_s).put(record.response_s).put(record.delivered_share);
-}
-void takeColumns(Query& query, study::JudgementRecord& record) {
-  record.series = query.text();
-  record.step = query.small();
-  record.attempt = query.small();
-  record.commanded_n = query.number();
-  record.felt_n = query.numberOrNothing();
-  record.kind = fromWord<study::ForceJudgement::Kind>(query.text());
-  record.term = query.text();
-  record.scored = query.flag();
-  record.catch_trial = query.flag();
-  record.feel_again = query.small();
-  record.forward_mm = query.number();
-  record.forward_speed_mm_s = query.number();
-  record.response_s = query.number();
-  record.delivered_share = query.numberOrNothing();
-}
+template <class Record>
+constexpr std::string_view kTable = {};
+template <>
+constexpr std::string_view kTable<study::ProfileRecord> = "profile";
+template <>
+constexpr std::string_view kTable<study::EventRecord> = "event";
+template <>
+constexpr std::string_view kTable<study::StrokeRecord> = "stroke";
+template <>
+constexpr std::string_view kTable<study::JudgementRecord> = "judgement";
+template <>
+constexpr std::string_view kTable<study::AnswerRecord> = "answer";
+template <>
+constexpr std::string_view kTable<study::RatingRecord> = "rating";
+template <>
+constexpr std::string_view kTable<study::RuleRecord> = "rule";
 
-void putColumns(Query& query, const study::AnswerRecord& record) {
-  query.put(plainName(record.form, "form")).put(record.form_version).put(record.item).put(record.position);
-  const bool is_number = base::parseNumber(record.value).has_value();  // on a rating scale
-  query.put(wordFor(record.status)).put(is_number ? record.value : plainName(record.value, "answer"));
-  query.put(record.response_s).put(plainName(record.wording, "wording"));
-}
-void takeColumns(Query& query, study::AnswerRecord& record) {
-  record.form = query.text();
-  record.form_version = query.small();
-  record.item = query.small();
-  record.position = query.small();
-  record.status = fromWord<study::Answer::Status>(query.text());
-  record.value = query.text();
-  record.response_s = query.number();
-  record.wording = query.text();
-}
-
-void putColumns(Query& query, const study::RatingRecord& record) {
-  query.put(record.block).put(record.effort).put(record.comfort);
-}
-void takeColumns(Query& query, study::RatingRecord& record) {
-  record.block = query.text();
-  record.effort = query.small();
-  record.comfort = query.small();
-}
-
-void putColumns(Query& query, const study::RuleRecord& record) {
-  for (const auto& condition : record.rule.conditions) plainName(condition.term, "rule");
-  query.put(plainName(record.rule.form, "rule")).put(conditionsText(record.rule.conditions));
-  query.put(plainName(record.rule.then, "rule")).put(record.rule.weight);
-}
-void takeColumns(Query& query, study::RuleRecord& record) {
-  record.rule.form = query.text();
-  record.rule.conditions = parseConditions(query.text());
-  record.rule.then = query.text();
-  record.rule.weight = query.number();
-}
-
-namespace {
-
-using base::ErrorCode;
 using base::Result;
 using study::Entry;
 using study::RecordId;
 
 constexpr std::string_view kEntryColumns =
-    "id, session_id, sequence, utc_ms, monotonic_ns, entered_by, supersedes, reason";
+    "r.id, r.session_id, r.sequence, r.utc_ms, r.monotonic_ns, r.entered_by, r.supersedes, r.reason";
 
 /// The number that the next record of the session gets, over all kinds.
 std::int64_t nextSequence(Connection& connection, const RecordId& session) {
@@ -184,18 +236,22 @@ void requireUncorrected(Connection& connection, std::string_view table, const Re
 
 template <class Record>
 void insertEntry(Connection& connection, const Record& record) {
-  constexpr EntryTable kTable = kEntryTable<Record>;
   const Entry& entry = record.entry;
-  if (entry.supersedes) requireUncorrected(connection, kTable.name, *entry.supersedes);
-  KeptQuery insert(connection, insertion(connection, kTable.name));
+  if (entry.supersedes) requireUncorrected(connection, kTable<Record>, *entry.supersedes);
+  KeptQuery insert(connection, insertion(connection, kTable<Record>));
   insert.put(entry.id).put(entry.session).put(nextSequence(connection, entry.session));
   insert.put(entry.when.utc_ms).put(entry.when.monotonic_ns).put(wordFor(entry.entered_by));
   insert.put(entry.supersedes).put(entry.reason);
-  putColumns(insert, record);
+  PutColumns columns(insert);
+  describe(columns, record);
   insert.run();
 }
 
 void insertRecording(Connection& connection, const study::StrokeRecord& record) {
+  if (record.last > record.recording.size()) {
+    refuse(ErrorCode::kValue, "stroke", "an end at sample " + std::to_string(record.last),
+           "one within the " + std::to_string(record.recording.size()) + " samples of its recording");
+  }
   auto bytes = encodeRecording(record.recording);
   if (!bytes) throw Refusal{bytes.error()};
   std::string channels;
@@ -227,23 +283,14 @@ study::Recording takeRecording(Query& query, const RecordId& stroke) {
 template <class Record>
 Result<std::vector<Record>> readEntries(const StudyFile& file, const Selection& selection,
                                         Recordings recordings = Recordings::kLeaveOut) {
-  constexpr EntryTable kTable = kEntryTable<Record>;
   constexpr bool kIsStroke = std::is_same_v<Record, study::StrokeRecord>;
   const bool with_recording = kIsStroke && recordings == Recordings::kRead;
   Connection& connection = file.connection();
   return guarded(connection, [&] {
-    // The columns of a record are unambiguous but for the id, the kind and what a session has too.
-    std::string columns;
-    for (const std::string_view list : {kEntryColumns, kTable.columns}) {
-      std::string qualified = "r." + std::string(list);
-      for (std::size_t at = 0; (at = qualified.find(", ", at)) != std::string::npos; at += 4) {
-        qualified.insert(at + 2, "r.");
-      }
-      columns += (columns.empty() ? "" : ", ") + qualified;
-    }
-    columns += ", " + fitsChecksum(connection, kTable.name, "r");
+    std::string columns = std::string(kEntryColumns) + ", " + columnNames<Record>() + ", " +
+                          fitsChecksum(connection, kTable<Record>, "r");
     if (with_recording) columns += ", recording.data, " + fitsChecksum(connection, "recording", "recording");
-    std::string sql = "SELECT " + columns + " FROM " + std::string(kTable.name) +
+    std::string sql = "SELECT " + columns + " FROM " + std::string(kTable<Record>) +
                       (selection.history ? "" : "_current") + " AS r JOIN session AS s ON s.id = r.session_id";
     if (with_recording) sql += " JOIN recording ON recording.stroke_id = r.id";
     sql += " WHERE (?1 IS NULL OR s.person_id = ?1) AND (?2 IS NULL OR s.id = ?2)";
@@ -261,8 +308,9 @@ Result<std::vector<Record>> readEntries(const StudyFile& file, const Selection& 
       record.entry.entered_by = fromWord<study::EnteredBy>(query.text());
       record.entry.supersedes = query.idOrNothing();
       record.entry.reason = query.text();
-      takeColumns(query, record);
-      query.requireIntact(kTable.name, record.entry.id);
+      TakeColumns own(query);
+      describe(own, record);
+      query.requireIntact(kTable<Record>, record.entry.id);
       if constexpr (kIsStroke) {
         if (with_recording) record.recording = takeRecording(query, record.entry.id);
       }

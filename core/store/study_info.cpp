@@ -7,6 +7,7 @@
 #include "core/store/entries.h"
 #include "core/store/feel_records.h"
 #include "core/store/merge.h"
+#include "core/store/query.h"
 #include "core/store/record_checksum.h"
 #include "core/store/record_tables.h"
 #include "core/store/recording_codec.h"
