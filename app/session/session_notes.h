@@ -57,7 +57,7 @@ struct ExperienceBand {
   std::string_view id;  ///< `years_1` to `years_4`
   double middle_years = 0;
 };
-/// Under 5, 5 to 10, 10 to 15, over 15 years: middles 2.5, 7.5, 12.5, 20.
+/// Under 5, 5 to 9, 10 to 14, 15 or more years: middles 2.5, 7.5, 12.5, 20.
 std::optional<ExperienceBand> experienceBandCalled(std::string_view id);
 Note experienceBandChosen(const ExperienceBand& band);
 
@@ -87,7 +87,7 @@ Note wouldStop(const study::RecordId& judgement, bool would_stop);
 
 /// An answer that came sooner than a person can read and choose, or so late that something came in between.
 enum class ResponseMark { kSoon, kLate };
-inline constexpr double kSoonS = 0.3;  ///< less: the press was meant for something else (facts on the screens, part 3)
+inline constexpr double kSoonS = 0.3;  ///< less: the press was meant for something else
 inline constexpr double kLateS = 30;   ///< more: she was interrupted
 
 /// `soon`, `late`.

@@ -1,3 +1,4 @@
+// Her own model in the hand: OwnModelTrial of participant_course.h.
 #include <QPointer>
 #include <algorithm>
 #include <chrono>

@@ -145,6 +145,7 @@ ParticipantController::Step& ParticipantController::step() const {
 }
 
 void ParticipantController::look() {
+  const Screen before = state_.screen;
   state_.screen = correcting_ ? Screen::kForce : screenOf(at(), passed_);
   state_.form = QString::fromStdString(at() != nullptr ? at()->settings->form : plan_.settings.form);
   state_.code = check_in_.code();
@@ -174,7 +175,7 @@ void ParticipantController::look() {
   }
   state_.can_go_on = true;
   state_.can_go_back = false;
-  state_.page = {};
+  if (state_.screen != before) state_.page = {};
   step().show(state_);
   noteCircumstances();
   // While an answer is being stored nothing else is answered.

@@ -1,6 +1,7 @@
 // The course of the nurse's screens, without any widget: which screen is shown, what may be done on it, and what is
-// stored. The views show `state()` and call the slots; the records are made by the session (app/session) in the thread
-// of the study, and the next screen opens on the acknowledged commit.
+// stored; before it, how her input counts: strokes out of samples, the button of the device, the gate that keeps a key
+// from answering the next screen. The views show `state()` and call the slots; the records are made by the session
+// (app/session) in the thread of the study, and the next screen opens on the acknowledged commit.
 #pragma once
 
 #include <QObject>
@@ -63,7 +64,7 @@ enum class ButtonPress {
 class DeviceButton {
  public:
   static constexpr double kTapS = 0.4;     ///< longer presses move something
-  static constexpr double kHeldS = 0.8;    ///< confirms (facts on the screens, part 3)
+  static constexpr double kHeldS = 0.8;    ///< confirms
   static constexpr double kSettleS = 0.3;  ///< open for so long before a press counts, as on the screen
 
   /// Another question: a button that is down belongs to the one before.

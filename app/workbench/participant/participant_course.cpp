@@ -216,11 +216,15 @@ std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed) {
   }
   if (at.part == SessionPart::kForce && at.force->question.rest_first) {
     const auto& step = at.force->step;
-    return step.series + ' ' + std::to_string(step.step) + ' ' + std::to_string(at.force->attempt);
+    const std::string long_rest =
+        step.series + ' ' + std::to_string(step.step) + ' ' + std::to_string(at.force->attempt);
+    if (!passed.rests.contains(long_rest)) return long_rest;
   }
   const bool next_question = at.part == SessionPart::kForm && at.page && !at.page->reply;
   const bool due = next_question && passed.replies > 0 && (at.page->position - 1) % kQuestionsToRest == 0;
-  return due ? "question_" + std::to_string(at.page->position) : std::string();
+  if (!due) return {};
+  const std::string before_question = "question_" + std::to_string(at.page->position);
+  return passed.rests.contains(before_question) ? std::string() : before_question;
 }
 
 bool isUsability(const SessionSnapshot& at) { return at.record && at.record->kind == study::SessionKind::kUsability; }
@@ -232,8 +236,7 @@ ParticipantScreen screenOf(const SessionSnapshot* at, const CoursePassed& passed
   if (isUsability(*at)) {
     return at->part == SessionPart::kFinished ? ParticipantScreen::kThanks : ParticipantScreen::kScale;
   }
-  const std::string rest = restBefore(*at, passed);
-  if (!rest.empty() && !passed.rests.contains(rest)) return ParticipantScreen::kRest;
+  if (!restBefore(*at, passed).empty()) return ParticipantScreen::kRest;
   switch (at->part) {
     case SessionPart::kProfile: return ParticipantScreen::kAboutYou;
     case SessionPart::kSpeed:

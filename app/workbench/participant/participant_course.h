@@ -1,5 +1,6 @@
-// Decides which of the nurse's screens is shown. The decision follows from the stored records of the session and from
-// the screens that she has passed since she sat down.
+// The course of the nurse's screens without state of its own: which one is shown, which follows from the stored records
+// and from what she has passed since she sat down; and what the device steps measure in her hand: the check, the wait
+// for a grip, one force until its answer, her own model.
 #pragma once
 
 #include <QObject>
@@ -30,9 +31,8 @@
 
 namespace tactus::workbench {
 
-// Her own model in the hand, region by region: built from her answers, kept in the study, and what she says of it.
-
-// The force model of one participant's own answers, to be felt region by region.
+// Her own model in the hand, region by region: built from her answers, kept in the study, and what she says of it
+// (own_model_trial.cpp).
 
 /// A region of the way: the depth from which it is felt, to its end.
 struct OwnRegion {
@@ -226,7 +226,7 @@ class ForceTrial {
   double speed_before_mm_s_ = 0;
 };
 
-/// A rest every so many questions (facts on the screens, part 3).
+/// A rest every so many questions.
 inline constexpr std::size_t kQuestionsToRest = 15;
 
 /// What she has passed since she sat down. Nothing of it is stored: after a crash she passes it again.
@@ -246,7 +246,7 @@ struct CoursePassed {
 /// The "rest" that says that the practice of the forces is over.
 inline constexpr const char* kBeginsToCount = "begins_to_count";
 
-/// The rest that comes before what `at` asks; empty: none. The same text for the same place.
+/// The rest that comes now, before what `at` asks; empty: none, or she had it. The same text for the same place.
 std::string restBefore(const SessionSnapshot& at, const CoursePassed& passed);
 
 /// A clinical teacher's session with the usability form.

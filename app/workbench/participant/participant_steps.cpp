@@ -179,8 +179,7 @@ class ParticipantController::PlainSteps::Rating final : public Step {
 
   std::string question() const override { return rating().isFirst() ? "effort" : "comfort"; }
   void show(ParticipantState& state) override {
-    state.scale = rating().state();
-    state.page = ratingPage(state.scale);
+    state.page = ratingPage(rating().state());
     state.can_go_on = rating().isAnswered();
     state.can_go_back = !rating().isFirst() || course_.passed_.sealing || course_.at()->judged;
   }
@@ -222,9 +221,8 @@ class ParticipantController::PlainSteps::Scale final : public Step {
   void show(ParticipantState& state) override {
     state.can_go_on = !course_.chosen_.isEmpty();
     if (!page()) return;  // the last answer ends it
-    state.scale = {QStringLiteral("u.%1").arg(page()->item), static_cast<int>(page()->position),
-                   static_cast<int>(page()->count), course_.chosen_, false};
-    state.page = statementPage(state.scale);
+    state.page = statementPage({QStringLiteral("u.%1").arg(page()->item), static_cast<int>(page()->position),
+                                static_cast<int>(page()->count), course_.chosen_, false});
     state.can_go_on = state.can_go_on && course_.at()->part == session::SessionPart::kForm;
     state.can_go_back = page()->position > 1;
   }

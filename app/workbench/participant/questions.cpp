@@ -8,11 +8,6 @@
 #include "app/session/study_source.h"
 
 namespace tactus::workbench {
-namespace {
-
-constexpr auto kNotSaid = "not_say";
-
-}  // namespace
 
 std::optional<int> scalePoints(const QString& id) {
   bool number = false;
@@ -23,7 +18,7 @@ std::optional<int> scalePoints(const QString& id) {
 std::optional<int> BlockRating::points() const { return scalePoints(chosen_); }
 
 void BlockRating::choose(const QString& id) {
-  if (scalePoints(id) || id == QLatin1String(kNotSaid)) chosen_ = id;
+  if (scalePoints(id) || id == QLatin1String(kNotSay)) chosen_ = id;
 }
 
 bool BlockRating::next() {
@@ -56,8 +51,6 @@ ScaleState BlockRating::state() const {
 namespace {
 
 using Question = AboutYouState::Question;
-
-constexpr auto kNotSay = "not_say";
 
 const session::ProfileQuestion& asked(Question question) {
   return session::profileQuestions()[static_cast<std::size_t>(question)];

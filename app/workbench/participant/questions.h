@@ -1,4 +1,5 @@
-// The questions of the form for the screens: what a question asks, and all answers for the review.
+// What the screens ask in words: effort and comfort of a part, the questions about the participant, the questions of
+// the form, and all answers to them for the review.
 #pragma once
 
 #include <QString>

@@ -194,7 +194,7 @@ void ScreenNurse::act(const ParticipantState& state) {
       wait(15, 40);
       hands_.press("nav.continue");
       return;
-    case Screen::kRating: return rate(state.scale);
+    case Screen::kRating: return rate(state.page);
     case Screen::kScale:
       sent_away_ = true;  // of clinical teachers
       return;
@@ -349,12 +349,12 @@ void ScreenNurse::answer(const QuestionState& question) {
   wait(1.5, 7);
 }
 
-void ScreenNurse::rate(const ScaleState& scale) {
-  const int points = scale.position == 1 ? 2 : 6;
+void ScreenNurse::rate(const PageState& page) {
+  const bool effort = page.sentence.id == QLatin1String("rate.effort");
   wait(1, 3);
-  if (scale.chosen.isEmpty()) {
-    hands_.press(nurse::plain(QString::number(points)));
-  } else if (hands_.press("nav.confirm") && scale.position == scale.count) {
+  if (page.chosen.isEmpty()) {
+    hands_.press(nurse::plain(QString::number(effort ? 2 : 6)));
+  } else if (hands_.press(page.primary) && !effort) {
     said_rating_ = true;
   }
 }

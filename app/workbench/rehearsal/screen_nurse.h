@@ -103,7 +103,7 @@ class ScreenNurse {
   void feel();
   void judge(const ForceState& force, bool practice);
   void answer(const QuestionState& question);
-  void rate(const ScaleState& scale);
+  void rate(const PageState& page);
   void review(const ReviewState& shown);
   void feelOwnModel(const OwnModelState& own);
   QString wordFor(double felt_n);

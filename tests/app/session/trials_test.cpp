@@ -138,6 +138,44 @@ TEST_F(TrialsOfSimulatedNurses, HaveARowForEachRecordAndCountWhatTheTablesHold) 
   EXPECT_EQ(table.rowCount(), all.size());
 }
 
+TEST_F(TrialsOfSimulatedNurses, SayWhatTheirRecordsSay) {
+  const auto all = *trials(*file_, *studyForElicitation(*file_));
+  std::multiset<std::string> found;
+  for (const Trial& trial : all) {
+    std::ostringstream line;
+    line << name(trial.kind) << ' ' << trial.block << ' ' << trial.number << ' ' << trial.attempt << ' '
+         << trial.practice << trial.catch_trial << ' ' << trial.answer << ' ' << trial.status << ' ' << trial.wording
+         << ' ' << trial.position.value_or(0) << ' ' << trial.response_s.value_or(-1) << ' '
+         << trial.force_n.value_or(-1) << ' ' << trial.felt_n.value_or(-1) << ' ' << trial.forward_mm.value_or(-1);
+    found.insert(line.str());
+  }
+  std::multiset<std::string> wanted;
+  for (const auto& one : *store::strokes(*file_, {}, store::Recordings::kLeaveOut)) {
+    std::ostringstream line;
+    line << "stroke " << one.level << ' ' << one.number << ' ' << one.attempt << ' ' << one.practice << "0  "
+         << one.verdict << "  0 -1 -1 -1 -1";
+    wanted.insert(line.str());
+  }
+  for (const auto& one : *store::judgements(*file_)) {
+    const char* const kinds[] = {"term", "not_felt", "beyond_practice", "no_answer"};
+    std::ostringstream line;
+    line << "judgement " << one.series << ' ' << one.step << ' ' << one.attempt << ' '
+         << (one.series == experiments::kFamiliarisation) << one.catch_trial << ' ' << one.term << ' '
+         << kinds[static_cast<std::size_t>(one.kind)] << "  0 " << one.response_s << ' ' << one.commanded_n << ' '
+         << one.felt_n.value_or(-1) << ' ' << one.forward_mm;
+    wanted.insert(line.str());
+  }
+  for (const auto& one : *store::answers(*file_)) {
+    const char* const kinds[] = {"answered", "skipped", "cant_tell", "cleared"};
+    std::ostringstream line;
+    line << "answer " << one.form << ' ' << one.item << " 1 00 " << one.value << ' '
+         << kinds[static_cast<std::size_t>(one.status)] << ' ' << one.wording << ' ' << one.position << ' '
+         << one.response_s << " -1 -1 -1";
+    wanted.insert(line.str());
+  }
+  EXPECT_EQ(found, wanted);
+}
+
 TEST_F(TrialsOfSimulatedNurses, AreSharedWithoutWhatTellsAPerson) {
   const auto view = *studyForElicitation(*file_);
   auto all = *trials(*file_, view);

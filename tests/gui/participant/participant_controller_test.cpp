@@ -285,18 +285,18 @@ TEST_F(ParticipantControllerTest, ATeacherAnswersTheUsabilityFormInASessionOfIts
   next();
   for (int item = 1; item <= 4; ++item) {
     ASSERT_EQ(screen(), Screen::kScale) << refused.toStdString();
-    EXPECT_EQ(at().scale.sentence, QStringLiteral("u.%1").arg(item));
-    EXPECT_EQ(at().scale.position, item);
-    EXPECT_TRUE(at().scale.chosen.isEmpty());
+    EXPECT_EQ(at().page.sentence.id, QStringLiteral("u.%1").arg(item));
+    EXPECT_EQ(at().page.title.values.front(), QString::number(item));
+    EXPECT_TRUE(at().page.chosen.isEmpty());
     EXPECT_FALSE(at().can_go_on);
     choose("8");
-    EXPECT_TRUE(at().scale.chosen.isEmpty()) << "there are seven points";
+    EXPECT_TRUE(at().page.chosen.isEmpty()) << "there are seven points";
     answer(std::to_string(item).c_str());
   }
   look();
   nurse->back();
   ASSERT_TRUE(stored());
-  EXPECT_EQ(at().scale.chosen, QStringLiteral("4"));
+  EXPECT_EQ(at().page.chosen, QStringLiteral("4"));
   answer("7");
   // The program ends; she goes on with her code.
   getUp();
@@ -307,7 +307,7 @@ TEST_F(ParticipantControllerTest, ATeacherAnswersTheUsabilityFormInASessionOfIts
   next();
   ASSERT_TRUE(stored());
   ASSERT_EQ(screen(), Screen::kScale);
-  EXPECT_EQ(at().scale.position, 5);
+  EXPECT_EQ(at().page.title.values.front(), QStringLiteral("5"));
   answer("5");
   answer("6");
   ASSERT_TRUE(stored());

@@ -108,7 +108,11 @@ class TakePartTest : public testing::Test {
         ASSERT_TRUE(tests::comesTrue([this] { return at().own.ready; }));
         if (!at().own.felt) return push(false);
         return at().can_go_on ? goOn() : choose(say("own.right"), Qt::Key_2);
-      default: return goOn();
+      default: {
+        const PageState& page = at().page;
+        const bool asks = !page.cards.empty() && page.chosen.isEmpty();
+        return asks ? choose(part->look().say(page.cards.front().word), Qt::Key_unknown) : goOn();
+      }
     }
   }
   void doAll() {

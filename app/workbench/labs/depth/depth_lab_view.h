@@ -12,13 +12,11 @@
 #include "app/workbench/base/worker.h"
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/plot/chart.h"
-#include "app/workbench/plot/plot_menu.h"
 #include "core/base/error.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/depth/tube_path.h"
 
 class QComboBox;
-class QCustomPlot;
 class QLabel;
 
 namespace tactus::workbench {

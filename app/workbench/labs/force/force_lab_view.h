@@ -10,12 +10,10 @@
 #include "app/session/judged_forces.h"
 #include "app/workbench/labs/force/judgement_grid.h"
 #include "app/workbench/labs/frame/lab_card.h"
-#include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 #include "elicitation/force/word_intervals.h"
 
 class QComboBox;
-class QCustomPlot;
 class QHBoxLayout;
 class QLabel;
 class QSplitter;

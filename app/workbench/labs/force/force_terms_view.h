@@ -9,7 +9,6 @@
 #include "app/workbench/labs/force/force_lab.h"
 #include "app/workbench/plot/chart.h"
 
-class QCustomPlot;
 class QHBoxLayout;
 class QLabel;
 class QRadioButton;

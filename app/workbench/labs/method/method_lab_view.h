@@ -6,7 +6,6 @@
 
 #include "app/workbench/labs/frame/lab_card.h"
 #include "app/workbench/labs/method/method_lab.h"
-#include "app/workbench/plot/plot_menu.h"
 
 class QLabel;
 class QProgressBar;

@@ -14,7 +14,6 @@
 #include "elicitation/speed/stroke_bootstrap.h"
 
 class QCPPainter;
-class QCustomPlot;
 class QLabel;
 
 namespace tactus::workbench {

@@ -210,8 +210,9 @@ QString Choices::onScale(int place) const {
                                                                : QString();
 }
 
-bool Choices::offers(const QString& id) const {
-  return std::any_of(cards_.begin(), cards_.end(), [&id](const AnswerCard* card) { return card->id() == id; });
+QString Choices::apart() const {
+  const std::vector<AnswerCard*> cards = row(true);
+  return cards.empty() ? QString() : cards.front()->id();
 }
 
 std::vector<AnswerCard*> Choices::row(bool apart) const {

@@ -70,7 +70,8 @@ class Choices : public QWidget {
   void light(const QString& id);
   /// The id of answer `place` on the scale, from 1; empty if there is none.
   QString onScale(int place) const;
-  bool offers(const QString& id) const;
+  /// The id of the first answer apart from the scale; empty if there is none.
+  QString apart() const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }

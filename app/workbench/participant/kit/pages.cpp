@@ -34,7 +34,7 @@ QStringList answerIds(AboutQuestion question) {
   return {QStringLiteral("yes"), QStringLiteral("no")};
 }
 
-PageCard notSay() { return {QStringLiteral("not_say"), phrase(QStringLiteral("you.not_say")), true}; }
+PageCard notSay() { return {QString::fromLatin1(kNotSay), phrase(QStringLiteral("you.not_say")), true}; }
 
 /// `ends`: the word book has the meaning of both ends below this id.
 PageState scalePage(const ScaleState& asked, const QString& ends) {

@@ -176,6 +176,9 @@ struct ReviewState {
   bool sealed = false;                ///< they are locked
 };
 
+/// The answer "I would rather not say".
+inline constexpr const char* kNotSay = "not_say";
+
 /// A card that answers a screen of text and cards.
 struct PageCard {
   QString id;
@@ -270,8 +273,7 @@ struct ParticipantState {
   bool begins_to_count = false;  ///< of kRest: the practice of the forces is over
   QuestionState question;
   ReviewState review;
-  PageState page;    ///< of a screen of text and cards
-  ScaleState scale;  ///< of kRating and kScale
+  PageState page;  ///< of a screen of text and cards
   OwnModelState own;
   ThanksState thanks;
   StopReason stop = StopReason::kForToday;

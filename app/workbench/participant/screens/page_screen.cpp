@@ -96,10 +96,8 @@ void PageScreen::setState(const ParticipantState& state) {
 
 QString PageScreen::idOfKey(int key) const {
   if (!has_scale_) return {};
-  QString id;
-  if (key >= Qt::Key_1 && key <= Qt::Key_9) id = QString::number(key - Qt::Key_0);
-  if (key == Qt::Key_0) id = QStringLiteral("not_say");
-  return choices_->offers(id) ? id : QString();
+  if (key >= Qt::Key_1 && key <= Qt::Key_9) return choices_->onScale(key - Qt::Key_0);
+  return key == Qt::Key_0 ? choices_->apart() : QString();
 }
 
 }  // namespace tactus::workbench::nurse

@@ -23,7 +23,6 @@
 #include "core/fuzzy/force_model.h"
 
 class QComboBox;
-class QCustomPlot;
 class QLabel;
 class QScrollArea;
 class QStackedWidget;
