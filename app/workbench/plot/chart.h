@@ -6,7 +6,6 @@
 #include <QMargins>
 #include <QPen>
 #include <QPointF>
-#include <QRectF>
 #include <QSize>
 #include <QString>
 #include <QVector>

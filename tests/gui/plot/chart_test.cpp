@@ -1,6 +1,5 @@
 #include "app/workbench/plot/chart.h"
 
-#include <QPainter>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <qcustomplot.h>

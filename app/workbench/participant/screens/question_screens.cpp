@@ -1,6 +1,5 @@
 #include "app/workbench/participant/screens/question_screens.h"
 
-#include <QGridLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 
