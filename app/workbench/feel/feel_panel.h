@@ -3,6 +3,7 @@
 
 #include <QList>
 #include <QStringList>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <cstddef>
 #include <functional>

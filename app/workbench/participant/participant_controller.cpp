@@ -4,6 +4,7 @@
 #include <random>
 #include <utility>
 
+#include "app/workbench/participant/consent_text.h"
 #include "app/workbench/participant/participant_steps.h"
 
 namespace tactus::workbench {

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRadioButton>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
