@@ -2,8 +2,8 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QMenu>
-#include <QRadioButton>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSignalSpy>
 #include <QTabWidget>
 #include <QTableView>
