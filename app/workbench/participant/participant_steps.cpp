@@ -97,8 +97,7 @@ class ParticipantController::PlainSteps::Rest final : public Step {
 
   void show(ParticipantState& state) override {
     state.can_go_back = course_.at()->judged.has_value();
-    state.begins_to_count = rest() == kBeginsToCount;
-    state.page = restPage(state.begins_to_count);
+    state.page = restPage(rest() == kBeginsToCount);
   }
   void next() override {
     const std::string had = rest();
@@ -179,7 +178,7 @@ class ParticipantController::PlainSteps::Rating final : public Step {
 
   std::string question() const override { return rating().isFirst() ? "effort" : "comfort"; }
   void show(ParticipantState& state) override {
-    state.page = ratingPage(rating().state());
+    state.page = rating().page();
     state.can_go_on = rating().isAnswered();
     state.can_go_back = !rating().isFirst() || course_.passed_.sealing || course_.at()->judged;
   }
@@ -221,8 +220,8 @@ class ParticipantController::PlainSteps::Scale final : public Step {
   void show(ParticipantState& state) override {
     state.can_go_on = !course_.chosen_.isEmpty();
     if (!page()) return;  // the last answer ends it
-    state.page = statementPage({QStringLiteral("u.%1").arg(page()->item), static_cast<int>(page()->position),
-                                static_cast<int>(page()->count), course_.chosen_, false});
+    state.page = statementPage(page()->item, static_cast<int>(page()->position), static_cast<int>(page()->count),
+                               course_.chosen_);
     state.can_go_on = state.can_go_on && course_.at()->part == session::SessionPart::kForm;
     state.can_go_back = page()->position > 1;
   }

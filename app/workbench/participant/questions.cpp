@@ -6,6 +6,7 @@
 
 #include "app/session/profile_questions.h"
 #include "app/session/study_source.h"
+#include "app/workbench/participant/kit/pages.h"
 
 namespace tactus::workbench {
 
@@ -38,14 +39,8 @@ void BlockRating::back() {
   effort_.reset();
 }
 
-ScaleState BlockRating::state() const {
-  ScaleState out;
-  out.sentence = isFirst() ? QStringLiteral("rate.effort") : QStringLiteral("rate.comfort");
-  out.position = isFirst() ? 1 : 2;
-  out.count = 2;
-  out.chosen = chosen_;
-  out.may_not_say = true;
-  return out;
+PageState BlockRating::page() const {
+  return ratingPage(isFirst() ? QStringLiteral("rate.effort") : QStringLiteral("rate.comfort"), chosen_);
 }
 
 namespace {

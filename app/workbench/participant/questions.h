@@ -34,7 +34,7 @@ class BlockRating {
   /// 1 to 7; nothing: she did not say.
   std::optional<int> effort() const { return effort_.value_or(std::nullopt); }
   std::optional<int> comfort() const { return comfort_; }
-  ScaleState state() const;
+  PageState page() const;
 
  private:
   std::optional<int> points() const;

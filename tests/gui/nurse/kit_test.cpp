@@ -248,9 +248,9 @@ TEST_F(NurseKit, AfterAnAnswerByMouseNoCardOfTheNextQuestionStandsOut) {
   EXPECT_EQ(question.screen.grab().toImage(), (untouched<QuestionScreen>(look, item(8))));
 
   ParticipantState first;
-  first.page = statementPage({QStringLiteral("u.1"), 1, 6, {}, false});
+  first.page = statementPage(1, 1, 6, {});
   ParticipantState second;
-  second.page = statementPage({QStringLiteral("u.2"), 2, 6, {}, false});
+  second.page = statementPage(2, 2, 6, {});
   AnsweredScreen<PageScreen> scale(look, first, second);
   QTest::mouseClick(cardOf(scale.screen, "6"), Qt::LeftButton);
   QTest::mouseClick(buttonOf(scale.screen, QStringLiteral("Confirm")), Qt::LeftButton);

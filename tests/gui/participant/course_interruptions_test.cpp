@@ -26,8 +26,6 @@ struct Place {
 
 void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
 
-bool isOfANurse(const ScreenFacts& facts) { return facts.screen != Screen::kScale && facts.screen != Screen::kStopped; }
-
 /// The `wanted` screens; the practice comes twice.
 std::vector<Place> places(bool (*wanted)(const ScreenFacts&)) {
   std::vector<Place> out;
@@ -184,7 +182,7 @@ TEST_P(KilledCourse, KeepsWhatWasAcknowledgedAndGoesOnThere) {
   ASSERT_NO_FATAL_FAILURE(comeBack());
   // What she passes again after each start.
   const auto again = [this] {
-    return screen() == Screen::kDeviceCheck || screen() == Screen::kGlossary || at().begins_to_count ||
+    return screen() == Screen::kDeviceCheck || screen() == Screen::kGlossary || beginsToCount() ||
            (screen() == Screen::kReview && at().review.sealed);
   };
   while (!isAt(GetParam()) && again()) ASSERT_NO_FATAL_FAILURE(doIt());

@@ -27,6 +27,11 @@ inline ParticipantPlan shortPlan() {
   return plan;
 }
 
+/// Is a screen of a nurse's whole session.
+inline bool isOfANurse(const ScreenFacts& facts) {
+  return facts.screen != ParticipantScreen::kScale && facts.screen != ParticipantScreen::kStopped;
+}
+
 /// One course in virtual time, on a study file of its own.
 class CourseTest : public testing::Test {
  protected:
@@ -54,6 +59,8 @@ class CourseTest : public testing::Test {
   study::Moment now() const { return {1'700'000'000'000 + steps->nowNs() / 1'000'000, steps->nowNs()}; }
   const ParticipantState& at() const { return nurse->state(); }
   ParticipantScreen screen() const { return at().screen; }
+  /// The rest that says that the practice of the forces is over.
+  bool beginsToCount() const { return at().page.title.id == QLatin1String("cnt.title"); }
 
   void advance(int milliseconds) { steps->advance(*device, milliseconds); }
   // The view has painted, and nothing is pressed.
@@ -178,7 +185,7 @@ class CourseTest : public testing::Test {
     ASSERT_TRUE(at().feels_force);
     judge("medium");
     ASSERT_EQ(screen(), ParticipantScreen::kRest);
-    ASSERT_TRUE(at().begins_to_count);
+    ASSERT_TRUE(beginsToCount());
     next();
     ASSERT_EQ(screen(), ParticipantScreen::kForce);
     judge("small");

@@ -223,7 +223,7 @@ TEST_F(ParticipantControllerTest, ThePartsComeInTheOrderOfTheProtocol) {
   ASSERT_EQ(screen(), Screen::kPractice);
   EXPECT_TRUE(at().feels_force);
   judge("medium");
-  ASSERT_TRUE(at().begins_to_count);
+  ASSERT_TRUE(beginsToCount());
   next();
   ASSERT_EQ(screen(), Screen::kForce);
   EXPECT_EQ(at().part, 1);

@@ -52,7 +52,7 @@ void lookAt(const ParticipantController& course, Seen& seen) {
   }
 }
 
-// A screen that the nurse was not told about: she takes the first card, and goes on.
+// The simulated nurse knows nothing of this screen: she takes the first card, and goes on.
 TEST(ScreenNurse, PassesAnyScreenOfTextAndCards) {
   nurse::Look look;
   ParticipantWindow window(look, [] {});

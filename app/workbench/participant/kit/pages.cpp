@@ -37,17 +37,16 @@ QStringList answerIds(AboutQuestion question) {
 PageCard notSay() { return {QString::fromLatin1(kNotSay), phrase(QStringLiteral("you.not_say")), true}; }
 
 /// `ends`: the word book has the meaning of both ends below this id.
-PageState scalePage(const ScaleState& asked, const QString& ends) {
+PageState scalePage(const QString& sentence, const QString& ends, const QString& chosen) {
   PageState page;
-  page.sentence = phrase(asked.sentence);
+  page.sentence = phrase(sentence);
   page.low = phrase(ends + QStringLiteral(".low"));
   page.high = phrase(ends + QStringLiteral(".high"));
   for (int points = 1; points <= kScalePoints; ++points) {
     const QString id = QString::number(points);
     page.cards.push_back({id, nurse::plain(id)});
   }
-  if (asked.may_not_say) page.cards.push_back(notSay());
-  page.chosen = asked.chosen;
+  page.chosen = chosen;
   page.wanted = phrase(QStringLiteral("err.points"));
   page.primary = phrase(QStringLiteral("nav.confirm"));
   return page;
@@ -80,17 +79,18 @@ PageState restPage(bool begins_to_count) {
   return page;
 }
 
-PageState ratingPage(const ScaleState& asked) {
-  PageState page = scalePage(asked, asked.sentence);
+PageState ratingPage(const QString& sentence, const QString& chosen) {
+  PageState page = scalePage(sentence, sentence, chosen);
+  page.cards.push_back(notSay());
   page.title = phrase(QStringLiteral("rate.title"));
   return page;
 }
 
-PageState statementPage(const ScaleState& asked) {
-  PageState page = scalePage(asked, QStringLiteral("u"));
-  page.title = phrase(QStringLiteral("u.title"), {QString::number(asked.position), QString::number(asked.count)});
+PageState statementPage(int item, int position, int count, const QString& chosen) {
+  PageState page = scalePage(QStringLiteral("u.%1").arg(item), QStringLiteral("u"), chosen);
+  page.title = phrase(QStringLiteral("u.title"), {QString::number(position), QString::number(count)});
   page.instructions = phrase(QStringLiteral("u.instructions"));
-  if (asked.position == asked.count) page.primary = phrase(QStringLiteral("nav.seal"));
+  if (position == count) page.primary = phrase(QStringLiteral("nav.seal"));
   return page;
 }
 

@@ -15,10 +15,12 @@ PageState aboutYouPage(const AboutYouState& asked);
 PageState restPage(bool begins_to_count);
 
 /// The effort or comfort of a part that is done, with seven points between two ends.
-PageState ratingPage(const ScaleState& asked);
+/// `sentence`: its id in the word book. `chosen`: `1` to `7`, or kNotSay.
+PageState ratingPage(const QString& sentence, const QString& chosen);
 
-/// A statement of a clinical teacher about the simulator, with seven points. The last one locks the answers.
-PageState statementPage(const ScaleState& asked);
+/// Statement `item` of the form for clinical teachers, the one at `position` of `count`, with seven points. The last
+/// one locks the answers.
+PageState statementPage(int item, int position, int count, const QString& chosen);
 
 /// The end before the end: stopped for today, withdrawn, or no consent. `code`: of the participant.
 PageState stoppedPage(StopReason why, const QString& code);

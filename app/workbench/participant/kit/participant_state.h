@@ -206,14 +206,6 @@ struct PageState {
 /// Of a statement or question: `1` to `7`.
 inline constexpr int kScalePoints = 7;
 
-struct ScaleState {
-  QString sentence;  ///< id of the word book; `.low` and `.high` of it say the ends, or `u.low` and `u.high`
-  int position = 1;
-  int count = 0;
-  QString chosen;  ///< `1` to `7`, `not_say`; empty: none
-  bool may_not_say = false;
-};
-
 struct OwnModelState {
   bool ready = false;   ///< the model is built, and in the device
   bool felt = false;    ///< she pushed under the force: the words may be chosen
@@ -264,13 +256,12 @@ struct ParticipantState {
   bool armed = false;  ///< a device runs for her: it may give a force
   HoldMeans hold = HoldMeans::kButton;
   HoldWait waits = HoldWait::kNot;
-  bool quiet_pause = false;      ///< of kForceOff: she paused where no device was armed
-  bool monitored = false;        ///< the researcher sees the monitor
-  bool call_seen = false;        ///< the researcher answered her call there
-  SpeedState speed;              ///< of kSpeed, and of kPractice without `feels_force`
-  ForceState force;              ///< of kForce, and of kPractice with `feels_force`
-  bool feels_force = false;      ///< the practice is one of the force part
-  bool begins_to_count = false;  ///< of kRest: the practice of the forces is over
+  bool quiet_pause = false;  ///< of kForceOff: she paused where no device was armed
+  bool monitored = false;    ///< the researcher sees the monitor
+  bool call_seen = false;    ///< the researcher answered her call there
+  SpeedState speed;          ///< of kSpeed, and of kPractice without `feels_force`
+  ForceState force;          ///< of kForce, and of kPractice with `feels_force`
+  bool feels_force = false;  ///< the practice is one of the force part
   QuestionState question;
   ReviewState review;
   PageState page;  ///< of a screen of text and cards

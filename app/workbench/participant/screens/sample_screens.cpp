@@ -198,13 +198,13 @@ ParticipantState force(const Subject& about, ForceState::Phase phase, const QStr
 }
 
 SampleScreen rating(const QString& name, const QString& question, const QString& chosen) {
-  return sample(name, at(ParticipantScreen::kRating), ratingPage({question, 1, 2, chosen, true}));
+  return sample(name, at(ParticipantScreen::kRating), ratingPage(question, chosen));
 }
 
 SampleScreen statement(int item) {
   const QString chosen = item > 1 ? QString::number(item) : QString();
   return sample(QStringLiteral("usability_%1").arg(item), at(ParticipantScreen::kScale),
-                statementPage({QStringLiteral("u.%1").arg(item), item, 6, chosen, false}));
+                statementPage(item, item, 6, chosen));
 }
 
 ParticipantState device(DeviceStep step, bool can_go_on, bool simulated) {
