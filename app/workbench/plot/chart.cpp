@@ -1,6 +1,8 @@
 #include "app/workbench/plot/chart.h"
 
 #include <QSharedPointer>
+#include <utility>
+#include <variant>
 
 #include "app/workbench/base/theme.h"
 #include "app/workbench/kit/layout.h"
@@ -9,19 +11,6 @@
 
 namespace tactus::workbench {
 namespace {
-
-void styleAs(const ChartAxis& wanted, QCPAxis& axis) {
-  styleAxis(axis, wanted.universe);
-  if (wanted.range) axis.setRange(wanted.range->first, wanted.range->second);
-  if (wanted.round_ticks) axis.setTicker(QSharedPointer<QCPAxisTicker>::create());
-  if (wanted.step > 0) {
-    auto steps = QSharedPointer<QCPAxisTickerFixed>::create();
-    steps->setTickStep(wanted.step);
-    axis.setTicker(steps);
-  }
-  axis.setLabel(wanted.label);
-  axis.grid()->setVisible(wanted.grid);
-}
 
 QCPScatterStyle styleOf(const ChartDots& dots) {
   using Shape = ChartDots::Shape;
@@ -39,6 +28,19 @@ QCPScatterStyle styleOf(const ChartDots& dots) {
 }
 
 }  // namespace
+
+void styleAxis(QCPAxis& axis, const ChartAxis& wanted) {
+  styleAxis(axis, wanted.universe);
+  if (wanted.range) axis.setRange(wanted.range->first, wanted.range->second);
+  if (wanted.round_ticks) axis.setTicker(QSharedPointer<QCPAxisTicker>::create());
+  if (wanted.step > 0) {
+    auto steps = QSharedPointer<QCPAxisTickerFixed>::create();
+    steps->setTickStep(wanted.step);
+    axis.setTicker(steps);
+  }
+  axis.setLabel(wanted.label);
+  axis.grid()->setVisible(wanted.grid);
+}
 
 ChartAxis membershipAxis(double top) {
   ChartAxis axis;
@@ -65,19 +67,19 @@ void ChartView::clear() {
   plot_->clearPlottables();
   plot_->clearItems();
   plot_->axisRect()->setVisible(false);
-  legend_.clear();
+  chart_ = {};
   redraw(*plot_);
 }
 
-void ChartView::setChart(const Chart& chart) {
+void ChartView::setChart(Chart chart) {
   clear();
+  chart_ = std::move(chart);
   plot_->axisRect()->setVisible(true);
-  styleAs(chart.x, *plot_->xAxis);
-  styleAs(chart.y, *plot_->yAxis);
-  for (const auto& part : chart.parts) {
+  styleAxis(*plot_->xAxis, chart_.x);
+  styleAxis(*plot_->yAxis, chart_.y);
+  for (const auto& part : chart_.parts) {
     std::visit([this](const auto& one) { add(one); }, part);
   }
-  legend_ = chart.legend;
 }
 
 void ChartView::add(const ChartLine& line) {

@@ -18,6 +18,7 @@
 #include "app/workbench/plot/plot_menu.h"
 #include "core/fuzzy/force_model.h"
 
+class QCPAxis;
 class QCustomPlot;
 
 namespace tactus::workbench {
@@ -33,6 +34,9 @@ struct ChartAxis {
 
 /// From 0 to 1, and a little above: lines at 1 stay whole. Without a label.
 ChartAxis membershipAxis(double top = 1.06);
+
+/// Gives `axis` the look, range, ticks, label and grid of `wanted`.
+void styleAxis(QCPAxis& axis, const ChartAxis& wanted);
 
 struct ChartDots {
   enum class Shape { kNone, kDisc, kCircle, kSquare };
@@ -104,14 +108,15 @@ class ChartView : public QWidget, public PlotSource {
   /// Empty: neither axes nor lines. `picture`: the size of its picture, px, without legend.
   explicit ChartView(QWidget* parent = nullptr, QSize picture = {1000, 560});
 
-  void setChart(const Chart& chart);
+  void setChart(Chart chart);
   void clear();
+  const Chart& chart() const { return chart_; }
 
   /// For marks that follow the mouse.
   QCustomPlot& plot() { return *plot_; }
 
   QSize pictureSize() const override { return picture_; }
-  std::vector<LegendEntry> legend() const override { return legend_; }
+  std::vector<LegendEntry> legend() const override { return chart_.legend; }
   void paintPicture(QCPPainter& painter, const QSize& size) override;
 
  private:
@@ -123,7 +128,7 @@ class ChartView : public QWidget, public PlotSource {
 
   const QSize picture_;
   QCustomPlot* plot_;
-  std::vector<LegendEntry> legend_;
+  Chart chart_;
 };
 
 }  // namespace tactus::workbench

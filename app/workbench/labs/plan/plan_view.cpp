@@ -99,7 +99,7 @@ class LineNames : public QWidget {
  public:
   LineNames() : row_(makeRow(this, {spring(1)}, 2 * theme::kGrid)) {}
 
-  void show(const std::vector<LegendEntry>& lines) {
+  void setLines(const std::vector<LegendEntry>& lines) {
     for (QLabel* const name : findChildren<QLabel*>(QString(), Qt::FindDirectChildrenOnly)) delete name;
     for (const LegendEntry& line : lines) {
       if (line.pen.style() != Qt::SolidLine) continue;  // the wanted error is named beside its line
@@ -226,7 +226,7 @@ class PlanView : public LabView {
   void showPlan() {
     const auto* const planned = lab_.plan();
     planned == nullptr ? plot_->clear() : plot_->setChart(planChart(*planned));
-    names_->show(plot_->legend());
+    names_->setLines(plot_->legend());
     rows_->updateRows(planned == nullptr ? std::vector<PlanRow>() : planRows(*planned));
     QStringList says;
     if (planned == nullptr) {

@@ -135,10 +135,6 @@ Chart objectiveChart(const SpeedResult& result, const std::vector<ObjectiveTrace
   return chart;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr int kMostShortRows = 8;
 constexpr qsizetype kMostWarnings = 30;  // lines; more are not read
 

@@ -12,6 +12,7 @@
 #include "app/workbench/model/patient.h"
 #include "app/workbench/model/shown_ranges.h"
 #include "app/workbench/plot/axis_zoom.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_marks.h"
 #include "app/workbench/plot/plot_style.h"
@@ -225,15 +226,11 @@ void MembershipEditorPlot::fitAxis() {
     }
   }
   styleAxis(*plot_->xAxis, variable_);
-  styleAxis(*plot_->yAxis, variable_);
+  styleAxis(*plot_->yAxis, membershipAxis(kTop));
   zoom_->setInputs(variable_);
   // All of it has room for the vertices beside the universe too.
   if (!ranges_.isPart(variable_)) plot_->xAxis->setRange(low, high);
   plot_->xAxis->setLabel(axisText(variable_));
-  plot_->yAxis->setRange(0, kTop);
-  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
-  ticker->setTickStep(0.5);
-  plot_->yAxis->setTicker(ticker);
   marks_->setUniverse(variable_.min, variable_.max);
 }
 

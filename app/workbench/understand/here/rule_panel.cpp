@@ -171,6 +171,26 @@ ReasonsFound reasonsAt(const fuzzy::ForceModel& model, const fuzzy::CompiledMode
   return nullptr;
 }
 
+Chart setsOf(const fuzzy::Variable& output) {
+  return {{.universe = output, .label = axisText(output), .grid = false}, membershipAxis()};
+}
+
+void addSet(Chart& chart, const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha,
+            double width) {
+  if (set.empty()) return;
+  QVector<double> x{set.front().x};
+  QVector<double> height{0};
+  for (const analysis::Vertex& vertex : set) {
+    x << vertex.x;
+    height << vertex.height;
+  }
+  x << set.back().x;
+  height << 0;
+  const ChartLine line = filledLine(x, height, color, width, fill_alpha);
+  chart.parts.emplace_back(line);
+  chart.legend.push_back({name, line.pen, line.fill});
+}
+
 }  // namespace
 
 OutputSetsPlot::OutputSetsPlot(QWidget* parent) : ChartView(parent, {800, 420}) {
@@ -182,62 +202,43 @@ OutputSetsPlot::OutputSetsPlot(QWidget* parent) : ChartView(parent, {800, 420}) 
 
 void OutputSetsPlot::showExpert(const fuzzy::ForceModel& model, const analysis::Explanation& explanation,
                                 std::size_t expert) {
-  begin(model.output);
+  Chart sets = setsOf(model.output);
   const analysis::ExplainedExpert& explained = explanation.experts[expert];
   const std::vector<fuzzy::Term>& terms = fuzzy::termsFor(model.experts[expert], model.output);
   for (std::size_t i = 0; i < explained.output_terms.size(); ++i) {
-    addSet(labelOf(terms[i]), explained.output_terms[i].set, theme::force(i, explained.output_terms.size()), 0.45F, 1);
+    addSet(sets, labelOf(terms[i]), explained.output_terms[i].set, theme::force(i, explained.output_terms.size()),
+           0.45F, 1);
   }
-  addSet(tr("together"), explained.aggregated, theme::ink(), 0, 1.6);
-  finish(!explained.abstains, explained.force_n,
-         tr("centroid %1").arg(forceText(explained.force_n, model.output.unit)));
+  addSet(sets, tr("together"), explained.aggregated, theme::ink(), 0, 1.6);
+  showSets(std::move(sets), !explained.abstains, explained.force_n,
+           tr("centroid %1").arg(forceText(explained.force_n, model.output.unit)));
 }
 
 void OutputSetsPlot::showExperts(const fuzzy::ForceModel& model, const analysis::Explanation& explanation) {
-  begin(model.output);
+  Chart sets = setsOf(model.output);
   // Many fills over each other say nothing any more, and outlines are enough.
   const bool many = explanation.experts.size() > kMostFills;
   const std::vector<std::size_t> numbers = figures::expertNumbers(model.experts);
   for (std::size_t i = 0; i < explanation.experts.size(); ++i) {
-    addSet(labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(numbers[i]), many ? 0 : 0.1F,
-           many ? 1 : 1.6);
+    addSet(sets, labelOf(model.experts[i]), explanation.experts[i].aggregated, theme::expert(numbers[i]),
+           many ? 0 : 0.1F, many ? 1 : 1.6);
   }
-  finish(explanation.fired, explanation.force_n, tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));
-}
-
-void OutputSetsPlot::begin(const fuzzy::Variable& output) {
-  output_ = output;
-  chart_ = {{.universe = output, .label = axisText(output), .grid = false}, membershipAxis()};
-}
-
-void OutputSetsPlot::addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha,
-                            double width) {
-  if (set.empty()) return;
-  QVector<double> x{set.front().x};
-  QVector<double> height{0};
-  for (const analysis::Vertex& vertex : set) {
-    x << vertex.x;
-    height << vertex.height;
-  }
-  x << set.back().x;
-  height << 0;
-  const ChartLine line = filledLine(x, height, color, width, fill_alpha);
-  chart_.parts.emplace_back(line);
-  chart_.legend.push_back({name, line.pen, line.fill});
+  showSets(std::move(sets), explanation.fired, explanation.force_n,
+           tr("mean %1").arg(forceText(explanation.force_n, model.output.unit)));
 }
 
 // The force at the centroid is what the plot is about, so its mark stays in a picture.
-void OutputSetsPlot::finish(bool fired, double force_n, const QString& tag) {
+void OutputSetsPlot::showSets(Chart sets, bool fired, double force_n, const QString& tag) {
   cursor_->setVisible(fired);
   cursor_->set(force_n, tag, {});
-  setChart(chart_);
+  setChart(std::move(sets));
 }
 
 void OutputSetsPlot::fillTable(PlotTable& table) const {
-  table.columns = {"set", columnName(output_), "height"};
-  for (std::size_t i = 0; i < chart_.parts.size(); ++i) {
-    const auto& set = std::get<ChartLine>(chart_.parts[i]);
-    const std::string name = chart_.legend[i].name.toStdString();
+  table.columns = {"set", columnName(chart().x.universe), "height"};
+  for (std::size_t i = 0; i < chart().parts.size(); ++i) {
+    const auto& set = std::get<ChartLine>(chart().parts[i]);
+    const std::string name = chart().legend[i].name.toStdString();
     for (qsizetype corner = 0; corner < set.x.size(); ++corner)
       table.rows.push_back({name, set.x[corner], set.y[corner]});
   }

@@ -242,12 +242,9 @@ class OutputSetsPlot : public ChartView {
   void fillTable(PlotTable& table) const;
 
  private:
-  void begin(const fuzzy::Variable& output);
-  void addSet(const QString& name, const analysis::Polyline& set, const QColor& color, float fill_alpha, double width);
-  void finish(bool fired, double force_n, const QString& tag);
+  /// Shows the sets with the mark of the force that follows from them.
+  void showSets(Chart sets, bool fired, double force_n, const QString& tag);
 
-  fuzzy::Variable output_;
-  Chart chart_;
   ReadingCursor* cursor_;
 };
 

@@ -18,6 +18,7 @@
 #include "app/workbench/kit/layout.h"
 #include "app/workbench/kit/number_box.h"
 #include "app/workbench/model/scene_controller.h"
+#include "app/workbench/plot/chart.h"
 #include "app/workbench/plot/label_layout.h"
 #include "app/workbench/plot/landmark_marks.h"
 #include "app/workbench/plot/plot_caption.h"
@@ -123,11 +124,9 @@ MembershipPlot::MembershipPlot(const fuzzy::Variable& variable, QWidget* parent)
 
   labels_ = new TermLabels(*plot_, kWordRows);
   styleAxis(*plot_->xAxis, variable);
-  styleAxis(*plot_->yAxis, variable);
-  plot_->yAxis->setRange(0, 1.06);
-  auto ticker = QSharedPointer<QCPAxisTickerFixed>::create();
-  ticker->setTickStep(1);
-  plot_->yAxis->setTicker(ticker);
+  ChartAxis membership = membershipAxis();
+  membership.step = 1;
+  styleAxis(*plot_->yAxis, membership);
   plot_->xAxis->grid()->setVisible(false);
   plot_->xAxis->setTickLabelPadding(2);
   plot_->xAxis->setLabelPadding(0);
